@@ -366,50 +366,50 @@
 typedef float kern_real;
 /* Symbols of their own: a file compiled in the other precision fails when it
    is linked, not when it runs, and one program may hold both. */
-#define kern_bearing         kern_bearing_f32
-#define kern_block_init      kern_block_init_f32
-#define kern_block_load      kern_block_load_f32
-#define kern_check_forces    kern_check_forces_f32
-#define kern_check_motion    kern_check_motion_f32
-#define kern_check_raised    kern_check_raised_f32
-#define kern_contact_at      kern_contact_at_f32
-#define kern_contact_make    kern_contact_make_f32
+#define kern_bearing kern_bearing_f32
+#define kern_block_init kern_block_init_f32
+#define kern_block_load kern_block_load_f32
+#define kern_check_forces kern_check_forces_f32
+#define kern_check_motion kern_check_motion_f32
+#define kern_check_raised kern_check_raised_f32
+#define kern_contact_at kern_contact_at_f32
+#define kern_contact_make kern_contact_make_f32
 #define kern_contact_travels kern_contact_travels_f32
-#define kern_contacts        kern_contacts_f32
-#define kern_critical_of     kern_critical_of_f32
-#define kern_defaults        kern_defaults_f32
-#define kern_deficit         kern_deficit_f32
-#define kern_forces          kern_forces_f32
-#define kern_ground_init     kern_ground_init_f32
-#define kern_known_of        kern_known_of_f32
-#define kern_load_factor     kern_load_factor_f32
-#define kern_load_factor_of  kern_load_factor_of_f32
-#define kern_lp_solve        kern_lp_solve_f32
-#define kern_mean_size       kern_mean_size_f32
-#define kern_measure         kern_measure_f32
-#define kern_near            kern_near_f32
+#define kern_contacts kern_contacts_f32
+#define kern_critical_of kern_critical_of_f32
+#define kern_defaults kern_defaults_f32
+#define kern_deficit kern_deficit_f32
+#define kern_forces kern_forces_f32
+#define kern_ground_init kern_ground_init_f32
+#define kern_known_of kern_known_of_f32
+#define kern_load_factor kern_load_factor_f32
+#define kern_load_factor_of kern_load_factor_of_f32
+#define kern_lp_solve kern_lp_solve_f32
+#define kern_mean_size kern_mean_size_f32
+#define kern_measure kern_measure_f32
+#define kern_near kern_near_f32
 #define kern_measured_options kern_measured_options_f32
-#define kern_certain         kern_certain_f32
-#define kern_overlaps        kern_overlaps_f32
-#define kern_plan_add        kern_plan_add_f32
-#define kern_plan_bears      kern_plan_bears_f32
-#define kern_plan_of         kern_plan_of_f32
-#define kern_plan_raised     kern_plan_raised_f32
-#define kern_plan_stays      kern_plan_stays_f32
-#define kern_plan_remove     kern_plan_remove_f32
-#define kern_plan_try        kern_plan_try_f32
-#define kern_profile         kern_profile_f32
-#define kern_raised          kern_raised_f32
-#define kern_raised_load     kern_raised_load_f32
-#define kern_sensitivity     kern_sensitivity_f32
-#define kern_status_text     kern_status_text_f32
-#define kern_stays           kern_stays_f32
-#define kern_task_of         kern_task_of_f32
-#define kern_tilt            kern_tilt_f32
-#define kern_touch           kern_touch_f32
-#define kern_verdict         kern_verdict_f32
-#define kern_work_need       kern_work_need_f32
-#define kern_work_of         kern_work_of_f32
+#define kern_certain kern_certain_f32
+#define kern_overlaps kern_overlaps_f32
+#define kern_plan_add kern_plan_add_f32
+#define kern_plan_bears kern_plan_bears_f32
+#define kern_plan_of kern_plan_of_f32
+#define kern_plan_raised kern_plan_raised_f32
+#define kern_plan_stays kern_plan_stays_f32
+#define kern_plan_remove kern_plan_remove_f32
+#define kern_plan_try kern_plan_try_f32
+#define kern_profile kern_profile_f32
+#define kern_raised kern_raised_f32
+#define kern_raised_load kern_raised_load_f32
+#define kern_sensitivity kern_sensitivity_f32
+#define kern_status_text kern_status_text_f32
+#define kern_stays kern_stays_f32
+#define kern_task_of kern_task_of_f32
+#define kern_tilt kern_tilt_f32
+#define kern_touch kern_touch_f32
+#define kern_verdict kern_verdict_f32
+#define kern_work_need kern_work_need_f32
+#define kern_work_of kern_work_of_f32
 #else
 typedef double kern_real;
 #endif
@@ -428,63 +428,69 @@ extern "C" {
 
 /* ---- Types ------------------------------------------------------- >>types */
 
-typedef struct kern_vec { kern_real x, y; } kern_vec;
+typedef struct kern_vec {
+    kern_real x, y;
+} kern_vec;
 
 /* Upright rectangle: its lower left and its upper right corner [m]. */
-typedef struct kern_box { kern_vec low, high; } kern_box;
+typedef struct kern_box {
+    kern_vec low, high;
+} kern_box;
 
 /* Above zero a call returns a verdict, or a linear program's result; zero where
    it has none. Below zero it failed, and of the caller's data only counters and
    fault of the work memory changed; with KERN_LIMIT also what it says. */
-#define KERN_STATUS_LIST(X)                                                   \
-    X(KERN_OK, 0, "done")                                                     \
-    X(KERN_STANDS, 1, "stands: forces were found that hold every block")      \
-    X(KERN_FALLS, 2, "falls: a motion was found that no forces can stop")     \
-    X(KERN_LP_OPTIMAL, 3, "optimal: a solution of least cost")                \
-    X(KERN_LP_INFEASIBLE, 4, "infeasible: no solution exists")                \
-    X(KERN_LP_UNBOUNDED, 5, "unbounded: the cost falls without end")          \
-    X(KERN_UNDECIDED, -1, "undecided: neither is proven")                     \
-    X(KERN_NO_SPACE, -2, "a result or work array is too short")               \
-    X(KERN_BAD_POINTER, -3, "a pointer is null")                              \
-    X(KERN_BAD_NUMBER, -4, "a number is not finite or out of bounds")         \
-    X(KERN_BAD_COUNT, -5, "a count is out of bounds")                         \
-    X(KERN_FEW_VERTICES, -6, "a polygon has fewer than three vertices")       \
-    X(KERN_NO_AREA, -7, "a polygon has no area")                              \
-    X(KERN_CROSSING, -8, "a polygon crosses itself or passes a point twice")  \
-    X(KERN_BAD_MASS, -9, "a mass or density is out of range")                 \
-    X(KERN_BAD_FRICTION, -10, "friction is negative")                         \
-    X(KERN_BAD_OPTION, -11, "an option or side is out of range")              \
-    X(KERN_BAD_BLOCK, -12, "no block has that index")                         \
-    X(KERN_SAME_BLOCK, -13, "a contact names one block twice")                \
-    X(KERN_BAD_NORMAL, -14, "a contact has no normal of length 1")            \
-    X(KERN_BAD_LINE, -15, "a line contact is off its tangent")                \
-    X(KERN_OVERLAP, -16, "two blocks overlap deeper than the gap tolerance")  \
-    X(KERN_NO_FREE, -17, "no block is free")                                  \
-    X(KERN_BAD_STEP, -18, "a step needs over 1,000,000 levels")               \
-    X(KERN_LIMIT, -19, "the limit of work was reached")                       \
-    X(KERN_STALE, -20, "vertices have moved since kern_block_init()")         \
-    X(KERN_NO_LOAD, -21, "no gravity or load acts on a free block")           \
-    X(KERN_BAD_SHARE, -22, "relative: a shrinkage is above 1")                \
+#define KERN_STATUS_LIST(X)                                                  \
+    X(KERN_OK, 0, "done")                                                    \
+    X(KERN_STANDS, 1, "stands: forces were found that hold every block")     \
+    X(KERN_FALLS, 2, "falls: a motion was found that no forces can stop")    \
+    X(KERN_LP_OPTIMAL, 3, "optimal: a solution of least cost")               \
+    X(KERN_LP_INFEASIBLE, 4, "infeasible: no solution exists")               \
+    X(KERN_LP_UNBOUNDED, 5, "unbounded: the cost falls without end")         \
+    X(KERN_UNDECIDED, -1, "undecided: neither is proven")                    \
+    X(KERN_NO_SPACE, -2, "a result or work array is too short")              \
+    X(KERN_BAD_POINTER, -3, "a pointer is null")                             \
+    X(KERN_BAD_NUMBER, -4, "a number is not finite or out of bounds")        \
+    X(KERN_BAD_COUNT, -5, "a count is out of bounds")                        \
+    X(KERN_FEW_VERTICES, -6, "a polygon has fewer than three vertices")      \
+    X(KERN_NO_AREA, -7, "a polygon has no area")                             \
+    X(KERN_CROSSING, -8, "a polygon crosses itself or passes a point twice") \
+    X(KERN_BAD_MASS, -9, "a mass or density is out of range")                \
+    X(KERN_BAD_FRICTION, -10, "friction is negative")                        \
+    X(KERN_BAD_OPTION, -11, "an option or side is out of range")             \
+    X(KERN_BAD_BLOCK, -12, "no block has that index")                        \
+    X(KERN_SAME_BLOCK, -13, "a contact names one block twice")               \
+    X(KERN_BAD_NORMAL, -14, "a contact has no normal of length 1")           \
+    X(KERN_BAD_LINE, -15, "a line contact is off its tangent")               \
+    X(KERN_OVERLAP, -16, "two blocks overlap deeper than the gap tolerance") \
+    X(KERN_NO_FREE, -17, "no block is free")                                 \
+    X(KERN_BAD_STEP, -18, "a step needs over 1,000,000 levels")              \
+    X(KERN_LIMIT, -19, "the limit of work was reached")                      \
+    X(KERN_STALE, -20, "vertices have moved since kern_block_init()")        \
+    X(KERN_NO_LOAD, -21, "no gravity or load acts on a free block")          \
+    X(KERN_BAD_SHARE, -22, "relative: a shrinkage is above 1")               \
     X(KERN_NO_BLOCK, -23, "a block was refused when it was made")
 
 typedef enum kern_status {
 #define KERN_STATUS_NAME(name, value, text) name = value,
     KERN_STATUS_LIST(KERN_STATUS_NAME)
 #undef KERN_STATUS_NAME
-    KERN_STATUS_LEAST = -23 /* the same number */
+        KERN_STATUS_LEAST = -23 /* the same number */
 } kern_status;
 
 /* Where the fault of a status below zero lies. */
 typedef struct kern_fault {
-    int block;            /* index of a block, -1: none                       */
-    int other;            /* the other block of an overlap, -1: none          */
-    int index;            /* vertex of the polygon or contact point, -1: none */
-    kern_real value;      /* an overlap is at least this deep [m], 0: none    */
-    kern_real allowed;    /* overlap that would be a contact [m], 0: none     */
+    int block;         /* index of a block, -1: none                       */
+    int other;         /* the other block of an overlap, -1: none          */
+    int index;         /* vertex of the polygon or contact point, -1: none */
+    kern_real value;   /* an overlap is at least this deep [m], 0: none    */
+    kern_real allowed; /* overlap that would be a contact [m], 0: none     */
 } kern_fault;
 
 /* A force [N] and a counter-clockwise torque [N m] about a centre of mass. */
-typedef struct kern_wrench { kern_real fx, fy, torque; } kern_wrench;
+typedef struct kern_wrench {
+    kern_real fx, fy, torque;
+} kern_wrench;
 
 /* A stone or ground: kern_block_init(). Mass, centre, load may change later. */
 typedef struct kern_block {
@@ -502,27 +508,27 @@ typedef struct kern_block {
    opposite; t = (-n.y, n.x). A line contact is two points, neighbours in the
    array: lines, pairs and groups of points are one thing to the statics. */
 typedef struct kern_contact {
-    int a, b;             /* blocks, a != b                                   */
-    int line;             /* nonzero: one end of a line contact               */
-    kern_vec p;           /* place [m]                                        */
-    kern_vec n;           /* unit normal from a into b                        */
-    kern_real mu;         /* coefficient of friction >= 0                     */
-    kern_real travel;     /* along t to the closed kern, signed [m]: >>rules  */
+    int a, b;         /* blocks, a != b                                   */
+    int line;         /* nonzero: one end of a line contact               */
+    kern_vec p;       /* place [m]                                        */
+    kern_vec n;       /* unit normal from a into b                        */
+    kern_real mu;     /* coefficient of friction >= 0                     */
+    kern_real travel; /* along t to the closed kern, signed [m]: >>rules  */
 } kern_contact;
 
 /* Two blocks that overlap deeper than the options allow. */
 typedef struct kern_overlap {
-    int a, b;             /* blocks, a < b                                    */
-    kern_real depth;      /* of the overlap [m], 1/8 too small at most        */
-    kern_real allowed;    /* it would be a contact up to that [m]             */
+    int a, b;          /* blocks, a < b                                    */
+    kern_real depth;   /* of the overlap [m], 1/8 too small at most        */
+    kern_real allowed; /* it would be a contact up to that [m]             */
 } kern_overlap;
 
 typedef struct kern_structure {
     const kern_block *block;
     int blocks;
     const kern_contact *contact;
-    int contacts;         /* contact points                                   */
-    kern_vec gravity;     /* acceleration [m/s^2], on Earth (0, -9.81)        */
+    int contacts;     /* contact points                                   */
+    kern_vec gravity; /* acceleration [m/s^2], on Earth (0, -9.81)        */
 } kern_structure;
 
 typedef struct kern_options { /* always start from kern_defaults()            */
@@ -546,30 +552,34 @@ typedef struct kern_options { /* always start from kern_defaults()            */
 } kern_options;
 
 /* Of a contact point [N], and of a block: velocity of its centre and spin. */
-typedef struct kern_force { kern_real normal, tangential; } kern_force;
-typedef struct kern_motion { kern_real vx, vy, spin; } kern_motion;
+typedef struct kern_force {
+    kern_real normal, tangential;
+} kern_force;
+typedef struct kern_motion {
+    kern_real vx, vy, spin;
+} kern_motion;
 
 /* Where to put the proof: arrays of the caller, each may be NULL. Measures use
    them on the way, so after a status below zero their contents mean nothing. */
 typedef struct kern_proof {
-    kern_force *force;    /* one a contact point: written with KERN_STANDS    */
-    kern_motion *motion;  /* one a block, fixed ones rest: with KERN_FALLS    */
+    kern_force *force;   /* one a contact point: written with KERN_STANDS    */
+    kern_motion *motion; /* one a block, fixed ones rest: with KERN_FALLS    */
 } kern_proof;
 
 typedef struct kern_margin {
-    kern_real margin;     /* d*, the shrinkage up to which it stands [m]      */
-    kern_real holds;      /* largest shrinkage known to stand, proven         */
-    kern_real fails;      /* smallest known to fall, proven; `most` if none   */
-    kern_real most;       /* d_max: every kern is closed [m]; relative: 1     */
-    kern_real epsilon;    /* step that was used                               */
-    int level;            /* Algorithm 1; -1: a verdict it needs is undecided */
-    int saturated;        /* nonzero: stands with every kern closed           */
+    kern_real margin;  /* d*, the shrinkage up to which it stands [m]      */
+    kern_real holds;   /* largest shrinkage known to stand, proven         */
+    kern_real fails;   /* smallest known to fall, proven; `most` if none   */
+    kern_real most;    /* d_max: every kern is closed [m]; relative: 1     */
+    kern_real epsilon; /* step that was used                               */
+    int level;         /* Algorithm 1; -1: a verdict it needs is undecided */
+    int saturated;     /* nonzero: stands with every kern closed           */
 } kern_margin;
 
 /* Of the margin of a measured structure: kern_certain() [m; relative: 1]. */
 typedef struct kern_interval {
-    kern_real low;        /* 0: it may fall                                   */
-    kern_real high;       /* 0: it falls; KERN_INFINITY: not known            */
+    kern_real low;  /* 0: it may fall                                   */
+    kern_real high; /* 0: it falls; KERN_INFINITY: not known            */
 } kern_interval;
 
 /* By how much the margin grows when one datum of a contact point does by 1: its
@@ -589,62 +599,62 @@ typedef struct kern_block_rate {
 
 /* What is known of the forces in a structure that stands. */
 typedef enum kern_raising {
-    KERN_NOT_SHOWN,       /* neither of these: no proof of falling            */
-    KERN_RAISED,          /* its load raises forces that hold it              */
-    KERN_HANGS            /* some blocks rest on nothing, others stand alone  */
+    KERN_NOT_SHOWN, /* neither of these: no proof of falling            */
+    KERN_RAISED,    /* its load raises forces that hold it              */
+    KERN_HANGS      /* some blocks rest on nothing, others stand alone  */
 } kern_raising;
 
 /* A profile in four numbers: of margins [m] or load factors of free blocks. */
 typedef struct kern_collapse {
-    kern_real least;      /* the weakest block's: the margin, the load factor */
-    kern_real mean;       /* progressive margin, or progressive load factor   */
-    kern_real weak;       /* mean of the lower half                           */
-    kern_real drop;       /* expected drop: mean of h exp(-value / 0.07), h
+    kern_real least; /* the weakest block's: the margin, the load factor */
+    kern_real mean;  /* progressive margin, or progressive load factor   */
+    kern_real weak;  /* mean of the lower half                           */
+    kern_real drop;  /* expected drop: mean of h exp(-value / 0.07), h
                              the height of the centre above the lowest block
                              in mean sizes, at least 0.3; without loads 0     */
 } kern_collapse;
 
 /* What a mechanism does at a contact point. */
 typedef enum kern_meeting {
-    KERN_RESTS,           /* its blocks move as one, or not at all            */
-    KERN_HINGES,          /* they turn about it                               */
-    KERN_SLIDES,          /* they slide, and part as sliding does (>>limits)  */
-    KERN_OPENS            /* they part                                        */
+    KERN_RESTS,  /* its blocks move as one, or not at all            */
+    KERN_HINGES, /* they turn about it                               */
+    KERN_SLIDES, /* they slide, and part as sliding does (>>limits)  */
+    KERN_OPENS   /* they part                                        */
 } kern_meeting;
 
 /* What limits a measure, and what moves first: kern_critical_of(). Each array,
    of the caller, may be NULL. */
 typedef struct kern_critical {
     kern_meeting *meeting; /* one a contact point                             */
-    kern_real *limit;     /* one a contact point: how much it limits, as a
+    kern_real *limit;      /* one a contact point: how much it limits, as a
                              share of `contact`; up to 1.0001                 */
-    int *group;           /* one a block: number of the group that moves as one
+    int *group;            /* one a block: number of the group that moves as one
                              with it, 0 the fastest; -1: it rests             */
-    int contact;          /* the first that limits most, to 1e-4; -1: none    */
-    int groups;           /* 0 where `group` is NULL                          */
+    int contact; /* the first that limits most, to 1e-4; -1: none    */
+    int groups;  /* 0 where `group` is NULL                          */
 } kern_critical;
 
 /* Work memory: two arrays of the caller. Nothing in them needs to be set. */
 typedef struct kern_work {
     kern_real *real;
-    int reals;            /* KERN_REALS(blocks, contacts)                     */
+    int reals; /* KERN_REALS(blocks, contacts)                     */
     int *index;
-    int indices;          /* KERN_INTS(blocks, contacts)                      */
+    int indices; /* KERN_INTS(blocks, contacts)                      */
     /* the library adds up; the caller reads, and sets to 0 as it likes       */
-    int pivots;           /* of all linear programs                           */
-    int solves;           /* top-down passes and linear programs              */
-    int units;            /* work of the last call but searches for contacts;
+    int pivots;       /* of all linear programs                           */
+    int solves;       /* top-down passes and linear programs              */
+    int units;        /* work of the last call but searches for contacts;
                              limit + 1 with KERN_LIMIT, else within the limit */
-    kern_real error;      /* largest of a proof, in what is allowed: <= 1     */
-    kern_fault fault;     /* of the last call that returned less than 0       */
+    kern_real error;  /* largest of a proof, in what is allowed: <= 1     */
+    kern_fault fault; /* of the last call that returned less than 0       */
 } kern_work;
 
 /* Warm start: what kern_measure() remembers for the next one of nearly the same
    structure. Two arrays of the caller, both or none. Whatever stands there
    changes the time of a measure and not its answer: it is verified first. */
 typedef struct kern_known {
-    kern_motion *motion;  /* one a block: of the mechanism, at fails          */
-    kern_force *force;    /* one a contact point: at holds                    */
+    kern_motion *motion; /* one a block: of the mechanism, at fails          */
+    kern_force *force;   /* one a contact point: at holds                    */
     kern_real holds, margin, fails; /* of the last measure; fails 0: none     */
 } kern_known;
 
@@ -660,8 +670,8 @@ typedef struct kern_task {
    Set task.options and task.s.gravity before blocks are added. Contacts that
    are given rather than found may be appended to contact[task.s.contacts]. */
 typedef struct kern_plan {
-    kern_task task;       /* the structure as it is now                       */
-    kern_block *block;    /* arrays of the caller, which task.s reads         */
+    kern_task task;    /* the structure as it is now                       */
+    kern_block *block; /* arrays of the caller, which task.s reads         */
     int block_room;
     kern_contact *contact;
     int contact_room;
@@ -670,7 +680,7 @@ typedef struct kern_plan {
 /* Sides of a horizontal load or tilt: right is +x for gravity (0, -9.81). */
 typedef enum kern_side {
     KERN_LEFT = -1,
-    KERN_SHRINK = 0,      /* no load, kerns shrink: for kern_profile() alone  */
+    KERN_SHRINK = 0, /* no load, kerns shrink: for kern_profile() alone  */
     KERN_RIGHT = 1
 } kern_side;
 
@@ -697,16 +707,16 @@ typedef struct kern_lp {
 #define KERN_LEAN_EXTRAS(blocks) \
     ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 2)
 #define KERN_ROOM(extras) ((extras) * ((extras) + 5))
-#define KERN_REALS(blocks, contacts) \
-    (KERN_ROOM(KERN_EXTRAS(blocks)) + 54 * (blocks) \
-     + 12 * (contacts) + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)
+#define KERN_REALS(blocks, contacts)                                  \
+    (KERN_ROOM(KERN_EXTRAS(blocks)) + 54 * (blocks) + 12 * (contacts) \
+     + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)
 #define KERN_INTS(blocks, contacts) (45 * (blocks) + 9 * (contacts) + 48)
 #define KERN_LEAN_PART(blocks) ((blocks) / 40 + 3)
 #define KERN_LEAN_REALS(blocks, contacts) \
-    (12 * (blocks) + 6 * (contacts) \
+    (12 * (blocks) + 6 * (contacts)       \
      + KERN_REALS(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks)))
 #define KERN_LEAN_INTS(blocks, contacts) \
-    (10 * (blocks) + 4 * (contacts) \
+    (10 * (blocks) + 4 * (contacts)      \
      + KERN_INTS(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks)))
 #define KERN_LP_ROOM(rows) (((rows) + (rows) / 2 + 8) * ((rows) + 2))
 #define KERN_LP_REALS(rows, cols) (KERN_LP_ROOM(rows) + 5 * (rows) + 16)
@@ -754,12 +764,12 @@ KERN_API kern_options kern_measured_options(const kern_options *options,
                                             kern_real e, kern_real theta);
 
 /* Work memory of two arrays, with its counters at zero. */
-KERN_API kern_work kern_work_of(kern_real *real, int reals,
-                                int *index, int indices);
+KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
+                                int indices);
 
 /* KERN_REALS and KERN_INTS at run time; 0 where a count is out of range. */
-KERN_API void kern_work_need(int blocks, int contacts,
-                             int *reals, int *indices);
+KERN_API void kern_work_need(int blocks, int contacts, int *reals,
+                             int *indices);
 
 /* -- blocks -- */
 
@@ -773,9 +783,9 @@ KERN_API void kern_work_need(int blocks, int contacts,
    in closed rings of other formats), KERN_BAD_MASS (also a density not above
    0): bounds as above. Time: O(n) for n vertices of a convex polygon, else a
    test of boxes for each two edges. */
-KERN_API kern_status kern_block_init(kern_block *block,
-                                     const kern_vec *vertex, int vertices,
-                                     kern_real density, kern_fault *fault);
+KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
+                                     int vertices, kern_real density,
+                                     kern_fault *fault);
 
 /* The same for a fixed block: ground, a wall, a support. */
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
@@ -802,8 +812,8 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    memory: the fault alone. Time: a test of boxes for each two blocks; where
    they meet a few products for near edges, tens where no edge parts them. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
-                           const kern_options *options,
-                           kern_contact *out, int room, kern_work *work);
+                           const kern_options *options, kern_contact *out,
+                           int room, kern_work *work);
 
 /* Lists all pairs of blocks that overlap too deeply for a contact. Returns how
    many, of which room are written at most, or below 0 as kern_contacts(). */
@@ -817,8 +827,8 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
    touch. options.lone: what carries a block is looked for among these contacts
    alone. Time: O(b), and the edges as above. */
 KERN_API int kern_touch(const kern_block *block, int b,
-                        const kern_options *options,
-                        kern_contact *out, int room, kern_work *work);
+                        const kern_options *options, kern_contact *out,
+                        int room, kern_work *work);
 
 /* Makes a contact that is given rather than found. *out has a, b, p, mu and
    the normal n, from a into b and of any length; the contact goes from p to q,
@@ -837,8 +847,8 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
 /* Where a contact point acts at a shrinkage, or where it is negative a growth;
    relative: at a share, above 1 at the middle. The origin for NULL. */
-KERN_API kern_vec kern_contact_at(const kern_contact *contact,
-                                  kern_real shrink, int relative);
+KERN_API kern_vec kern_contact_at(const kern_contact *contact, kern_real shrink,
+                                  int relative);
 
 /* -- verdicts and measures -- */
 /* `shrink` [m] (relative: a share, at most 1): kerns are shrunk by so much, and
@@ -952,9 +962,11 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
    it. The travel of lone points (options.lone) is taken to stay as it is.
    KERN_OK, or KERN_UNDECIDED where the margin is saturated or does not move.
    With narrow 0. Time: O(B + C), 0.03 of that of the margin. */
-KERN_API kern_status kern_sensitivity(
-    const kern_task *task, const kern_margin *margin, const kern_proof *proof,
-    kern_contact_rate *contact, kern_block_rate *block);
+KERN_API kern_status kern_sensitivity(const kern_task *task,
+                                      const kern_margin *margin,
+                                      const kern_proof *proof,
+                                      kern_contact_rate *contact,
+                                      kern_block_rate *block);
 
 /* The deficit (>>rules) [m; relative: 1]. KERN_STANDS: it is 0. KERN_FALLS: it
    is written. KERN_LIMIT: how far kerns must grow at least, -1 where the
@@ -981,9 +993,11 @@ KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       const kern_proof *proof);
 
 /* The same for pattern[0..blocks): a wrench about each free block's centre. */
-KERN_API kern_status kern_load_factor_of(
-    const kern_task *task, kern_real shrink, const kern_wrench *pattern,
-    kern_real *factor, const kern_proof *proof);
+KERN_API kern_status kern_load_factor_of(const kern_task *task,
+                                         kern_real shrink,
+                                         const kern_wrench *pattern,
+                                         kern_real *factor,
+                                         const kern_proof *proof);
 
 /* The load factor of Coulomb friction, from rest: stones that slide need not
    part. *factor is the largest multiple of the load with forces that it raises,
@@ -997,9 +1011,11 @@ KERN_API kern_status kern_load_factor_of(
    KERN_FALLS: it falls at 0. KERN_UNDECIDED also where nothing shows that its
    own weight raises the forces; *factor stays. Time: 8 load factors in the
    median of settled stones, 13 on walls that slide (9.5 of 40 to 60 blocks). */
-KERN_API kern_status kern_raised_load(
-    const kern_task *task, kern_real shrink, kern_side side,
-    const kern_wrench *pattern, kern_real *factor, const kern_proof *proof);
+KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
+                                      kern_side side,
+                                      const kern_wrench *pattern,
+                                      kern_real *factor,
+                                      const kern_proof *proof);
 
 /* The first angle [rad] at which it falls when gravity turns toward a side.
    KERN_STANDS: *angle; proof and all else as in kern_load_factor(). */
@@ -1190,25 +1206,25 @@ extern "C" {
 /* ---- what a proof allows ---- */
 
 /* Residual that a proof may leave, as a share of what acts on the block. */
-#define KERN_TOL           KERN_PICK(1e-9, 1e-4)
+#define KERN_TOL KERN_PICK(1e-9, 1e-4)
 /* Largest forces that are taken for real, in weights: the bound excludes jams,
    whose forces are arbitrarily large; a motion may close no contact faster than
    its power divided by it. A larger gap leaves the interior point no digits. */
-#define KERN_BOUND         KERN_PICK(1e6, 1e3)
+#define KERN_BOUND KERN_PICK(1e6, 1e3)
 /* What is no more than rounding in the result of a method, a tenth of KERN_TOL:
    a variable below zero, as a share of the largest, a pivot or a gain, and what
    >>ipm adds to a diagonal without pivots; and the difference of two critical
    values, in mean block sizes. Less, and simplex and search chase rounding. */
-#define KERN_NOISE         KERN_PICK(1e-10, 1e-5)
+#define KERN_NOISE KERN_PICK(1e-10, 1e-5)
 /* What a row of a proof may lose by rounding, as a share of its terms; by how
    much a certificate is lifted off the columns that it touches, since the check
    of a motion adds as much; and what is added to the diagonal of the matrix of
    >>norm, as a share of its mean: without it what no ray presses has no pivot.
    Within twice as much of the largest coordinate places are the same, or cubes
    that were turned would not touch; and a normal has the length 1. */
-#define KERN_ROUNDING      (32 * KERN_EPS)
+#define KERN_ROUNDING (32 * KERN_EPS)
 /* The most that a proof of >>raised takes for sticking, in approaches. */
-#define KERN_STICKS        KERN_PICK(2e-3, 0.2)
+#define KERN_STICKS KERN_PICK(2e-3, 0.2)
 
 /* ---- what may be asked ---- */
 
@@ -1216,28 +1232,30 @@ extern "C" {
    block [N]. Inverse, it is the least size, mass and sum of a block; its
    inverse square is the least area [m^2] and power of a motion [W]. Squares,
    moments and products with KERN_BOUND of these keep all digits. */
-#define KERN_FAR           KERN_PICK(1e60, 1e10)
+#define KERN_FAR KERN_PICK(1e60, 1e10)
 /* Turn [rad] below which a vertex is no corner, and within which of a half turn
    it is a spike: much larger, and round stones would lose their shape. And
    share of the size by which a foot must lie inside its edge, so that rounding
    makes no contacts between diagonal neighbours; of the shortest line, below
    which a travel is none. And slope along which blocks are at one height. */
-#define KERN_SLIGHT        KERN_R(1e-6)
+#define KERN_SLIGHT KERN_R(1e-6)
 /* Share of the size: the default gap, the length of the shortest line, and how
    far off a corner ends a contact; of an area, by how much it may differ, by
    rounding at large coordinates, from what the block says. */
-#define KERN_GAP           KERN_R(1e-3)
+#define KERN_GAP KERN_R(1e-3)
 /* Angle [rad] from which an option for the angle is refused: it would take a
    corner for a face, and the series of kern_sine() would lose digits. */
-#define KERN_ANGLE_MOST    KERN_R(0.5)
+#define KERN_ANGLE_MOST KERN_R(0.5)
 /* Counts whose work memory, and products in it, are still an int. */
-#define KERN_BLOCKS_MOST   20000   /* blocks of a task; rows of a program     */
-#define KERN_POINTS_MOST   1000000 /* contact points, vertices, levels, blocks
-                                      of a search; columns                    */
-#define KERN_WORK_MOST     2000000000 /* units of a call; entries of a matrix */
+/* Blocks of a task; rows of a program. */
+#define KERN_BLOCKS_MOST 20000
+/* Contact points, vertices, levels, blocks of a search; columns. */
+#define KERN_POINTS_MOST 1000000
+/* Units of a call; entries of a matrix. */
+#define KERN_WORK_MOST 2000000000
 /* Entries of sparse columns that a unit of work adds up (of a dense factor 8/3
    as many): 650 to 2,000 instructions, as >>verdicts says. */
-#define KERN_UNIT          64
+#define KERN_UNIT 64
 
 /* ---- measures ---- */
 
@@ -1245,37 +1263,38 @@ extern "C" {
    block size; load factor; tangent of a quarter of the angle]; up to all of it
    may lie beyond. Narrower, fewer verdicts near critical have a proof; wider,
    the bracket is no longer within the 2e-6 that are promised. */
-#define KERN_WIDTH         KERN_PICK(1.26e-6, 1.8e-3)
+#define KERN_WIDTH KERN_PICK(1.26e-6, 1.8e-3)
 /* How many times wider it may get near what has no proof; wider: undecided. */
-#define KERN_WIDEST        KERN_R(20)
+#define KERN_WIDEST KERN_R(20)
 /* Groups up to which one linear program is solved: margins are then exact.
    More, and its factor costs more than the interior point. */
-#define KERN_SMALL         64
+#define KERN_SMALL 64
 /* Steps to the largest travel where kerns are not nested, and of half a circle
    of tilt under loads that stay: a range that falls, and is narrower than one,
    may be missed. A walk, or a climb, takes at most five times as many steps. */
-#define KERN_SCAN          1001
+#define KERN_SCAN 1001
 /* Largest load factor; beyond, the load counts as held for ever. */
-#define KERN_FACTOR_MOST   KERN_R(1e6)
+#define KERN_FACTOR_MOST KERN_R(1e6)
 
 /* Rounds of what ends in far fewer, unless digits are lost: Newton's method for
    minimum-norm forces, a bracket (four to eight suffice), the interior point
    (some ten), prices of contacts along a load. */
-#define KERN_ROUNDS        100
+#define KERN_ROUNDS 100
 /* Rounds of what ends in fewer, as a rule: Newton's method for one group and
    from bend to bend; parts that fall before the whole is asked; steps of a
    collapse that take nothing away. */
-#define KERN_FEW_ROUNDS    8
+#define KERN_FEW_ROUNDS 8
 
 /* ---- profile, mechanism ---- */
 
-#define KERN_PROFILE_MOST  KERN_R(10) /* load factor that counts as no limit  */
+/* Load factor that counts as no limit. */
+#define KERN_PROFILE_MOST KERN_R(10)
 /* Expected drop: the load factor at which a stone's chance to fall is 1/e (0.05
    to 0.1 rank as well), and the least height that counts [mean block size]. */
-#define KERN_DROP_LOAD     KERN_R(0.07)
-#define KERN_DROP_HEIGHT   KERN_R(0.3)
+#define KERN_DROP_LOAD KERN_R(0.07)
+#define KERN_DROP_HEIGHT KERN_R(0.3)
 /* Share of the highest speed below which blocks rest, or do not approach. */
-#define KERN_REST          KERN_R(1e-4)
+#define KERN_REST KERN_R(1e-4)
 
 /* ---- minimum-norm forces, top-down pass ---- */
 
@@ -1283,82 +1302,86 @@ extern "C" {
    load. A proof allows far more, and so residuals of many groups may add up. At
    1e-10 in double a light stone beside heavy ones stands that falls. Where a
    basis leaves more it is made anew. */
-#define KERN_PASS_TOL      KERN_PICK(1e-11, 1e-6)
+#define KERN_PASS_TOL KERN_PICK(1e-11, 1e-6)
 /* Pivot of a 3 x 3 matrix, as a share of its trace, that counts as rounding: at
    1e-11 in double a profile of rubble begins beyond the margin. */
-#define KERN_THREE_TOL     KERN_PICK(1e-12, 1e-5)
+#define KERN_THREE_TOL KERN_PICK(1e-12, 1e-5)
 /* Pivot that costs no digits: of a 3 x 3 matrix, as a share of its trace (more,
    and the solution needs no refinement); of a column in a basis, as a share of
    its largest entry, and determinant of three columns (less: dependent). */
-#define KERN_PIVOT         KERN_PICK(1e-4, 1e-2)
+#define KERN_PIVOT KERN_PICK(1e-4, 1e-2)
 /* Norm of the forces, in loads of a cluster, beyond which it counts as
    infeasible. Larger, clusters grow later and Newton's method takes more
    steps: without the bound trying a stone costs 4 % more. And slide of a stone
    that falls into a jam, in approaches. */
-#define KERN_NORM_MOST     KERN_R(100)
-#define KERN_ROWS_MOST     12      /* contacts of one group; columns of it that
-                                      are tried for the crash basis           */
+#define KERN_NORM_MOST KERN_R(100)
+/* Contacts of one group; columns of it that are tried for the crash basis. */
+#define KERN_ROWS_MOST 12
 /* Groups of a cluster: a quarter of all in a verdict, a fifth in a search, a
    seventh in one that knows forces. With a fifth verdicts take 7 % more, with a
    quarter measures 6 %, and tries from known forces 6 % with a fifth. Of more
    than KERN_SMALL so many, and two more for each KERN_SMALL: with fewer some
    measures of 100 blocks take four times the work. */
-#define KERN_CLUSTER       4
-#define KERN_CLUSTER_MOST  20
+#define KERN_CLUSTER 4
+#define KERN_CLUSTER_MOST 20
 /* Units of work of a pass for each group and contact. With 30 measures of
    bricks take 1.4 times as long. */
-#define KERN_PASS_UNITS    9
+#define KERN_PASS_UNITS 9
 
 /* ---- search ---- */
 
 /* First step of a search [mean size; load factor, tangent of a quarter of the
    angle], by the corpus' odd half and by walls of 100 to 200 blocks. */
-#define KERN_CLIMB         KERN_R(0.1)
-#define KERN_CLIMB_PUSH    KERN_R(0.5)
-#define KERN_NEAR          KERN_R(4)   /* parts of a bracket, unpredicted; of
-                                          Newton's steps Halley's, at most    */
-#define KERN_CLIMB_GROWS   KERN_R(1.5) /* a step, in the one before           */
+#define KERN_CLIMB KERN_R(0.1)
+#define KERN_CLIMB_PUSH KERN_R(0.5)
+/* Parts of a bracket, unpredicted; of Newton's steps Halley's, at most. */
+#define KERN_NEAR KERN_R(4)
+/* A step, in the one before. */
+#define KERN_CLIMB_GROWS KERN_R(1.5)
 
 /* ---- interior point ---- */
 
 /* A little: what a step leaves of the way to x, z = 0, less as the gap closes;
    what x and z are lifted by to begin, in their largest, and may shrink to when
    forces are balanced; least gap, and s below 0, with which a query begins. */
-#define KERN_IPM_LITTLE    KERN_R(1e-3)
-#define KERN_IPM_APART     KERN_R(0.03) /* least x z, in means, and share of a
-                      gap that a step is to leave: with less, less is decided */
+#define KERN_IPM_LITTLE KERN_R(1e-3)
+/* Least x z, in means, and share of a gap that a step is to leave: with
+   less, less is decided. */
+#define KERN_IPM_APART KERN_R(0.03)
 /* What its gap shrinks to in a step at least, in the mean, or it begins anew:
    without that some walls take three times the work. */
-#define KERN_IPM_PACE      KERN_R(0.95)
+#define KERN_IPM_PACE KERN_R(0.95)
 
 /* ---- simplex method ---- */
 
-#define KERN_CRASH_PULL    KERN_R(2) /* loads that a crash column may pull    */
+/* Loads that a crash column may pull. */
+#define KERN_CRASH_PULL KERN_R(2)
 /* Least pivot of a column in its own group, where its entries are about 1. Less
    makes the inverse grow from course to course, more fills it: at 0.01 a call
    may take more than 2,000 instructions for a unit of its limit. */
-#define KERN_OWN_TOL       KERN_R(0.03)
+#define KERN_OWN_TOL KERN_R(0.03)
 
 /* ---- raised ---- */
 
 /* Rounds of prices from nothing or along a load; from those of a smaller push,
    or near a block, half as many, near it from a smaller push a sixth. More show
    more that moves, fewer less that stays. */
-#define KERN_RAISE_ROUNDS  21
+#define KERN_RAISE_ROUNDS 21
 /* Steps of a load up to the load factor; where one fails, a fifth of it, and of
    that: with halves, to as little, loads take 1.4 times as long. */
-#define KERN_LOAD_STEPS    8
-#define KERN_LOAD_FALL     KERN_R(0.3) /* share of a price's fall in a round */
+#define KERN_LOAD_STEPS 8
+/* Share of a price's fall in a round. */
+#define KERN_LOAD_FALL KERN_R(0.3)
 /* kern_stays(): from block to block, how many contacts away from the stone what
    is not held may be: with 3 and 5 it tells less. No proof is asked for,
    so that contacts may be less stiff along t. */
-#define KERN_STAYS_NEAR    4
-#define KERN_STAYS_STIFF   KERN_R(4)
+#define KERN_STAYS_NEAR 4
+#define KERN_STAYS_STIFF KERN_R(4)
 /* Its law, fitted to placements: the largest reserve that it asks for, since
    more says no more; what is added to it; and its scale. */
-#define KERN_STAYS_MOST    KERN_R(0.01)
-#define KERN_STAYS_ADD     KERN_R(0.004)
-#define KERN_STAYS_ODDS    KERN_R(5.5e7)
+#define KERN_STAYS_MOST KERN_R(0.01)
+#define KERN_STAYS_ADD KERN_R(0.004)
+#define KERN_STAYS_ODDS KERN_R(5.5e7)
 
 /* ---- Vectors ------------------------------------------------------ >>vec */
 
@@ -1373,14 +1396,17 @@ static kern_real kern_abs(kern_real a)
 }
 
 KERN_SHARED static kern_real kern_max(kern_real a, kern_real b)
-{ return a > b ? a : b; }
+{
+    return a > b ? a : b;
+}
 
 KERN_SHARED static kern_real kern_min(kern_real a, kern_real b)
-{ return a < b ? a : b; }
+{
+    return a < b ? a : b;
+}
 
 /* Where it is not, a - a is not a number. */
-KERN_SHARED static int kern_is_finite(kern_real a)
-{ return a - a <= 0; }
+KERN_SHARED static int kern_is_finite(kern_real a) { return a - a <= 0; }
 
 static kern_vec kern_vec_make(kern_real x, kern_real y)
 {
@@ -1389,44 +1415,65 @@ static kern_vec kern_vec_make(kern_real x, kern_real y)
 }
 
 static kern_vec kern_vec_add(kern_vec a, kern_vec b)
-{ return kern_vec_make(a.x + b.x, a.y + b.y); }
+{
+    return kern_vec_make(a.x + b.x, a.y + b.y);
+}
 
 static kern_vec kern_vec_sub(kern_vec a, kern_vec b)
-{ return kern_vec_make(a.x - b.x, a.y - b.y); }
+{
+    return kern_vec_make(a.x - b.x, a.y - b.y);
+}
 
 static kern_vec kern_vec_scale(kern_vec a, kern_real s)
-{ return kern_vec_make(a.x * s, a.y * s); }
+{
+    return kern_vec_make(a.x * s, a.y * s);
+}
 
 /* a + s b */
 static kern_vec kern_vec_step(kern_vec a, kern_real s, kern_vec b)
-{ return kern_vec_make(a.x + s * b.x, a.y + s * b.y); }
+{
+    return kern_vec_make(a.x + s * b.x, a.y + s * b.y);
+}
 
 static kern_real kern_vec_dot(kern_vec a, kern_vec b)
-{ return a.x * b.x + a.y * b.y; }
+{
+    return a.x * b.x + a.y * b.y;
+}
 
 static kern_real kern_vec_cross(kern_vec a, kern_vec b)
-{ return a.x * b.y - a.y * b.x; }
+{
+    return a.x * b.y - a.y * b.x;
+}
 
 /* a turned by +90 degrees */
-static kern_vec kern_vec_turn(kern_vec a)
-{ return kern_vec_make(-a.y, a.x); }
+static kern_vec kern_vec_turn(kern_vec a) { return kern_vec_make(-a.y, a.x); }
 
 static kern_real kern_vec_length(kern_vec a)
-{ return KERN_SQRT(kern_vec_dot(a, a)); }
+{
+    return KERN_SQRT(kern_vec_dot(a, a));
+}
 
 static kern_vec kern_vec_unit(kern_vec a)
-{ return kern_vec_scale(a, 1 / kern_vec_length(a)); }
+{
+    return kern_vec_scale(a, 1 / kern_vec_length(a));
+}
 
 static kern_vec kern_vec_mid(kern_vec a, kern_vec b)
-{ return kern_vec_step(a, KERN_R(0.5), kern_vec_sub(b, a)); }
+{
+    return kern_vec_step(a, KERN_R(0.5), kern_vec_sub(b, a));
+}
 
 /* The larger coordinate, without its sign. */
 static kern_real kern_vec_largest(kern_vec a)
-{ return kern_max(kern_abs(a.x), kern_abs(a.y)); }
+{
+    return kern_max(kern_abs(a.x), kern_abs(a.y));
+}
 
 /* Numbers, and none too large to reckon with? */
 static int kern_vec_is_moderate(kern_vec a)
-{ return kern_abs(a.x) + kern_abs(a.y) <= KERN_FAR; }
+{
+    return kern_abs(a.x) + kern_abs(a.y) <= KERN_FAR;
+}
 
 /* The sine by its series: the last digit of libm's differs between machines;
    angles below KERN_ANGLE_MOST are right to eight digits. */
@@ -1453,10 +1500,14 @@ static void kern_clip(kern_real *low, kern_real *high, kern_real at,
 
 /* Velocity of a point of a body, at an arm from its centre. */
 static inline kern_vec kern_velocity(const kern_motion *v, kern_vec arm)
-{ return kern_vec_make(v->vx - v->spin * arm.y, v->vy + v->spin * arm.x); }
+{
+    return kern_vec_make(v->vx - v->spin * arm.y, v->vy + v->spin * arm.x);
+}
 
 static kern_real kern_block_size(const kern_block *block)
-{ return KERN_SQRT(kern_abs(block->area)); }
+{
+    return KERN_SQRT(kern_abs(block->area));
+}
 
 /* Sum of magnitudes, or of a motion's: 0 only for none, finite for finite. */
 static kern_real kern_wrench_sum(const void *w)
@@ -1526,7 +1577,9 @@ static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
 }
 
 static inline kern_real kern_three(const kern_real *a, const kern_real *b)
-{ return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 static void kern_box_add(kern_box *box, kern_vec p)
 {
@@ -1550,44 +1603,54 @@ static void kern_box_add(kern_box *box, kern_vec p)
 /* A query: the weights and loads to carry, and how far kerns shrink. */
 typedef struct kern_query {
     kern_real shrink;
-    int relative;               /* nonzero: a share of each travel            */
-    kern_real narrow;           /* rate at which cones narrow                 */
-    kern_real mean;             /* size of the free blocks                    */
+    int relative;     /* nonzero: a share of each travel            */
+    kern_real narrow; /* rate at which cones narrow                 */
+    kern_real mean;   /* size of the free blocks                    */
     kern_vec gravity;
     const kern_wrench *pattern; /* NULL: side * m |g| horizontally            */
     kern_real factor;           /* of the pattern                             */
     kern_real loads;            /* share of the blocks' loads                 */
     int side;
-    const kern_real *fallen;    /* of a block, >= 0: it is gone; NULL: none   */
-    kern_real shortest;         /* a shorter contact carries nothing [m]      */
+    const kern_real *fallen; /* of a block, >= 0: it is gone; NULL: none   */
+    kern_real shortest;      /* a shorter contact carries nothing [m]      */
 } kern_query;
 
 /* The tangent by which cones of friction are narrower. */
 static kern_real kern_reduction(const kern_query *q)
-{ return kern_max(q->narrow * q->shrink, KERN_R(0)); }
+{
+    return kern_max(q->narrow * q->shrink, KERN_R(0));
+}
 
 /* Friction of a contact whose cone is narrower by the angle of that tangent. */
 static inline kern_real kern_friction(const kern_contact *c, kern_real by)
-{ return by > 0 ? kern_max(c->mu - by, KERN_R(0)) / (1 + c->mu * by) : c->mu; }
+{
+    return by > 0 ? kern_max(c->mu - by, KERN_R(0)) / (1 + c->mu * by) : c->mu;
+}
 
 /* Whether a block has been taken away. */
 static inline int kern_is_gone(const kern_query *q, int i)
-{ return q->fallen && q->fallen[i] >= 0; }
+{
+    return q->fallen && q->fallen[i] >= 0;
+}
 
 /* A travel too short to be one counts as none: slight beside the least line. */
 KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
-{ return kern_abs(c->travel) < KERN_SLIGHT * KERN_GAP * mean ? 0 : c->travel; }
+{
+    return kern_abs(c->travel) < KERN_SLIGHT * KERN_GAP * mean ? 0 : c->travel;
+}
 
 /* Length of its line, or about that of its points; 0: it is a lone point. */
 static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
-{ return 2 * kern_abs(kern_travel(c, mean)); }
+{
+    return 2 * kern_abs(kern_travel(c, mean));
+}
 
 /* Whether a contact carries nothing: too short, or one of its blocks gone. */
 static inline int kern_is_out(const kern_query *q, const kern_contact *c)
 {
     const kern_real len = q->shortest > 0 ? kern_contact_length(c, q->mean) : 0;
-    return (len > 0 && len < q->shortest)
-           || kern_is_gone(q, c->a) || kern_is_gone(q, c->b);
+    return (len > 0 && len < q->shortest) || kern_is_gone(q, c->a)
+        || kern_is_gone(q, c->b);
 }
 
 /* What gravity does to a mass. */
@@ -1599,8 +1662,8 @@ static void kern_weigh(kern_vec gravity, kern_real mass, kern_wrench *w)
 }
 
 /* The load pattern's share of block i, for a factor of 1. */
-static void kern_pattern_on(const kern_structure *s, const kern_query *q,
-                            int i, kern_wrench *w)
+static void kern_pattern_on(const kern_structure *s, const kern_query *q, int i,
+                            kern_wrench *w)
 {
     if (q->pattern)
         *w = q->pattern[i];
@@ -1623,8 +1686,8 @@ static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
     if (!(kern_wrench_sum(w) > 0))
         return KERN_R(0);
     kern_add(sum, share, w, 3);
-    return share * (kern_force_size(w) + kern_abs(w->torque)
-                                         / kern_block_size(b));
+    return share
+         * (kern_force_size(w) + kern_abs(w->torque) / kern_block_size(b));
 }
 
 /* All that acts on block i besides its contacts. Returns the sum of the
@@ -1648,12 +1711,14 @@ static inline kern_real kern_wrench_on(const kern_structure *s,
 static kern_real kern_shift(kern_real travel, kern_real shrink, int relative,
                             kern_real *rate)
 {
-    const kern_real sign = travel > 0 ? KERN_R(1) : travel < 0 ? KERN_R(-1)
-                                                               : KERN_R(0);
+    const kern_real sign = travel > 0 ? KERN_R(1)
+                         : travel < 0 ? KERN_R(-1)
+                                      : KERN_R(0);
     const int closed = !relative && shrink >= kern_abs(travel);
     *rate = relative ? travel : closed ? KERN_R(0) : sign;
     return relative ? kern_min(shrink, KERN_R(1)) * travel
-                    : closed ? travel : shrink * sign;
+         : closed   ? travel
+                    : shrink * sign;
 }
 
 KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
@@ -1670,8 +1735,8 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
    is taken off first, since far from the origin a place has fewer digits than
    an arm. Returns how far along t it moved. A tenth of the time goes here. */
 static inline kern_real kern_arms(const kern_structure *s,
-                                  const kern_contact *c,
-                                  const kern_query *q, kern_vec arm[2])
+                                  const kern_contact *c, const kern_query *q,
+                                  kern_vec arm[2])
 {
     kern_real rate;
     const kern_real shift = kern_shift(kern_travel(c, q->mean), q->shrink,
@@ -1698,17 +1763,21 @@ static int kern_line_begins(const kern_contact *contact, int contacts, int i)
 {
     const kern_contact *c = contact + i;
     return i + 1 < contacts && c->line && c[1].line && c->a == c[1].a
-           && c->b == c[1].b;
+        && c->b == c[1].b;
 }
 
 /* Are they between the same blocks? */
 static int kern_same_blocks(const kern_contact *c, const kern_contact *d)
-{ return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a); }
+{
+    return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a);
+}
 
 /* And is d a point? */
 KERN_SHARED static int kern_same_interface(const kern_contact *c,
                                            const kern_contact *d)
-{ return !d->line && kern_same_blocks(c, d); }
+{
+    return !d->line && kern_same_blocks(c, d);
+}
 
 /* ---- Work arrays ------------------------------------------------- >>work */
 /* What is left of the work memory. Slices are handed out one after the other.
@@ -1750,12 +1819,16 @@ static kern_real *kern_take_last(kern_take *take, int n)
 }
 
 static int kern_take_fits(const kern_take *take)
-{ return take->reals >= 0 && take->indices >= 0; }
+{
+    return take->reals >= 0 && take->indices >= 0;
+}
 
 /* ---- what a call may spend ---- */
 
 static int kern_limit_of(int limit)
-{ return limit > 0 ? limit : KERN_WORK_MOST; }
+{
+    return limit > 0 ? limit : KERN_WORK_MOST;
+}
 
 KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 {
@@ -1793,7 +1866,8 @@ static kern_status kern_options_check(const kern_options *o)
 {
     if (!(kern_abs(o->mu + o->gap + o->angle + o->epsilon + o->overlap
                    + o->pose_error + o->pose_turn + o->narrow + o->reserve)
-          <= KERN_FAR) || !kern_vec_is_moderate(o->lone))
+          <= KERN_FAR)
+        || !kern_vec_is_moderate(o->lone))
         return KERN_BAD_NUMBER;
     if (o->mu < 0)
         return KERN_BAD_FRICTION;
@@ -1813,7 +1887,8 @@ static inline kern_status kern_contact_check(const kern_contact *c, int blocks)
         return KERN_BAD_BLOCK;
     if (c->a == c->b)
         return KERN_SAME_BLOCK;
-    if (!kern_vec_is_moderate(c->p) || !(kern_abs(c->travel) <= KERN_FAR)
+    if (!kern_vec_is_moderate(c->p)
+        || !(kern_abs(c->travel) <= KERN_FAR)
         /* 0 times what is not finite is not a number */
         || !kern_is_finite(0 * c->n.x + 0 * c->n.y + 0 * c->mu))
         return KERN_BAD_NUMBER;
@@ -1826,8 +1901,9 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
 {
     const kern_real size = kern_block_size(b);
     const kern_real acts = kern_abs(b->load.fx) + kern_abs(b->load.fy)
-        + kern_abs(b->load.torque) / size
-        + b->mass * (kern_abs(gravity.x) + kern_abs(gravity.y));
+                         + kern_abs(b->load.torque) / size
+                         + b->mass
+                               * (kern_abs(gravity.x) + kern_abs(gravity.y));
     if (b->vertices < 0)
         return KERN_NO_BLOCK;
     if (!kern_vec_is_moderate(b->centre) || !(size <= KERN_FAR))
@@ -1840,7 +1916,8 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
         return kern_is_finite(b->mass) ? KERN_BAD_MASS : KERN_BAD_NUMBER;
     *loaded |= acts > 0;
     return acts <= KERN_FAR && (acts >= 1 / KERN_FAR || !(acts > 0))
-           ? KERN_OK : KERN_BAD_NUMBER;
+             ? KERN_OK
+             : KERN_BAD_NUMBER;
 }
 
 /* Checks what the arrays of a structure hold. */
@@ -1862,8 +1939,8 @@ static kern_status kern_structure_check(const kern_structure *s,
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         status = kern_contact_check(c, s->blocks);
-        if (status == KERN_OK && kern_abs(kern_vec_dot(c->n, c->n) - 1)
-                                 > 2 * KERN_ROUNDING)
+        if (status == KERN_OK
+            && kern_abs(kern_vec_dot(c->n, c->n) - 1) > 2 * KERN_ROUNDING)
             status = KERN_BAD_NORMAL;
         if (status != KERN_OK) {
             fault->index = i;
@@ -1896,7 +1973,8 @@ static kern_status kern_task_check(const kern_task *task, kern_real shrink,
     if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0))
         return KERN_BAD_POINTER;
     return kern_is_finite(s->gravity.x + s->gravity.y + shrink)
-           ? KERN_OK : KERN_BAD_NUMBER;
+             ? KERN_OK
+             : KERN_BAD_NUMBER;
 }
 
 /* The query of a task, and checks what its arrays hold. */
@@ -1939,8 +2017,9 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
         return KERN_BAD_OPTION;
     n = lp->rows * lp->cols;
     for (i = 0; i < n + lp->rows + (lp->cost ? lp->cols : 0); i++) {
-        const kern_real v = i < n ? lp->a[i] : i < n + lp->rows
-            ? lp->rhs[i - n] : lp->cost[i - n - lp->rows];
+        const kern_real v = i < n            ? lp->a[i]
+                          : i < n + lp->rows ? lp->rhs[i - n]
+                                             : lp->cost[i - n - lp->rows];
         if (!kern_is_finite(v)) {
             fault->index = i;
             fault->value = v;
@@ -1963,9 +2042,8 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 
 /* What is left in the rows of free blocks under contact forces of `sum`, four a
    block, or all normal forces, `total`: the larger share of what is allowed. */
-static kern_real kern_prove_rows(const kern_structure *s,
-                                 const kern_query *q, const kern_real *sum,
-                                 kern_real total)
+static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
+                                 const kern_real *sum, kern_real total)
 {
     kern_real error = KERN_R(0), weight = KERN_R(0);
     int i;
@@ -1976,14 +2054,14 @@ static kern_real kern_prove_rows(const kern_structure *s,
             const kern_real x = kern_abs(sum[0] + w.fx);
             const kern_real y = kern_abs(sum[2] + w.fy);
             const kern_real turn = kern_abs(sum[1] + w.torque)
-                                   / kern_block_size(s->block + i);
+                                 / kern_block_size(s->block + i);
             const kern_real left = kern_max(kern_max(x, y), turn);
             weight += size;
             if (!kern_is_finite(x + y + turn))
                 return KERN_INFINITY;
             if (left > 0)
-                error = kern_max(error, left / (KERN_TOL * size
-                                                + KERN_ROUNDING * sum[3]));
+                error = kern_max(
+                    error, left / (KERN_TOL * size + KERN_ROUNDING * sum[3]));
         }
     weight *= KERN_BOUND;
     if (!kern_is_finite(weight)) /* too much is allowed to prove anything */
@@ -2019,8 +2097,8 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
         kern_vec arm[2];
         if (kern_is_out(q, c))
             continue;
-        if (!(f >= 0) || !(kern_abs(r) <= kern_friction(c, by) * f
-                                          * (1 + 8 * KERN_EPS)))
+        if (!(f >= 0)
+            || !(kern_abs(r) <= kern_friction(c, by) * f * (1 + 8 * KERN_EPS)))
             return KERN_INFINITY; /* not in its cone */
         if (!(f > 0))
             continue;
@@ -2057,12 +2135,11 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
     lost.y += 5 * kern_abs(v.y);
     gap = nx * lost.x + ny * lost.y + mu * (nx * lost.y + ny * lost.x);
     return mu * kern_abs(kern_vec_cross(c->n, v)) - kern_vec_dot(c->n, v)
-           + KERN_EPS / 2 * gap + 1 / (KERN_FAR * KERN_FAR);
+         + KERN_EPS / 2 * gap + 1 / (KERN_FAR * KERN_FAR);
 }
 
 /* The speed of a block that rests is 0. */
-static kern_real kern_speed(const kern_motion *m)
-{ return kern_wrench_sum(m); }
+static kern_real kern_speed(const kern_motion *m) { return kern_wrench_sum(m); }
 
 /* The larger of a block's speed and that of its turning. */
 static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
@@ -2084,7 +2161,9 @@ static void kern_motion_scale(const kern_structure *s, kern_motion *v)
 
 /* Of both blocks of a contact. */
 static kern_real kern_speeds(const kern_contact *c, const kern_motion *motion)
-{ return kern_speed(motion + c->a) + kern_speed(motion + c->b); }
+{
+    return kern_speed(motion + c->a) + kern_speed(motion + c->b);
+}
 
 static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
                                    const kern_motion *motion)
@@ -2148,9 +2227,10 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
         const kern_real slide = kern_vec_cross(c->n, u);
         if (!(f > KERN_TOL * least)) /* equilibrium would not miss it */
             continue;
-        if (!(press > KERN_ROUNDING
-              * (kern_block_speed(s->block + c->a, motion + c->a)
-                 + kern_block_speed(s->block + c->b, motion + c->b))))
+        if (!(press
+              > KERN_ROUNDING
+                    * (kern_block_speed(s->block + c->a, motion + c->a)
+                       + kern_block_speed(s->block + c->b, motion + c->b))))
             return KERN_INFINITY;
         if (kern_abs(r) < mu * f * (1 - KERN_TOL) || r * slide > 0)
             error = kern_max(error, kern_abs(slide) / (KERN_STICKS * press));
@@ -2204,7 +2284,8 @@ KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
 {
     kern_query q;
     return kern_query_check(task, shrink, motion, &q) == KERN_OK
-           ? kern_prove_motion(&task->s, &q, motion) : KERN_INFINITY;
+             ? kern_prove_motion(&task->s, &q, motion)
+             : KERN_INFINITY;
 }
 
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
@@ -2247,22 +2328,22 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* Groups and the contacts between them. */
 typedef struct kern_graph {
     int groups;
-    int *group;               /* of a block                                   */
-    int *block;               /* of a group                                   */
-    int *ends;                /* groups of b (2 i) and a (2 i + 1), contact i */
-    int *touch, *after;       /* first end of a contact at a group, and the end
+    int *group;         /* of a block                                   */
+    int *block;         /* of a group                                   */
+    int *ends;          /* groups of b (2 i) and a (2 i + 1), contact i */
+    int *touch, *after; /* first end of a contact at a group, and the end
                                  at the same group that follows an end        */
-    kern_real *torque;        /* two an end: of n and t, as its row has them  */
-    int *local;               /* of a group: its number in the open part      */
-    int *carrier;             /* of a group: what alone bears it; or KERN_OUT */
+    kern_real *torque;  /* two an end: of n and t, as its row has them  */
+    int *local;         /* of a group: its number in the open part      */
+    int *carrier;       /* of a group: what alone bears it; or KERN_OUT */
 } kern_graph;
 
 /* What was found for the last verdict. */
 typedef struct kern_answer {
-    const kern_known *known;  /* forces that held one like it, or NULL        */
-    kern_force *force;        /* one a contact                                */
-    kern_motion *motion;      /* one a block                                  */
-    kern_real *sum;           /* scratch, four a block                        */
+    const kern_known *known; /* forces that held one like it, or NULL        */
+    kern_force *force;       /* one a contact                                */
+    kern_motion *motion;     /* one a block                                  */
+    kern_real *sum;          /* scratch, four a block                        */
 } kern_answer;
 
 /* States of a cluster, or'ed: to be balanced; was balanced as it is. */
@@ -2270,47 +2351,49 @@ enum { KERN_OPEN = 1, KERN_TRIED = 2 };
 
 /* Disjoint sets of groups that are balanced together. */
 typedef struct kern_clusters {
-    int *last;                /* of a group: the last group of its cluster    */
-    int *next;                /* of a group: the next of its cluster, cyclic  */
-    int *open;                /* of a last group: the state of its cluster    */
-    int at;                   /* no cluster that is open ends before this one */
-    int most;                 /* groups of one                                */
-    int until;                /* units of work at which the pass ends         */
-    int only;                 /* group that known forces may not balance, if
+    int *last; /* of a group: the last group of its cluster    */
+    int *next; /* of a group: the next of its cluster, cyclic  */
+    int *open; /* of a last group: the state of its cluster    */
+    int at;    /* no cluster that is open ends before this one */
+    int most;  /* groups of one                                */
+    int until; /* units of work at which the pass ends         */
+    int only;  /* group that known forces may not balance, if
                                  they begin the next pass, or KERN_OUT        */
 } kern_clusters;
 
 typedef struct kern_model {
-    const kern_task *task;    /* that it is of                                */
+    const kern_task *task; /* that it is of                                */
     const kern_structure *s;
     kern_graph graph;
     kern_answer answer;
     int relative;
-    kern_real mean;           /* size of the free blocks                      */
-    kern_real weight;         /* unit of force: all that acts on free blocks  */
-    kern_real *unit;          /* of a group: 1 / the unit of its torques      */
-    kern_real *load;          /* three a group: what contacts must exert [N]  */
-    kern_real *size;          /* of a group: magnitude of all that acts       */
-    kern_real shrunk;         /* shrinkage that torques are of, or infinity   */
-    kern_real reduction;      /* of cones of friction, of the last question   */
+    kern_real mean;      /* size of the free blocks                      */
+    kern_real weight;    /* unit of force: all that acts on free blocks  */
+    kern_real *unit;     /* of a group: 1 / the unit of its torques      */
+    kern_real *load;     /* three a group: what contacts must exert [N]  */
+    kern_real *size;     /* of a group: magnitude of all that acts       */
+    kern_real shrunk;    /* shrinkage that torques are of, or infinity   */
+    kern_real reduction; /* of cones of friction, of the last question   */
     kern_clusters cluster;
-    int whole;                /* nonzero: all groups are one part             */
-    kern_take common;         /* work memory behind what every method needs   */
-    kern_take rest;           /* work memory that is left                     */
+    int whole;        /* nonzero: all groups are one part             */
+    kern_take common; /* work memory behind what every method needs   */
+    kern_take rest;   /* work memory that is left                     */
 } kern_model;
 
 /* Structs that are copied, cleared and scaled as numbers. */
-typedef char kern_structs_are_numbers[
-    sizeof(kern_force) == 2 * sizeof(kern_real)
-    && sizeof(kern_motion) == 3 * sizeof(kern_real)
-    && sizeof(kern_wrench) == 3 * sizeof(kern_real)
-    && sizeof(kern_contact_rate) == 5 * sizeof(kern_real)
-    && sizeof(kern_block_rate) == 9 * sizeof(kern_real) ? 1 : -1];
+typedef char kern_structs_are_numbers
+    [sizeof(kern_force) == 2 * sizeof(kern_real)
+             && sizeof(kern_motion) == 3 * sizeof(kern_real)
+             && sizeof(kern_wrench) == 3 * sizeof(kern_real)
+             && sizeof(kern_contact_rate) == 5 * sizeof(kern_real)
+             && sizeof(kern_block_rate) == 9 * sizeof(kern_real)
+         ? 1
+         : -1];
 
 KERN_API void kern_work_need(int blocks, int contacts, int *reals, int *indices)
 {
-    const int fit = blocks >= 0 && blocks <= KERN_BLOCKS_MOST
-                    && contacts >= 0 && contacts <= KERN_POINTS_MOST;
+    const int fit = blocks >= 0 && blocks <= KERN_BLOCKS_MOST && contacts >= 0
+                 && contacts <= KERN_POINTS_MOST;
     *reals = fit ? KERN_REALS(blocks, contacts) : 0;
     *indices = fit ? KERN_INTS(blocks, contacts) : 0;
 }
@@ -2318,8 +2401,10 @@ KERN_API void kern_work_need(int blocks, int contacts, int *reals, int *indices)
 KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
                                 int indices)
 {
-    const kern_work work = {real, reals, index, indices, 0, 0, 0, KERN_R(0),
-                            {KERN_OUT, KERN_OUT, KERN_OUT, 0, 0}};
+    const kern_work work = {
+        real,    reals,     index,
+        indices, 0,         0,
+        0,       KERN_R(0), {KERN_OUT, KERN_OUT, KERN_OUT, 0, 0}};
     return work;
 }
 
@@ -2329,8 +2414,9 @@ KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
 {
     const kern_task task = {
         {block, blocks, contact, contacts, {0, KERN_R(-9.81)}},
-        kern_defaults(), work, kern_known_of(NULL, NULL)
-    };
+        kern_defaults(),
+        work,
+        kern_known_of(NULL, NULL)};
     return task;
 }
 
@@ -2347,8 +2433,11 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
 static void kern_model_order(const kern_model *m)
 {
     const kern_block *block = m->s->block;
-    const kern_vec down = m->s->gravity, along = KERN_PICK(0, 1) > 0 ? down
-        : kern_vec_step(down, KERN_SLIGHT, kern_vec_turn(down));
+    const kern_vec down = m->s->gravity,
+                   along = KERN_PICK(0, 1) > 0
+                             ? down
+                             : kern_vec_step(down, KERN_SLIGHT,
+                                             kern_vec_turn(down));
     int *list = m->graph.block, gap, i, j;
     for (gap = 1; gap < m->graph.groups / 64; gap = 3 * gap + 1)
         continue;
@@ -2369,7 +2458,9 @@ static void kern_model_order(const kern_model *m)
 
 /* No contact bears anything. */
 static void kern_model_unload(kern_model *m)
-{ kern_zero(m->answer.force, 2 * m->s->contacts); }
+{
+    kern_zero(m->answer.force, 2 * m->s->contacts);
+}
 
 /* Gives every free block that is not gone a group, and lists its contacts. */
 static void kern_model_group(kern_model *m, const kern_query *q)
@@ -2422,8 +2513,8 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->load = kern_take_reals(take, 5 * groups + 1);
     m->size = m->load + 3 * groups;
     m->unit = m->size + groups;
-    m->answer.force = (kern_force *)(void *)
-                      kern_take_reals(take, 2 * s->contacts);
+    m->answer.force = (kern_force *)(void *)kern_take_reals(take,
+                                                            2 * s->contacts);
     m->answer.sum = kern_take_reals(take, 7 * s->blocks);
     m->answer.motion = (kern_motion *)(void *)(m->answer.sum + 4 * s->blocks);
     m->common = *take;
@@ -2450,8 +2541,8 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
    All that look for forces use it by two verbs, motion to speed and force to
    wrench; proofs have their own, so as not to share a fault. */
 typedef struct kern_row {
-    kern_real n[3];           /* wrench of a unit of normal force             */
-    kern_real turn;           /* along t it is (-n[1], n[0], turn)            */
+    kern_real n[3]; /* wrench of a unit of normal force             */
+    kern_real turn; /* along t it is (-n[1], n[0], turn)            */
 } kern_row;
 
 /* The row of a normal n that acts at an arm, its torque times `unit`. */
@@ -2505,8 +2596,8 @@ static inline kern_row kern_model_row(const kern_model *m, int end)
 {
     const kern_vec n = m->s->contact[end >> 1].n;
     const kern_real *torque = m->graph.torque + 2 * (size_t)end;
-    const kern_row row = {{end & 1 ? -n.x : n.x, end & 1 ? -n.y : n.y,
-                           torque[0]}, torque[1]};
+    const kern_row row = {
+        {end & 1 ? -n.x : n.x, end & 1 ? -n.y : n.y, torque[0]}, torque[1]};
     return row;
 }
 
@@ -2538,7 +2629,9 @@ static inline void kern_model_unit(kern_model *m, const kern_query *q, int g)
 }
 
 static inline kern_real kern_model_mu(const kern_model *m, int i)
-{ return kern_friction(m->s->contact + i, m->reduction); }
+{
+    return kern_friction(m->s->contact + i, m->reduction);
+}
 
 /* What contacts must exert on group g: Eq. (5)'s -w. */
 static inline void kern_model_load(kern_model *m, const kern_query *q, int g)
@@ -2609,16 +2702,20 @@ static int kern_is_nested(const kern_model *m, kern_real range[2])
 
 /* What is known of a structure like it, if anything is. */
 KERN_SHARED static void kern_model_know(kern_model *m, const kern_known *known)
-{ m->answer.known = known->fails > 0 && known->force ? known : NULL; }
+{
+    m->answer.known = known->fails > 0 && known->force ? known : NULL;
+}
 
 static int kern_model_spend(const kern_model *m, int units)
-{ return kern_spend(m->task->work, m->task->options.limit, units); }
+{
+    return kern_spend(m->task->work, m->task->options.limit, units);
+}
 
 /* The same for queries, however small: proofs are of all. */
 static int kern_model_ask(const kern_model *m, int queries)
 {
-    return kern_model_spend(m, queries * (3 + (m->s->blocks + m->s->contacts)
-                                              / 14));
+    return kern_model_spend(
+        m, queries * (3 + (m->s->blocks + m->s->contacts) / 14));
 }
 
 /* Whether one linear program answers: few groups, all of the work memory. */
@@ -2628,7 +2725,7 @@ static int kern_model_is_small(const kern_model *m)
     int reals, indices;
     kern_work_need(m->s->blocks, m->s->contacts, &reals, &indices);
     return m->graph.groups <= KERN_SMALL && work->reals >= reals
-           && work->indices >= indices;
+        && work->indices >= indices;
 }
 
 /* Whether a proof with this error holds; notes the largest such error. */
@@ -2642,8 +2739,8 @@ static int kern_model_proven(const kern_model *m, kern_real error)
 /* Whether the forces of the answer prove that it stands. */
 static int kern_answer_holds(const kern_model *m, const kern_query *q)
 {
-    return kern_model_proven(m, kern_prove_forces(m->s, q, m->answer.force,
-                                                  m->answer.sum));
+    return kern_model_proven(
+        m, kern_prove_forces(m->s, q, m->answer.force, m->answer.sum));
 }
 
 /* Replaces the forces of all lines, whose ends are where `from` puts them, by
@@ -2666,7 +2763,7 @@ static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
         more = f[0].normal - f[1].normal;
         if (kern_abs(is) > 0)
             more *= (travel - kern_shift(travel, from, m->relative, &rate))
-                    / is;
+                  / is;
         for (k = 0; k < 2; k++, f++, more = -more) {
             f->normal = kern_max((sum + more) / 2, KERN_R(0));
             f->tangential = along * f->normal;
@@ -2715,37 +2812,37 @@ KERN_SHARED static void kern_proof_out(const kern_model *m,
 
 typedef struct kern_program {
     int rows, cols;
-    const kern_real *a;     /* dense: rows x cols by columns; network: 4 a
+    const kern_real *a; /* dense: rows x cols by columns; network: 4 a
                                column, (u, v, r) in the head's rows and
                                (-u, -v, s) in the tail's                      */
     const kern_real *rhs;
-    const kern_real *cost;  /* or NULL                                        */
-    const int *ends;        /* network: head and tail group of columns 2 i and
+    const kern_real *cost; /* or NULL                                        */
+    const int *ends;       /* network: head and tail group of columns 2 i and
                                2 i + 1, rows / 3 for none; NULL: dense        */
-    const kern_real *rate;  /* column of the place: less its growth of rhs    */
-    int follow;             /* 1: the place grows from rhs's, 0: it is held   */
-    kern_real most;         /* what a variable can be at the most; 0: all     */
-    int limit;              /* of work->units                                 */
-    kern_work *work;        /* of the call                                    */
+    const kern_real *rate; /* column of the place: less its growth of rhs    */
+    int follow;            /* 1: the place grows from rhs's, 0: it is held   */
+    kern_real most;        /* what a variable can be at the most; 0: all     */
+    int limit;             /* of work->units                                 */
+    kern_work *work;       /* of the call                                    */
 } kern_program;
 
 /* The inverse of a basis: B_0, by groups, and the factors E_i. */
 typedef struct kern_factors {
-    int size;               /* rows, to a multiple of three                   */
-    int groups;             /* of B_0: all of a network, or 0                 */
-    kern_real *block;       /* row: of the inverse of its group, three; then
+    int size;          /* rows, to a multiple of three                   */
+    int groups;        /* of B_0: all of a network, or 0                 */
+    kern_real *block;  /* row: of the inverse of its group, three; then
                                what its column is in its other end's rows     */
-    int *to;                /* row: the first of those rows                   */
-    int most, room;         /* for factors, and for entries                   */
-    int count;              /* factors                                        */
-    int *pivot, *from;      /* factor: its pivot's row, the first with entry  */
-    int *first;             /* where its entries begin; one more              */
-    kern_real *entry;       /* its column, in threes of rows                  */
+    int *to;           /* row: the first of those rows                   */
+    int most, room;    /* for factors, and for entries                   */
+    int count;         /* factors                                        */
+    int *pivot, *from; /* factor: its pivot's row, the first with entry  */
+    int *first;        /* where its entries begin; one more              */
+    kern_real *entry;  /* its column, in threes of rows                  */
 } kern_factors;
 
 typedef enum kern_basis {
-    KERN_BASIS_NONE,        /* begins from logicals                           */
-    KERN_BASIS_STALE,       /* columns are not those that were factored       */
+    KERN_BASIS_NONE,  /* begins from logicals                           */
+    KERN_BASIS_STALE, /* columns are not those that were factored       */
     KERN_BASIS_READY
 } kern_basis;
 
@@ -2753,27 +2850,29 @@ typedef struct kern_simplex {
     const kern_program *lp;
     kern_basis state;
     kern_factors factors;
-    int *base;              /* row: its variable                              */
-    int *place;             /* column: its row, or KERN_OUT; then the place's */
-    kern_real *value;       /* row: of its variable                           */
-    kern_real *slope;       /* row: c, by what growth of its variable lowers
+    int *base;        /* row: its variable                              */
+    int *place;       /* column: its row, or KERN_OUT; then the place's */
+    kern_real *value; /* row: of its variable                           */
+    kern_real *slope; /* row: c, by what growth of its variable lowers
                                violations, then costs                         */
-    kern_real *price;       /* row: y                                         */
-    kern_real *alpha;       /* row: of what is solved for, as what enters     */
-    kern_real *ratio;       /* of the ratio test: steps                       */
-    int *list;              /* its rows; or the columns to be factored        */
-    int enters;             /* column                                         */
-    kern_real least;        /* violation that counts                          */
-    kern_real gain;         /* largest c_j - y.A_j                            */
-    int refined;            /* no pivot since the values were refined         */
-    int violated;           /* variables                                      */
+    kern_real *price; /* row: y                                         */
+    kern_real *alpha; /* row: of what is solved for, as what enters     */
+    kern_real *ratio; /* of the ratio test: steps                       */
+    int *list;        /* its rows; or the columns to be factored        */
+    int enters;       /* column                                         */
+    kern_real least;  /* violation that counts                          */
+    kern_real gain;   /* largest c_j - y.A_j                            */
+    int refined;      /* no pivot since the values were refined         */
+    int violated;     /* variables                                      */
 } kern_simplex;
 
 /* ---- columns ---- */
 
 /* Column j where it is dense. */
 static const kern_real *kern_lp_dense(const kern_program *lp, int j)
-{ return j == lp->cols ? lp->rate : lp->a + (size_t)j * (size_t)lp->rows; }
+{
+    return j == lp->cols ? lp->rate : lp->a + (size_t)j * (size_t)lp->rows;
+}
 
 /* y.A_j of a column, or of the place. */
 static inline kern_real kern_lp_dot(const kern_program *lp, int j,
@@ -2784,7 +2883,7 @@ static inline kern_real kern_lp_dot(const kern_program *lp, int j,
         const kern_real *t = y + 3 * lp->ends[j | 1];
         const kern_real *c = lp->a + 4 * (size_t)j;
         return c[0] * (h[0] - t[0]) + c[1] * (h[1] - t[1]) + c[2] * h[2]
-               + c[3] * t[2];
+             + c[3] * t[2];
     }
     return kern_dot(kern_lp_dense(lp, j), y, lp->rows);
 }
@@ -2814,8 +2913,12 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
     else {
         kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
         const kern_real *c = lp->a + 4 * (size_t)j, x = s * c[0], y = s * c[1];
-        h[0] -= x; h[1] -= y; h[2] -= s * c[2];
-        t[0] += x; t[1] += y; t[2] -= s * c[3];
+        h[0] -= x;
+        h[1] -= y;
+        h[2] -= s * c[2];
+        t[0] += x;
+        t[1] += y;
+        t[2] -= s * c[3];
     }
 }
 
@@ -2836,7 +2939,9 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
             const kern_real x = d[0] * b[0] + d[1] * b[1] + d[2] * b[2];
             kern_real *to = v + f->to[3 * g + k];
             own[k] = x;
-            to[0] -= x * d[3]; to[1] -= x * d[4]; to[2] -= x * d[5];
+            to[0] -= x * d[3];
+            to[1] -= x * d[4];
+            to[2] -= x * d[5];
         }
     }
     for (e = 0; e < f->count; e++) {
@@ -2848,7 +2953,9 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
         w = v + f->from[e];
         for (a = f->entry + f->first[e]; a < f->entry + f->first[e + 1];
              a += 3, w += 3) {
-            w[0] += x * a[0]; w[1] += x * a[1]; w[2] += x * a[2];
+            w[0] += x * a[0];
+            w[1] += x * a[1];
+            w[2] += x * a[2];
         }
     }
 }
@@ -2868,10 +2975,14 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
         for (k = 0; k < 3; k++, d += 6) {
             const kern_real *to = c + f->to[3 * g + k];
             const kern_real z = c[3 * g + k] - to[0] * d[3] - to[1] * d[4]
-                                - to[2] * d[5];
-            y0 += z * d[0]; y1 += z * d[1]; y2 += z * d[2];
+                              - to[2] * d[5];
+            y0 += z * d[0];
+            y1 += z * d[1];
+            y2 += z * d[2];
         }
-        c[3 * g] = y0; c[3 * g + 1] = y1; c[3 * g + 2] = y2;
+        c[3 * g] = y0;
+        c[3 * g + 1] = y1;
+        c[3 * g + 2] = y2;
     }
 }
 
@@ -2916,8 +3027,8 @@ static kern_real kern_three_det(const kern_real *a, const kern_real *b,
                                 const kern_real *c)
 {
     return (a[1] * b[2] - a[2] * b[1]) * c[0]
-           + (a[2] * b[0] - a[0] * b[2]) * c[1]
-           + (a[0] * b[1] - a[1] * b[0]) * c[2];
+         + (a[2] * b[0] - a[0] * b[2]) * c[1]
+         + (a[0] * b[1] - a[1] * b[0]) * c[2];
 }
 
 /* Of the columns of group g, a list from j, three become basic and pass on what
@@ -2940,7 +3051,9 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, int all)
         kern_lp_part(sx->lp, j, 0, part[n]);
         along = a[0] * x + a[1] * y;
         mine[n] = j;
-        n += all || (along > 0 && 4 * along * along
+        n += all
+          || (along > 0
+              && 4 * along * along
                      >= (a[0] * a[0] + a[1] * a[1]) * (x * x + y * y));
     }
     if (all) {
@@ -2965,8 +3078,12 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, int all)
                 if (least > best) {
                     best = least;
                     found = 1;
-                    base[0] = mine[i]; base[1] = mine[j]; base[2] = mine[k];
-                    share[0] = la; share[1] = lb; share[2] = lc;
+                    base[0] = mine[i];
+                    base[1] = mine[j];
+                    base[2] = mine[k];
+                    share[0] = la;
+                    share[1] = lb;
+                    share[2] = lc;
                 }
             }
         }
@@ -3151,13 +3268,15 @@ static void kern_basis_renew(kern_simplex *sx)
 
 /* Whether variable j must be zero: a logical, or a place that is held. */
 static int kern_lp_fixed(const kern_program *lp, int j)
-{ return j >= lp->cols + lp->follow; }
+{
+    return j >= lp->cols + lp->follow;
+}
 
 /* By what the costs fall where variable j grows; 1 for a place that is free. */
 static kern_real kern_lp_worth(const kern_program *lp, int j)
 {
     return lp->cost && j < lp->cols ? -lp->cost[j]
-           : KERN_R(j == lp->cols ? lp->follow : 0);
+                                    : KERN_R(j == lp->cols ? lp->follow : 0);
 }
 
 /* c to sx->slope; returns the sum of violations. */
@@ -3197,8 +3316,8 @@ static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
     for (p = 0; p < lp->rows; p++) {
         const int j = sx->base[p];
         sx->alpha[p] = sx->slope[p] + (j < lp->cols ? lift : KERN_R(0))
-                       - (j > lp->cols ? y[j - lp->cols - 1]
-                                       : kern_lp_dot(lp, j, y));
+                     - (j > lp->cols ? y[j - lp->cols - 1]
+                                     : kern_lp_dot(lp, j, y));
     }
     kern_basis_solve_t(sx, sx->alpha);
     kern_add(y, KERN_R(1), sx->alpha, lp->rows);
@@ -3231,7 +3350,7 @@ static int kern_entering(kern_simplex *sx, int first, int fine)
         if (sx->place[j] != KERN_OUT)
             continue;
         d = (costs ? kern_lp_worth(lp, j) : KERN_R(0))
-            - kern_lp_dot(lp, j, sx->price);
+          - kern_lp_dot(lp, j, sx->price);
         if (d > sx->gain) {
             sx->enters = j;
             sx->gain = d;
@@ -3253,13 +3372,16 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
     if (falls < 0 || (!fixed && a < 0 && !(falls > 0)))
         return KERN_R(0);
     *at = falls > 0 ? sx->value[p] / a
-          : fixed ? KERN_R(0) : kern_max(sx->value[p], KERN_R(0)) / a;
+        : fixed     ? KERN_R(0)
+                    : kern_max(sx->value[p], KERN_R(0)) / a;
     return fixed ? kern_abs(a) + falls : kern_abs(a);
 }
 
 /* Counts work on a program that is about to be done; 0: it is refused. */
 static int kern_lp_spend(const kern_program *lp, int units)
-{ return kern_spend(lp->work, lp->limit, units); }
+{
+    return kern_spend(lp->work, lp->limit, units);
+}
 
 /* The row that the entering column takes, and how far it goes, from those whose
    variables reach zero on the way. The ratio test goes on past every one as
@@ -3285,7 +3407,7 @@ static int kern_leaving(kern_simplex *sx, int first, kern_real *step)
                 || (at[i] <= at[next]
                     && (first ? sx->base[list[i]] < sx->base[list[next]]
                               : kern_abs(sx->alpha[list[i]])
-                                > kern_abs(sx->alpha[list[next]]))))
+                                    > kern_abs(sx->alpha[list[next]]))))
                 next = i;
         best = list[next];
         left -= kern_break(sx, best, step);
@@ -3302,10 +3424,13 @@ static int kern_leaving(kern_simplex *sx, int first, kern_real *step)
 static int kern_pivot_spend(const kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    return kern_lp_spend(lp, 1 + (sx->factors.first[sx->factors.count]
-                                  + 6 * sx->factors.groups) / KERN_UNIT
-                         + (lp->ends ? 4 * lp->cols / (3 * KERN_UNIT)
-                            : lp->rows * (lp->cols / (4 * KERN_UNIT))));
+    return kern_lp_spend(
+        lp,
+        1
+            + (sx->factors.first[sx->factors.count] + 6 * sx->factors.groups)
+                  / KERN_UNIT
+            + (lp->ends ? 4 * lp->cols / (3 * KERN_UNIT)
+                        : lp->rows * (lp->cols / (4 * KERN_UNIT))));
 }
 
 /* Lowers the sum of violations, then the costs, until no column does. The sum
@@ -3321,7 +3446,7 @@ static kern_status kern_simplex_run(kern_simplex *sx)
     const int limit = 200 + 20 * (lp->rows + lp->cols);
     const int budget = 50 + 2 * lp->rows;
     int count;
-    for (count = 0; count < limit; ) {
+    for (count = 0; count < limit;) {
         const int fine = count > budget, first = count > 5 * budget;
         const int enters = kern_entering(sx, first, fine);
         kern_real step = KERN_R(0);
@@ -3495,16 +3620,17 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
             return 0;
     }
     for (j = 0; j < lp->cols && status != KERN_LP_UNBOUNDED; j++) {
-        const kern_real left = kern_lp_sum(
-            best && lp->cost ? lp->cost[j] : KERN_R(0), y,
-            kern_lp_dense(lp, j), 1, m);
+        const kern_real left = kern_lp_sum(best && lp->cost ? lp->cost[j]
+                                                            : KERN_R(0),
+                                           y, kern_lp_dense(lp, j), 1, m);
         if (!(left >= -KERN_TOL) || (best && x[j] > 0 && left > KERN_TOL))
             return 0;
     }
-    return best || (status == KERN_LP_INFEASIBLE
-                    ? kern_lp_sum(KERN_R(0), y, lp->rhs, 1, m)
-                    : kern_lp_sum(KERN_R(0), x, lp->cost, 1, lp->cols))
-                   < -KERN_TOL;
+    return best
+        || (status == KERN_LP_INFEASIBLE
+                ? kern_lp_sum(KERN_R(0), y, lp->rhs, 1, m)
+                : kern_lp_sum(KERN_R(0), x, lp->cost, 1, lp->cols))
+               < -KERN_TOL;
 }
 
 /* The same; where nothing else is in a row the last digits of x or y are all
@@ -3526,8 +3652,9 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
 static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
                                kern_work *work)
 {
-    const kern_program p = {lp->rows, lp->cols, lp->a, lp->rhs, lp->cost, NULL,
-                            NULL, 0, KERN_R(0), lp->limit, work};
+    const kern_program p = {lp->rows,  lp->cols,  lp->a, lp->rhs,
+                            lp->cost,  NULL,      NULL,  0,
+                            KERN_R(0), lp->limit, work};
     kern_simplex sx;
     kern_take take;
     kern_status status;
@@ -3574,14 +3701,14 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
    each row what lies from its first column to the diagonal (>>skyline). */
 typedef struct kern_skyline {
     int groups;
-    int *first;               /* of a row: its first block column             */
-    int *offset;              /* of a row: where it is stored                 */
+    int *first;  /* of a row: its first block column             */
+    int *offset; /* of a row: where it is stored                 */
     kern_real *entry;
 } kern_skyline;
 
 typedef struct kern_law {
     kern_real nn, nt, tt;
-    kern_force force;         /* in the cone to the last digit                */
+    kern_force force; /* in the cone to the last digit                */
 } kern_law;
 
 /* The law of a contact that answers what presses it by `stiff`, and what shears
@@ -3706,13 +3833,25 @@ static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
     int i;
     for (i = 0; i < n; i++) {
         const kern_real x = b[i], y = b1[i], z = b2[i];
-        s00 -= a[i] * x; s01 -= a[i] * y; s02 -= a[i] * z;
-        s10 -= a1[i] * x; s11 -= a1[i] * y; s12 -= a1[i] * z;
-        s20 -= a2[i] * x; s21 -= a2[i] * y; s22 -= a2[i] * z;
+        s00 -= a[i] * x;
+        s01 -= a[i] * y;
+        s02 -= a[i] * z;
+        s10 -= a1[i] * x;
+        s11 -= a1[i] * y;
+        s12 -= a1[i] * z;
+        s20 -= a2[i] * x;
+        s21 -= a2[i] * y;
+        s22 -= a2[i] * z;
     }
-    c[0] = s00; c[1] = s01; c[2] = s02;
-    c1[0] = s10; c1[1] = s11; c1[2] = s12;
-    c2[0] = s20; c2[1] = s21; c2[2] = s22;
+    c[0] = s00;
+    c[1] = s01;
+    c[2] = s02;
+    c1[0] = s10;
+    c1[1] = s11;
+    c1[2] = s12;
+    c2[0] = s20;
+    c2[1] = s21;
+    c2[2] = s22;
 }
 
 /* Cholesky's L of the matrix in its place; a pivot is at least rounding. */
@@ -3731,8 +3870,8 @@ static void kern_skyline_factor(kern_skyline *a)
             const kern_real *l = other + wide_h - 3;
             kern_real *c = row + 3 * (h - a->first[g]);
             kern_skyline_common(c, row + 3 * (from - a->first[g]), wide,
-                              other + 3 * (from - a->first[h]), wide_h,
-                              3 * (h - from));
+                                other + 3 * (from - a->first[h]), wide_h,
+                                3 * (h - from));
             for (r = 0; r < 3; r++, c += wide) {
                 if (h < g || r > 0)
                     c[0] /= l[0];
@@ -3740,13 +3879,14 @@ static void kern_skyline_factor(kern_skyline *a)
                     c[1] = (c[1] - c[0] * l[wide_h]) / l[wide_h + 1];
                 if (h < g) {
                     c[2] = (c[2] - c[0] * l[2 * wide_h]
-                            - c[1] * l[2 * wide_h + 1]) / l[2 * wide_h + 2];
+                            - c[1] * l[2 * wide_h + 1])
+                         / l[2 * wide_h + 2];
                     continue;
                 }
                 for (k = 0; k < r; k++)
                     c[r] -= c[k] * c[k];
-                c[r] = KERN_SQRT(kern_max(c[r], KERN_EPS
-                                                * (KERN_EPS + was[r])));
+                c[r] = KERN_SQRT(
+                    kern_max(c[r], KERN_EPS * (KERN_EPS + was[r])));
             }
         }
     }
@@ -3779,20 +3919,20 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
 
 /* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
 typedef struct kern_dual {
-    kern_skyline matrix;      /* of the contacts that carry                   */
+    kern_skyline matrix; /* of the contacts that carry                   */
     kern_real *u, *step, *grad; /* three a group, and three of 0              */
-    kern_real *b;             /* loads, three a group                         */
-    kern_real *way, *turn;    /* two a contact: u and step along n and t      */
-    kern_real *price;         /* then stiffness, of contacts: >>raised; NULL  */
-    kern_real stiff;          /* along t, in stiffnesses along n              */
-    int cost;                 /* of a step, in units of work                  */
+    kern_real *b;          /* loads, three a group                         */
+    kern_real *way, *turn; /* two a contact: u and step along n and t      */
+    kern_real *price;      /* then stiffness, of contacts: >>raised; NULL  */
+    kern_real stiff;       /* along t, in stiffnesses along n              */
+    int cost;              /* of a step, in units of work                  */
 } kern_dual;
 
 /* Eq. (5) of a part as a linear program: see >>verdict. */
 typedef struct kern_equations {
     kern_real *arc, *rhs;
-    kern_real *rate;          /* less that of rhs along a path                */
-    kern_real shrink;         /* of its columns                               */
+    kern_real *rate;  /* less that of rhs along a path                */
+    kern_real shrink; /* of its columns                               */
     kern_program lp;
     kern_simplex simplex;
 } kern_equations;
@@ -3801,16 +3941,16 @@ typedef struct kern_part {
     kern_dual dual;
     kern_model *m;
     int groups, contacts;
-    int own;                  /* contacts that carry a group of the part come
+    int own;           /* contacts that carry a group of the part come
                                  first, then those by which others rest on it */
-    int *group;                /* of the part; ascending but in >>norm        */
-    int *contact;             /* of the part                                  */
-    int *ends;                /* of a contact: groups of the part, or none    */
-    kern_real *x, *y;         /* two a contact: forces, and how far the place
+    int *group;        /* of the part; ascending but in >>norm        */
+    int *contact;      /* of the part                                  */
+    int *ends;         /* of a contact: groups of the part, or none    */
+    kern_real *x, *y;  /* two a contact: forces, and how far the place
                                  grows; three a group: motion                 */
-    kern_status found;        /* what the program said, proven or not         */
-    kern_real ahead;          /* where it may stop to fall: >>search          */
-    kern_take rest;           /* work memory behind these                     */
+    kern_status found; /* what the program said, proven or not         */
+    kern_real ahead;   /* where it may stop to fall: >>search          */
+    kern_take rest;    /* work memory behind these                     */
     kern_equations eq;
 } kern_part;
 
@@ -3978,8 +4118,8 @@ static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
 {
     const kern_real mu = kern_model_mu(p->m, p->contact[k]);
     const kern_real *price = p->dual.price;
-    return kern_law_stiff(wn, wt, mu, price ? price[p->contacts + k]
-                                            : KERN_R(2),
+    return kern_law_stiff(wn, wt, mu,
+                          price ? price[p->contacts + k] : KERN_R(2),
                           price ? p->dual.stiff : mu);
 }
 
@@ -3997,8 +4137,9 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
     p->dual.turn = p->dual.way + 2 * p->contacts;
     products += kern_skyline_open(&p->dual.matrix, p->groups, p->ends, p->own,
                                   take);
-    p->dual.cost = 1 + (int)kern_min(products / KERN_R(8 * KERN_UNIT / 3),
-                                     KERN_R(KERN_WORK_MOST));
+    p->dual.cost = 1
+                 + (int)kern_min(products / KERN_R(8 * KERN_UNIT / 3),
+                                 KERN_R(KERN_WORK_MOST));
     return kern_take_fits(take);
 }
 
@@ -4107,8 +4248,8 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
     int k;
     for (k = 0; k < p->own; k++) {
         const kern_real *w = p->dual.way + 2 * k, *d = p->dual.turn + 2 * k;
-        const kern_law s = kern_part_law(
-            p, k, w[0] + share * d[0], w[1] + share * d[1]);
+        const kern_law s = kern_part_law(p, k, w[0] + share * d[0],
+                                         w[1] + share * d[1]);
         push -= s.force.normal * d[0] + s.force.tangential * d[1];
     }
     return push;
@@ -4128,8 +4269,9 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
     for (round = 0; round < (hi < KERN_INFINITY ? 20 : 13); round++) {
         kern_real slope;
         if (round > 0)
-            at = hi < KERN_INFINITY ? (hi * at_lo - lo * at_hi)
-                                      / (at_lo - at_hi) : 4 * at;
+            at = hi < KERN_INFINITY
+                   ? (hi * at_lo - lo * at_hi) / (at_lo - at_hi)
+                   : 4 * at;
         slope = kern_norm_slope(p, push, at);
         if (kern_abs(slope) <= least
             || (p->dual.price && !kern_model_spend(p->m, (p->own + 12) / 16)))
@@ -4203,8 +4345,9 @@ static int kern_norm_layers(kern_part *p, int first, int n)
                 continue;
             graph->local[g] = 0;
             for (k = n--; k < from
-                          && kern_graph_degree(graph, g) < kern_graph_degree(
-                                 graph, p->group[k + 1]); k++)
+                          && kern_graph_degree(graph, g)
+                                 < kern_graph_degree(graph, p->group[k + 1]);
+                 k++)
                 p->group[k] = p->group[k + 1];
             p->group[k] = g;
         }
@@ -4294,7 +4437,7 @@ static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
 {
     kern_force *to = m->answer.force + i;
     const kern_real change = kern_abs(f.normal - to->normal)
-                             + kern_abs(f.tangential - to->tangential);
+                           + kern_abs(f.tangential - to->tangential);
     if (on < m->graph.groups && change > tolerance)
         kern_pass_mark_open(m, on);
     *to = f;
@@ -4319,10 +4462,10 @@ static int kern_pass_three(const kern_real h[9], const kern_real b[3],
     return kern_min(d1, d2) > KERN_PIVOT * (h[0] + h[4] + h[8]);
 }
 
-typedef struct kern_ray {     /* an edge of a friction cone at the group      */
-    kern_real a[3];           /* wrench of a unit of force along it           */
-    kern_real x;              /* its force; below 0: none                     */
-    int press;                /* nonzero: it is among those that carry        */
+typedef struct kern_ray { /* an edge of a friction cone at the group      */
+    kern_real a[3];       /* wrench of a unit of force along it           */
+    kern_real x;          /* its force; below 0: none                     */
+    int press;            /* nonzero: it is among those that carry        */
 } kern_ray;
 
 /* The two rays of a row, with the forces of its motion along n and t. */
@@ -4342,15 +4485,22 @@ static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
                          kern_real left[3], kern_real h[9])
 {
     kern_zero(h, 9);
-    left[0] = b[0]; left[1] = b[1]; left[2] = b[2];
+    left[0] = b[0];
+    left[1] = b[1];
+    left[2] = b[2];
     for (; n > 0; n--, c++) {
         const kern_real *a = c->a, x = c->x;
         if (!c->press)
             continue;
-        left[0] -= a[0] * x; left[1] -= a[1] * x; left[2] -= a[2] * x;
+        left[0] -= a[0] * x;
+        left[1] -= a[1] * x;
+        left[2] -= a[2] * x;
         h[0] += a[0] * a[0];
-        h[3] += a[1] * a[0]; h[4] += a[1] * a[1];
-        h[6] += a[2] * a[0]; h[7] += a[2] * a[1]; h[8] += a[2] * a[2];
+        h[3] += a[1] * a[0];
+        h[4] += a[1] * a[1];
+        h[6] += a[2] * a[0];
+        h[7] += a[2] * a[1];
+        h[8] += a[2] * a[2];
     }
 }
 
@@ -4391,7 +4541,7 @@ static kern_status kern_pass_alone(kern_model *m, int g)
 {
     const kern_real tolerance = KERN_PASS_TOL * m->size[g];
     kern_ray c[2 * KERN_ROWS_MOST];
-    int of[KERN_ROWS_MOST];   /* ends */
+    int of[KERN_ROWS_MOST]; /* ends */
     kern_real b[3];
     kern_status status;
     int e, k, n = 0;
@@ -4414,8 +4564,8 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_real plus = kern_max(c[2 * k].x, KERN_R(0));
         const kern_real minus = kern_max(c[2 * k + 1].x, KERN_R(0));
-        const kern_force f = {
-            plus + minus, kern_model_mu(m, of[k] >> 1) * (plus - minus)};
+        const kern_force f = {plus + minus,
+                              kern_model_mu(m, of[k] >> 1) * (plus - minus)};
         kern_pass_write(m, of[k] >> 1, m->graph.ends[of[k] ^ 1], f, tolerance);
     }
     return status;
@@ -4485,8 +4635,8 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
         const kern_law s = kern_part_law(p, k, w[0], w[1]);
         const int low = ends[0] > ends[1] ? 0 : 1, on = ends[low];
         const int inside = p->ends[2 * k + low] < p->groups;
-        kern_pass_write(m, i, inside ? m->graph.groups : on,
-                        s.force, tolerance);
+        kern_pass_write(m, i, inside ? m->graph.groups : on, s.force,
+                        tolerance);
         if (again && on < m->graph.groups && of[on] < last
             && (open[of[on]] & KERN_OPEN)) {
             kern_pass_join(m, on, last);
@@ -4552,7 +4702,8 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
 static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
 {
     kern_status status = m->cluster.next[last] == last
-        ? kern_pass_alone(m, last) : KERN_UNDECIDED;
+                           ? kern_pass_alone(m, last)
+                           : KERN_UNDECIDED;
     if (status == KERN_FALLS) { /* whatever rests on it */
         if (!kern_part_open(p, m, kern_pass_mark(m, last, 0), last)
             || p->own < p->contacts)
@@ -4587,7 +4738,8 @@ static void kern_pass_begin(kern_model *m, int share)
     int i;
     m->cluster.only = KERN_OUT;
     m->cluster.most = groups > KERN_SMALL
-        ? KERN_CLUSTER_MOST + 2 * groups / KERN_SMALL : groups / share + 1;
+                        ? KERN_CLUSTER_MOST + 2 * groups / KERN_SMALL
+                        : groups / share + 1;
     for (i = m->cluster.at = 0; i < groups; i++) {
         m->cluster.last[i] = m->cluster.next[i] = i;
         m->cluster.open[i] = only == KERN_OUT || only == i ? KERN_OPEN : 0;
@@ -4601,7 +4753,7 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
 {
     kern_clusters *c = &m->cluster;
     c->until = m->task->work->units
-               + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
+             + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
     while (c->at < m->graph.groups) {
         const int g = c->at++;
         kern_status status;
@@ -4640,15 +4792,15 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
    has to take into account. Along a path x, y, z and s are those last found. */
 
 typedef struct kern_ipm {
-    kern_part *p;             /* all groups; its x, y and eq.rhs are x, y, b  */
+    kern_part *p; /* all groups; its x, y and eq.rhs are x, y, b  */
     kern_real s;
-    kern_real gap;            /* sum of x z: s is so near to the maximum      */
-    kern_real *z;             /* of a ray: its opening speed                  */
-    kern_real *dx;            /* of a ray: its step; that of z is dual.turn   */
-    kern_real *d;             /* of a ray: D                                  */
-    kern_real *over;          /* of a row: A x - b + s g                      */
-    kern_real *g;             /* of a row                                     */
-    kern_real *gain;          /* of a row: M^-1 g                             */
+    kern_real gap;   /* sum of x z: s is so near to the maximum      */
+    kern_real *z;    /* of a ray: its opening speed                  */
+    kern_real *dx;   /* of a ray: its step; that of z is dual.turn   */
+    kern_real *d;    /* of a ray: D                                  */
+    kern_real *over; /* of a row: A x - b + s g                      */
+    kern_real *g;    /* of a row                                     */
+    kern_real *gain; /* of a row: M^-1 g                             */
 } kern_ipm;
 
 #ifndef KERN_NO_INTERIOR
@@ -4672,8 +4824,9 @@ static void kern_ipm_carry(const kern_part *p, const kern_real *x,
 {
     int k;
     for (k = 0; k < p->contacts; k++, x += 2)
-        kern_part_exert(p, k, x[0] + x[1], kern_model_mu(p->m, p->contact[k])
-                                           * (x[0] - x[1]), out);
+        kern_part_exert(p, k, x[0] + x[1],
+                        kern_model_mu(p->m, p->contact[k]) * (x[0] - x[1]),
+                        out);
 }
 
 /* A x - b + s g, and the gap */
@@ -4697,8 +4850,10 @@ static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
     for (k = 0; k < p->contacts; k++) {
         const kern_real plus = in->d[2 * k], minus = in->d[2 * k + 1];
         const kern_real mu = kern_model_mu(p->m, p->contact[k]);
-        const kern_law s = {plus + minus, mu * (plus - minus),
-                            mu * mu * (plus + minus), {0, 0}};
+        const kern_law s = {plus + minus,
+                            mu * (plus - minus),
+                            mu * mu * (plus + minus),
+                            {0, 0}};
         kern_part_add(p, k, &s);
     }
     kern_skyline_shift(&p->dual.matrix, shift);
@@ -4745,7 +4900,7 @@ static kern_real kern_ipm_solve(kern_ipm *in)
     kern_ipm_carry(p, in->dx, p->dual.grad);
     kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
     ds = (1 - kern_dot(in->g, p->y, n) - kern_dot(in->g, p->dual.step, n))
-         / kern_dot(in->g, in->gain, n);
+       / kern_dot(in->g, in->gain, n);
     ds = kern_min(ds, -in->s);
     kern_add(p->dual.step, ds, in->gain, n);
     kern_ipm_ways(p, p->dual.step, turn);
@@ -4775,10 +4930,10 @@ static int kern_ipm_step(kern_ipm *in)
     if (!kern_is_finite(kern_dot(in->g, in->gain, n)))
         kern_ipm_factor(in, KERN_NOISE, in->g, in->gain);
     kern_ipm_ways(p, p->y, p->dual.way);
-    for (corrects = 0; ; corrects = 1) {
+    for (corrects = 0;; corrects = 1) {
         for (i = 0; i < rays; i++)
             dx[i] = (mu - of_x * of_z * dx[i] * dz[i]) / in->z[i]
-                    - in->d[i] * p->dual.way[i];
+                  - in->d[i] * p->dual.way[i];
         ds = kern_ipm_solve(in);
         of_x = kern_ipm_share(p->x, dx, rays);
         of_z = kern_ipm_share(in->z, dz, rays);
@@ -4893,7 +5048,7 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     p->eq.rhs = in->gain + n;
     p->eq.rate = p->dual.grad;
     p->eq.shrink = KERN_INFINITY; /* there are no columns */
-    kern_zero(p->y, 4 * n); /* what is held rests */
+    kern_zero(p->y, 4 * n);       /* what is held rests */
     kern_zero(p->dual.step, n);
     return 1;
 }
@@ -4947,8 +5102,8 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 }
 #else /* it decides nothing */
 #define kern_ipm_open(in, m, p, q) 0
-#define kern_ipm_evaluate(in, q)   KERN_UNDECIDED
-#define kern_ipm_verdict(m, p, q)  KERN_UNDECIDED
+#define kern_ipm_evaluate(in, q) KERN_UNDECIDED
+#define kern_ipm_verdict(m, p, q) KERN_UNDECIDED
 #endif
 
 /* ---- Verdicts ------------------------------------------------- >>verdict */
@@ -4957,16 +5112,18 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 static int kern_part_lay(kern_part *p)
 {
     const int n = p->groups;
+    /* clang-format off */
     const kern_program lp = {3 * n, 2 * p->contacts, NULL, NULL, NULL, p->ends,
                              NULL, 0, KERN_BOUND, p->m->task->options.limit,
                              p->m->task->work};
+    /* clang-format on */
     int room = KERN_EXTRAS(n);
     p->eq.lp = lp;
     p->eq.shrink = KERN_INFINITY; /* none */
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
-        p->eq.lp.a = p->eq.arc = kern_take_reals(&take, 10 * p->contacts
-                                                        + 9 * n + 7);
+        p->eq.lp.a = p->eq.arc = kern_take_reals(&take,
+                                                 10 * p->contacts + 9 * n + 7);
         p->eq.lp.rhs = p->eq.rhs = p->eq.arc + 8 * (size_t)p->contacts;
         p->eq.lp.rate = p->eq.rate = p->eq.rhs + 3 * n;
         p->y = p->eq.rate + 3 * n + 3;
@@ -5009,7 +5166,9 @@ static void kern_part_set(kern_part *p, const kern_query *q)
 
 /* Whether the part is all there is: then forces on it prove that it stands. */
 static int kern_part_is_whole(const kern_part *p)
-{ return p->groups == p->m->graph.groups; }
+{
+    return p->groups == p->m->graph.groups;
+}
 
 /* The proof of a verdict, and the verdict itself only if the proof holds. That
    a part stands is no verdict, and needs no proof. */
@@ -5169,7 +5328,9 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
    (Newton's method). It converges quadratically, from the side that falls. */
 
 typedef enum kern_path_kind {
-    KERN_PATH_SHRINK, KERN_PATH_LOAD, KERN_PATH_TILT
+    KERN_PATH_SHRINK,
+    KERN_PATH_LOAD,
+    KERN_PATH_TILT
 } kern_path_kind;
 
 /* Farthest place proven to stand, nearest to fall; -1, infinity: none. */
@@ -5179,36 +5340,44 @@ typedef struct kern_proven {
 
 typedef struct kern_path {
     kern_path_kind kind;
-    kern_query q;             /* at s = 0; what the path changes is replaced  */
-    kern_real unit;           /* along it: a block's size, or 1               */
-    kern_real start, end;     /* of the path; the first stands                */
-    kern_real holds, fails;   /* the bracket                                  */
-    kern_real critical;       /* value that Newton's method predicts          */
-    kern_real exact;          /* one that a verdict there has confirmed       */
-    kern_proven proven;       /* places with a proof                          */
-    int never;                /* nonzero: it stands to the end                */
-    kern_part *part;          /* that fell last                               */
-    kern_known warm;          /* of a structure like it, or of the body that
+    kern_query q;            /* at s = 0; what the path changes is replaced  */
+    kern_real unit;          /* along it: a block's size, or 1               */
+    kern_real start, end;    /* of the path; the first stands                */
+    kern_real holds, fails;  /* the bracket                                  */
+    kern_real critical;      /* value that Newton's method predicts          */
+    kern_real exact;         /* one that a verdict there has confirmed       */
+    kern_proven proven;      /* places with a proof                          */
+    int never;               /* nonzero: it stands to the end                */
+    kern_part *part;         /* that fell last                               */
+    kern_known warm;         /* of a structure like it, or of the body that
                                  falls first; `fails` 0: nothing              */
-    int alone;                /* nonzero: the part is evaluated alone         */
-    struct kern_ipm *ipm;     /* evaluates the whole, or NULL                 */
-    const kern_proof *proof;  /* the caller's: of the last verdict each way   */
+    int alone;               /* nonzero: the part is evaluated alone         */
+    struct kern_ipm *ipm;    /* evaluates the whole, or NULL                 */
+    const kern_proof *proof; /* the caller's: of the last verdict each way   */
 } kern_path;
 
 /* Width of a bracket, as it is wanted; from the critical value to its ends. */
 KERN_SHARED static kern_real kern_width(const kern_path *path)
-{ return KERN_WIDTH * path->unit; }
+{
+    return KERN_WIDTH * path->unit;
+}
 
 KERN_SHARED static kern_real kern_aside(const kern_path *path)
-{ return kern_width(path) / 2; }
+{
+    return kern_width(path) / 2;
+}
 
 /* The widest bracket that is an answer. */
 KERN_SHARED static kern_real kern_widest(const kern_path *path)
-{ return kern_width(path) * KERN_WIDEST; }
+{
+    return kern_width(path) * KERN_WIDEST;
+}
 
 /* The place that lies `aside` before the critical value, or the start. */
 KERN_SHARED static kern_real kern_before(const kern_path *path, kern_real aside)
-{ return kern_max(path->critical - aside, path->start); }
+{
+    return kern_max(path->critical - aside, path->start);
+}
 
 /* The query at s. Gravity turns by 4 atan(s), so that s in [0, 1] turns it
    through half a circle by arithmetic alone. */
@@ -5231,7 +5400,9 @@ static kern_query kern_path_at(const kern_path *path, kern_real s)
 
 /* The tangent of half the angle whose tangent is t. */
 static kern_real kern_halved(kern_real t)
-{ return t / (1 + KERN_SQRT(1 + t * t)); }
+{
+    return t / (1 + KERN_SQRT(1 + t * t));
+}
 
 /* ---- Searching a path ------------------------------------------ >>search */
 /* Verdicts along a path; the critical value is the place where they change. */
@@ -5255,12 +5426,12 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
         const kern_real mu = kern_model_mu(m, p->contact[i]);
         /* the arm grows along t, and t x (f n + r t) = -f */
         const kern_real work = p->y[head + 2] * m->unit[ends[0]]
-                               - p->y[tail + 2] * m->unit[ends[1]];
+                             - p->y[tail + 2] * m->unit[ends[1]];
         kern_real n = x[0] + x[1], was, is, more;
         if (!(n > 0 || n < 0))
             continue;
         more = kern_shift(travel, to, q->relative, &is)
-               - kern_shift(travel, q->shrink, q->relative, &was);
+             - kern_shift(travel, q->shrink, q->relative, &was);
         if (!q->relative && q->shrink >= kern_abs(travel)
             && n * work * more < 0)
             n = -n;
@@ -5281,7 +5452,7 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
             sum += speed[1] * (mu - narrow);
             if (narrow > 0)
                 slope += speed[1] * q->narrow * (1 + narrow * narrow)
-                         / (1 + by * by);
+                       / (1 + by * by);
         }
     }
     *rate = slope;
@@ -5299,7 +5470,7 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     kern_real *x = (kern_real *)(void *)p->m->answer.force; /* not in use */
     kern_real lo = path->holds, hi = q->shrink, at = hi, rate, step;
     int round;
-    for (round = 0; ; round++) {
+    for (round = 0;; round++) {
         const kern_real left = power + kern_shrink_power(p, q, at, p->x, &rate);
         step = left / rate;
         if (kern_abs(step) <= same || round == KERN_FEW_ROUNDS)
@@ -5312,9 +5483,11 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     p->ahead = at = round < KERN_FEW_ROUNDS ? at - step : path->holds;
     if (p->eq.shrink <= q->shrink
         && kern_simplex_along(&p->eq.simplex, p->eq.rate, x))
-        p->ahead = q->shrink + (at - q->shrink)
-            / kern_max(1 - kern_shrink_power(p, q, at, x, &rate) / power,
-                       1 / KERN_NEAR);
+        p->ahead = q->shrink
+                 + (at - q->shrink)
+                       / kern_max(
+                           1 - kern_shrink_power(p, q, at, x, &rate) / power,
+                           1 / KERN_NEAR);
     return at;
 }
 
@@ -5388,9 +5561,9 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
     const kern_query q = kern_path_at(path, s);
     kern_part *p = path->part;
     const int simplex = m->whole || path->alone;
-    const kern_status status = simplex ? kern_part_ask(p, &q, 0)
-        : path->ipm ? kern_ipm_evaluate(path->ipm, &q)
-                    : kern_model_evaluate(m, p, &q);
+    const kern_status status = simplex   ? kern_part_ask(p, &q, 0)
+                             : path->ipm ? kern_ipm_evaluate(path->ipm, &q)
+                                         : kern_model_evaluate(m, p, &q);
     if (status != KERN_STANDS && p->found == KERN_FALLS)
         path->critical = kern_path_newton(path, &q, s);
     if (simplex && status == KERN_FALLS && path->critical > path->holds
@@ -5437,12 +5610,13 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real aside)
 
 /* The verdict at the critical value, which proves no end of the bracket. Where
    another mechanism falls, its value is the path's; else the value is exact. */
-KERN_SHARED static kern_status kern_path_verify(
-    kern_model *m, kern_path *path, kern_real aside)
+KERN_SHARED static kern_status kern_path_verify(kern_model *m, kern_path *path,
+                                                kern_real aside)
 {
     const kern_real at = path->critical;
     const kern_status status = kern_path_forces(m, path, aside)
-        ? KERN_STANDS : kern_path_ask(m, path, at);
+                                 ? KERN_STANDS
+                                 : kern_path_ask(m, path, at);
     if (status != KERN_FALLS || path->critical > at)
         path->critical = at;
     if (path->critical >= at - KERN_NOISE * path->unit)
@@ -5474,8 +5648,8 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     if (!path->ipm && crit > lo
         && kern_abs(path->exact - crit) > KERN_NOISE * path->unit)
         return crit;
-    return crit - lo > aside * KERN_R(1.05)
-           ? kern_before(path, aside) : KERN_INFINITY;
+    return crit - lo > aside * KERN_R(1.05) ? kern_before(path, aside)
+                                            : KERN_INFINITY;
 }
 
 /* Narrows [holds, fails] to the tolerance around path->critical, where the
@@ -5525,8 +5699,8 @@ static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
     kern_query q = kern_path_at(path, path->holds);
     const kern_vec from = kern_path_at(path, at).gravity, to = q.gravity;
     const kern_real square = kern_vec_dot(to, to);
-    q.gravity = kern_vec_scale(kern_vec_add(from, to), square
-                               / (square + kern_vec_dot(from, to)));
+    q.gravity = kern_vec_scale(kern_vec_add(from, to),
+                               square / (square + kern_vec_dot(from, to)));
     return kern_model_evaluate(m, path->part, &q) == KERN_STANDS;
 }
 
@@ -5605,7 +5779,8 @@ KERN_SHARED static int kern_body_line(kern_model *m, int g)
     }
     m->graph.carrier[g] = on > g && on < m->graph.groups ? on : KERN_OUT;
     return n == 2 && kern_line_begins(m->s->contact, m->s->contacts, first >> 1)
-           ? first : KERN_OUT;
+             ? first
+             : KERN_OUT;
 }
 
 /* Where body g tips under load b on the line that begins with end *e, and *e
@@ -5676,8 +5851,9 @@ static kern_real kern_body_first(kern_model *m, kern_path *path)
     for (g = 0; g < m->graph.groups; g++, load += 3) {
         int end = kern_body_line(m, g);
         const int on = m->graph.carrier[g];
-        const kern_real crit = end == KERN_OUT ? KERN_INFINITY
-            : kern_body_critical(m, g, &end, load, aside);
+        const kern_real crit = end == KERN_OUT
+                                 ? KERN_INFINITY
+                                 : kern_body_critical(m, g, &end, load, aside);
         if (crit < warm->margin) {
             warm->margin = crit;
             first = g;
@@ -5690,8 +5866,8 @@ static kern_real kern_body_first(kern_model *m, kern_path *path)
                 m->s->block[m->graph.block[on]].centre);
             to[0] += load[0];
             to[1] += load[1];
-            to[2] += (load[2] / m->unit[g] + arm.x * load[1]
-                      - arm.y * load[0]) * m->unit[on];
+            to[2] += (load[2] / m->unit[g] + arm.x * load[1] - arm.y * load[0])
+                   * m->unit[on];
         }
     }
     warm->holds = warm->margin - aside;
@@ -5733,7 +5909,8 @@ static kern_status kern_path_narrow(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
     const kern_status status = path->fails < KERN_INFINITY
-        ? kern_path_critical(m, path) : KERN_UNDECIDED;
+                                 ? kern_path_critical(m, path)
+                                 : KERN_UNDECIDED;
     if (status != KERN_UNDECIDED)
         return status;
     path->holds = kern_max(path->start, path->proven.low);
@@ -5766,8 +5943,8 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     if (!m->whole && m->graph.groups > KERN_SMALL
         && kern_ipm_open(&in, m, path->part, &q)) {
         path->ipm = &in;
-        status = kern_path_narrow(m, path, path->kind == KERN_PATH_SHRINK
-                                           ? first / 2 : first, step);
+        status = kern_path_narrow(
+            m, path, path->kind == KERN_PATH_SHRINK ? first / 2 : first, step);
         path->ipm = NULL;
         if (status != KERN_UNDECIDED)
             return status;
@@ -5778,7 +5955,8 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     if (status == KERN_OK && path->kind != KERN_PATH_SHRINK)
         status = kern_path_follow(m, path);
     return status == KERN_OK || status == KERN_UNDECIDED
-           ? kern_path_narrow(m, path, first, step) : status;
+             ? kern_path_narrow(m, path, first, step)
+             : status;
 }
 
 /* The verdict on the open part alone at s, and after KERN_FALLS in
@@ -5795,7 +5973,7 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
         status = kern_path_evaluate(m, path, s = path->start);
     if (status == KERN_FALLS && s > path->start)
         status = kern_path_critical(m, path) == KERN_STANDS ? KERN_FALLS
-                                                        : KERN_UNDECIDED;
+                                                            : KERN_UNDECIDED;
     path->alone = 0;
     path->holds = holds;
     if (status == KERN_FALLS) /* within a bracket, which is the whole's */
@@ -5817,8 +5995,8 @@ static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
         }
     }
     return groups > 1 && 2 * groups <= g
-           && kern_part_open(path->part, m, groups, g - 1)
-           && kern_path_part(m, path, s) == KERN_FALLS;
+        && kern_part_open(path->part, m, groups, g - 1)
+        && kern_path_part(m, path, s) == KERN_FALLS;
 }
 
 /* Where a search begins: just before the known critical value, if its motion
@@ -5828,8 +6006,9 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
 {
     kern_known *warm = &path->warm;
     const int known = warm->fails > path->start && warm->fails <= path->end
-                && warm->fails - warm->holds <= kern_widest(path)
-                && warm->holds <= warm->margin && warm->margin <= warm->fails;
+                   && warm->fails - warm->holds <= kern_widest(path)
+                   && warm->holds <= warm->margin
+                   && warm->margin <= warm->fails;
     const kern_real at = known ? kern_max(path->start, warm->holds)
                                : kern_min(path->start + first, path->end);
     const kern_real most = known ? kern_min(at + first, path->end) : path->end;
@@ -5873,12 +6052,13 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
         then = m->answer.known ? then : path->end;
     }
     at = kern_path_first(m, path, step);
-    for (round = 0; round < KERN_FEW_ROUNDS; ) {
+    for (round = 0; round < KERN_FEW_ROUNDS;) {
         const kern_query q = kern_path_at(path, at);
         kern_model_arms(m, &q);
         kern_known_begin(m, at);
         status = kern_model_pass(m, path->part, &q,
-                             KERN_CLUSTER + 1 + 2 * (m->answer.known != NULL));
+                                 KERN_CLUSTER + 1
+                                     + 2 * (m->answer.known != NULL));
         if (status == KERN_STANDS)
             kern_path_note(m, path, status, at);
         else if (status == KERN_FALLS)
@@ -5897,8 +6077,9 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
             step *= KERN_CLIMB_GROWS;
         }
     }
-    return status != KERN_UNDECIDED ? status
-           : kern_path_whole(m, path, at - path->holds, step);
+    return status != KERN_UNDECIDED
+             ? status
+             : kern_path_whole(m, path, at - path->holds, step);
 }
 
 /* ---- The measures --------------------------------------------- >>measure */
@@ -5950,8 +6131,10 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
 }
 
 /* The same of a call whose answer is a number: -1 where it ends unread. */
-KERN_SHARED static kern_status kern_number_open(
-    kern_call *c, const kern_task *task, kern_real shrink, kern_real *number)
+KERN_SHARED static kern_status kern_number_open(kern_call *c,
+                                                const kern_task *task,
+                                                kern_real shrink,
+                                                kern_real *number)
 {
     const kern_status status = kern_call_open(c, task, shrink, number);
     if (status == KERN_LIMIT)
@@ -5984,10 +6167,12 @@ static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
             path, kern_min(KERN_R(k) * out->epsilon, out->most));
         if (q.shrink > path->holds)
             status = nested && q.shrink >= path->fails
-                ? KERN_FALLS : kern_model_evaluate(m, path->part, &q);
+                       ? KERN_FALLS
+                       : kern_model_evaluate(m, path->part, &q);
     }
     out->level = status == KERN_STANDS ? last + 1
-                 : status == KERN_FALLS ? k - 1 : -1;
+               : status == KERN_FALLS  ? k - 1
+                                       : -1;
 }
 
 /* The measure of an open task, with what is known of one like it. Where
@@ -6016,8 +6201,10 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     first = kern_min(r.epsilon, r.most);
     status = nested ? KERN_STANDS : kern_path_evaluate(&c->m, path, KERN_R(0));
     if (status == KERN_STANDS)
-        status = kern_path_search(&c->m, path, nested ? KERN_R(0)
-            : first / KERN_R(1 + (int)(KERN_SCAN * first / r.most)));
+        status = kern_path_search(
+            &c->m, path,
+            nested ? KERN_R(0)
+                   : first / KERN_R(1 + (int)(KERN_SCAN * first / r.most)));
     if (status == KERN_STANDS) {
         r.margin = path->critical;
         r.holds = path->holds;
@@ -6100,15 +6287,16 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     for (i = 0; i < 2 * m->graph.groups; i++) {
         const kern_block *b = m->s->block + m->graph.block[i / 2];
         const kern_real way = kern_block_size(b) * KERN_R(i & 1 ? 0.5 : -0.5);
-        kern_box_add(&whole, b->vertices
-                     ? i & 1 ? b->box.high : b->box.low
-                     : kern_vec_add(b->centre, kern_vec_make(way, way)));
+        kern_box_add(&whole,
+                     b->vertices
+                         ? i & 1 ? b->box.high : b->box.low
+                         : kern_vec_add(b->centre, kern_vec_make(way, way)));
     }
     limit = 1000 * kern_vec_largest(kern_vec_sub(whole.high, whole.low));
     if (path->q.relative)
         limit = range[0] < KERN_INFINITY ? limit / range[0] : KERN_R(1);
     path->start = -limit;
-    for (; ; grown = kern_min(grown * growth, limit)) {
+    for (;; grown = kern_min(grown * growth, limit)) {
         status = kern_path_evaluate(m, path, -grown);
         if (status != KERN_FALLS && status != KERN_UNDECIDED)
             break;
@@ -6197,7 +6385,7 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
 static int kern_has_side(const kern_structure *s, kern_side side)
 {
     return (side == KERN_RIGHT || side == KERN_LEFT)
-           && kern_vec_largest(s->gravity) > 0;
+        && kern_vec_largest(s->gravity) > 0;
 }
 
 /* The angle whose tangent is s >= 0: halved three times, then the series. */
@@ -6256,8 +6444,9 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     if (status == KERN_LIMIT)
         path->critical = path->proven.low;
     if (status == KERN_STANDS || status == KERN_LIMIT)
-        *out = tilt ? 4 * kern_angle_of(path->critical)
-                    : path->never ? KERN_INFINITY : path->critical;
+        *out = tilt        ? 4 * kern_angle_of(path->critical)
+             : path->never ? KERN_INFINITY
+                           : path->critical;
     return status;
 }
 
@@ -6270,13 +6459,16 @@ KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                     proof);
 }
 
-KERN_API kern_status kern_load_factor_of(
-    const kern_task *task, kern_real shrink, const kern_wrench *pattern,
-    kern_real *factor, const kern_proof *proof)
+KERN_API kern_status kern_load_factor_of(const kern_task *task,
+                                         kern_real shrink,
+                                         const kern_wrench *pattern,
+                                         kern_real *factor,
+                                         const kern_proof *proof)
 {
     kern_call c;
     return pattern ? kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
-                              KERN_SHRINK, factor, proof) : KERN_BAD_POINTER;
+                              KERN_SHRINK, factor, proof)
+                   : KERN_BAD_POINTER;
 }
 
 KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
@@ -6296,9 +6488,10 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
     kern_status status = kern_call_open(&c, task, shrink, force);
     if (status == KERN_OK) {
         kern_model_set(&c.m, &c.path.q);
-        status = kern_norm_open(p, &c.m) ? kern_norm_find(
-            p, kern_part_load(p, &c.path.q, p->dual.b), KERN_BOUND, 0,
-            KERN_ROUNDS) : KERN_NO_SPACE;
+        status = kern_norm_open(p, &c.m)
+                   ? kern_norm_find(p, kern_part_load(p, &c.path.q, p->dual.b),
+                                    KERN_BOUND, 0, KERN_ROUNDS)
+                   : KERN_NO_SPACE;
         if (status == KERN_FALLS) /* unproven */
             status = KERN_UNDECIDED;
         if (status == KERN_STANDS) {
@@ -6317,9 +6510,9 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
    moves there. A model of fewer blocks is the same one with fewer groups. */
 
 typedef struct kern_fall {
-    int weak;                 /* places in the weaker half that are not taken */
-    kern_real sum;            /* of the values of that half                   */
-    kern_real *value;         /* of each block, -1 as long as it stands       */
+    int weak;         /* places in the weaker half that are not taken */
+    kern_real sum;    /* of the values of that half                   */
+    kern_real *value; /* of each block, -1 as long as it stands       */
 } kern_fall;
 
 /* Blocks that are left fall there: all, or those that move in the mechanism. */
@@ -6368,10 +6561,11 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
             if (m->graph.groups > 0)
                 status = kern_fall_beyond(m, path);
         } else if (status == KERN_STANDS) {
-            status = kern_path_search(
-                m, path, path->kind != KERN_PATH_SHRINK
-                || kern_is_nested(m, range)
-                ? KERN_R(0) : path->end / KERN_SCAN);
+            status = kern_path_search(m, path,
+                                      path->kind != KERN_PATH_SHRINK
+                                              || kern_is_nested(m, range)
+                                          ? KERN_R(0)
+                                          : path->end / KERN_SCAN);
             at = path->critical;
             if (status == KERN_STANDS && !path->never)
                 status = kern_fall_beyond(m, path);
@@ -6411,7 +6605,7 @@ static kern_real kern_expected_drop(const kern_model *m, const kern_real *value)
                 base = kern_min(base, at - kern_block_size(b) / 2);
             else
                 sum += kern_max(KERN_DROP_HEIGHT, (at - base) / m->mean)
-                       * kern_decay(value[i] / KERN_DROP_LOAD);
+                     * kern_decay(value[i] / KERN_DROP_LOAD);
         }
     return sum;
 }
@@ -6425,8 +6619,8 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     int i, free_blocks, half;
     kern_status status = kern_call_open(&c, task, KERN_R(0),
                                         value ? out : NULL);
-    for (i = 0; (status == KERN_OK || status == KERN_LIMIT)
-                && i < task->s.blocks; i++)
+    for (i = 0;
+         (status == KERN_OK || status == KERN_LIMIT) && i < task->s.blocks; i++)
         value[i] = KERN_R(-1);
     if (status != KERN_OK)
         return status;
@@ -6485,7 +6679,7 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
             const kern_contact *c = s->contact + i;
             const kern_vec u = kern_meeting_motion(s, q, c, proof->motion);
             const kern_real spin = proof->motion[c->b].spin
-                                   - proof->motion[c->a].spin;
+                                 - proof->motion[c->a].spin;
             const kern_meeting meeting = kern_meeting_of(
                 c, kern_friction(c, narrow), u, spin * q->mean);
             kern_real limit = KERN_R(0);
@@ -6608,14 +6802,14 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
    the other end of its line, or i. Line: corners take ends along, which stay
    midway between the edges; normal and middle take half of what an end does.
    Point: a corner takes it along, an edge turns the normal. */
-KERN_SHARED static void kern_pose_gain(
-    const kern_task *task, const kern_contact_rate *rate, int i, int pair,
-    kern_block_rate *out)
+KERN_SHARED static void kern_pose_gain(const kern_task *task,
+                                       const kern_contact_rate *rate, int i,
+                                       int pair, kern_block_rate *out)
 {
     const kern_contact *c = task->s.contact + i;
     const kern_vec t = kern_vec_turn(c->n);
     const kern_real along = kern_vec_dot(rate[i].p, t)
-                            + (rate[pair].travel - rate[i].travel) / 2;
+                          + (rate[pair].travel - rate[i].travel) / 2;
     const kern_real across = kern_vec_dot(rate[i].p, c->n);
     kern_real off[2]; /* along the contact to the nearest corner */
     int end, k;
@@ -6627,8 +6821,9 @@ KERN_SHARED static void kern_pose_gain(
         for (k = 0; b->vertex && k < b->vertices; k++) {
             const kern_vec r = kern_vec_sub(b->vertex[k], c->p);
             const kern_real at = kern_abs(kern_vec_cross(c->n, r));
-            if (at < off[end] && kern_abs(kern_vec_dot(c->n, r))
-                <= KERN_GAP * kern_block_size(b) + task->options.gap)
+            if (at < off[end]
+                && kern_abs(kern_vec_dot(c->n, r))
+                       <= KERN_GAP * kern_block_size(b) + task->options.gap)
                 off[end] = at;
         }
     }
@@ -6638,8 +6833,8 @@ KERN_SHARED static void kern_pose_gain(
         const kern_vec r = kern_vec_sub(c->p, b->centre);
         const kern_real size = kern_block_size(b);
         const kern_real owns = KERN_R(off[end] <= KERN_GAP * size
-                                      && off[end] <= off[!end]
-                                                     + KERN_SLIGHT * size);
+                                      && off[end]
+                                             <= off[!end] + KERN_SLIGHT * size);
         const kern_real part = pair != i ? KERN_R(0.5) : owns;
         const kern_vec way = kern_vec_step(kern_vec_scale(t, owns * along),
                                            part * across, c->n);
@@ -6651,9 +6846,11 @@ KERN_SHARED static void kern_pose_gain(
     }
 }
 
-KERN_API kern_status kern_sensitivity(
-    const kern_task *task, const kern_margin *margin, const kern_proof *proof,
-    kern_contact_rate *contact, kern_block_rate *block)
+KERN_API kern_status kern_sensitivity(const kern_task *task,
+                                      const kern_margin *margin,
+                                      const kern_proof *proof,
+                                      kern_contact_rate *contact,
+                                      kern_block_rate *block)
 {
     kern_query q;
     kern_real gain = KERN_R(0), most = KERN_R(0);
@@ -6661,7 +6858,8 @@ KERN_API kern_status kern_sensitivity(
     kern_status status = kern_query_check(
         task, margin ? margin->margin : KERN_R(0),
         margin && proof && proof->force && proof->motion && contact ? block
-                                                                    : NULL, &q);
+                                                                    : NULL,
+        &q);
     if (status != KERN_OK)
         return status;
     for (i = 0; i < task->s.contacts; i++) {
@@ -6705,13 +6903,13 @@ KERN_API kern_status kern_sensitivity(
    slowly: else those of joints that lean on each other alternate. */
 
 typedef struct kern_raise {
-    kern_part *p;             /* all groups, or those near a block            */
-    kern_real *last;          /* two a contact: last outcome, and its change  */
-    int size;                 /* numbers of u and prices, one after the other */
-    kern_real *begin, *best;  /* both: without a push, with the largest so far;
+    kern_part *p;            /* all groups, or those near a block            */
+    kern_real *last;         /* two a contact: last outcome, and its change  */
+    int size;                /* numbers of u and prices, one after the other */
+    kern_real *begin, *best; /* both: without a push, with the largest so far;
                                  the last two along a load                    */
-    int around;               /* the block asked about, or KERN_OUT           */
-    const kern_proof *proof;  /* that each step along a load writes, or NULL  */
+    int around;              /* the block asked about, or KERN_OUT           */
+    const kern_proof *proof; /* that each step along a load writes, or NULL  */
 } kern_raise;
 
 /* Marks all but the n groups near block i, and the ground, as place n. */
@@ -6759,8 +6957,8 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     kern_zero(p->dual.price, p->contacts);
     for (k = 0; k < p->contacts; k++) {
         const kern_contact *c = m->s->contact + p->contact[k];
-        p->dual.price[p->contacts + k] = KERN_R(0.1)
-            + (c->line ? kern_abs(c->travel) / m->mean : KERN_R(0));
+        p->dual.price[p->contacts + k] =
+            KERN_R(0.1) + (c->line ? kern_abs(c->travel) / m->mean : KERN_R(0));
     }
     return 1;
 }
@@ -6784,8 +6982,8 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int along,
         kern_real *to = p->dual.turn + 2 * (size_t)k;
         const kern_real mu = kern_model_mu(m, i), price = p->dual.price[k];
         const kern_real approach = w[0] + price;
-        const kern_real slip = kern_abs(w[1]) - kern_max(approach, 0)
-                                                / p->dual.stiff;
+        const kern_real slip = kern_abs(w[1])
+                             - kern_max(approach, 0) / p->dual.stiff;
         if (m->answer.force[i].normal > tolerance * m->weight) {
             pressed &= approach > 0;
             slid = kern_max(slid, slip);
@@ -6832,8 +7030,9 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
     for (i = 0; i < 3 * p->groups; i++)
         p->y[i] = -p->dual.u[i];
     kern_part_motion(p);
-    if (!kern_model_proven(m, kern_prove_raised(
-            m->s, q, m->answer.force, m->answer.motion, m->answer.sum)))
+    if (!kern_model_proven(m,
+                           kern_prove_raised(m->s, q, m->answer.force,
+                                             m->answer.motion, m->answer.sum)))
         return 0;
     kern_proof_out(m, r->proof, KERN_STANDS);
     kern_proof_out(m, r->proof, KERN_FALLS);
@@ -6846,8 +7045,10 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
                              int along)
 {
     kern_part *p = r->p;
-    const int rounds = KERN_RAISE_ROUNDS / (r->around >= 0 ? cold ? 2 : 6
-                                            : along || cold ? 1 : 2);
+    const int rounds = KERN_RAISE_ROUNDS
+                     / (r->around >= 0  ? cold ? 2 : 6
+                        : along || cold ? 1
+                                        : 2);
     const kern_real tolerance = kern_part_load(p, q, p->dual.b);
     int round;
     if (!kern_model_ask(p->m, r->around < 0 ? 3 : 1))
@@ -6871,11 +7072,13 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
    is 0, that it bears to either side as kerns shrink by the same share of the
    mean size, where they are not nested without that too: the worst that errors
    of places, and of angles over that size, do. Each begins at the last. */
-KERN_SHARED static kern_real kern_raise_reserve(
-    kern_raise *r, const kern_query *asked, kern_real most)
+KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
+                                                const kern_query *asked,
+                                                kern_real most)
 {
-    static const short share[] = {0, 10, 20, 30, 40, 50, 55, 60, 70, 80, 100,
-                                  150, 200, 300, 500, 1000}; /* of 10,000 */
+    static const short share[] = {
+        0,  10, 20,  30,  40,  50,  55,  60,
+        70, 80, 100, 150, 200, 300, 500, 1000}; /* of 10,000 */
     kern_model *m = r->p->m;
     kern_real range[2];
     const int nested = kern_is_nested(m, range);
@@ -6892,8 +7095,9 @@ KERN_SHARED static kern_real kern_raise_reserve(
             q.factor = KERN_R(share[at]) / 10000;
             kern_copy(r->p->dual.u, r->best, r->size);
             for (k = nested; k < 2 && good; k++) {
-                q.shrink = asked->shrink + (kern_real)k * q.factor
-                           * (q.relative ? KERN_R(1) : m->mean);
+                q.shrink = asked->shrink
+                         + (kern_real)k * q.factor
+                               * (q.relative ? KERN_R(1) : m->mean);
                 kern_model_arms(m, &q);
                 good = kern_raise_settle(r, &q, 0, 0);
             }
@@ -6969,8 +7173,8 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                 r->begin[i] = r->best[i];
                 r->best[i] = u[i];
             }
-            u[i] = r->best[i] + (*share - stood) / taken
-                                * (r->best[i] - r->begin[i]);
+            u[i] = r->best[i]
+                 + (*share - stood) / taken * (r->best[i] - r->begin[i]);
             if (u + i >= r->p->dual.price)
                 u[i] = kern_max(u[i], 0);
         }
@@ -7007,12 +7211,14 @@ static kern_status kern_raise_show(kern_raise *r, kern_call *c,
     if (sag) {
         const kern_graph *graph = &c->m.graph;
         const kern_real *u = r->p->dual.u
-                             + 3 * graph->local[graph->group[r->around]];
-        *sag = (kern_real)graph->groups * (kern_abs(u[2]) / 2
-               + kern_vec_length(kern_vec_make(u[0], u[1])));
+                           + 3 * graph->local[graph->group[r->around]];
+        *sag = (kern_real)graph->groups
+             * (kern_abs(u[2]) / 2
+                + kern_vec_length(kern_vec_make(u[0], u[1])));
     }
     return *out == KERN_RAISED || sag
-           ? status : kern_model_evaluate(&c->m, r->p, &c->path.q);
+             ? status
+             : kern_model_evaluate(&c->m, r->p, &c->path.q);
 }
 
 /* kern_raised(); with a sag of what is near block i, for kern_stays(). */
@@ -7030,8 +7236,8 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         return status;
     if (reserve && !kern_has_side(&task->s, KERN_RIGHT))
         return KERN_BAD_OPTION;
-    if (sag && ((unsigned)i >= (unsigned)task->s.blocks
-                || task->s.block[i].fixed))
+    if (sag
+        && ((unsigned)i >= (unsigned)task->s.blocks || task->s.block[i].fixed))
         return KERN_BAD_BLOCK;
     r.around = i;
     r.proof = NULL;
@@ -7055,27 +7261,34 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
 KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof)
-{ return kern_raise_task(task, shrink, out, reserve, proof, KERN_OUT, NULL); }
+{
+    return kern_raise_task(task, shrink, out, reserve, proof, KERN_OUT, NULL);
+}
 
 KERN_API kern_status kern_stays(const kern_task *task, int i, kern_real *chance)
 {
     kern_raising raising;
     kern_real reserve, sag = KERN_R(0), odds;
-    const kern_status status = chance ? kern_raise_task(
-        task, KERN_R(0), &raising, &reserve, NULL, i, &sag) : KERN_BAD_POINTER;
+    const kern_status status = chance
+                                 ? kern_raise_task(task, KERN_R(0), &raising,
+                                                   &reserve, NULL, i, &sag)
+                                 : KERN_BAD_POINTER;
     if (status != KERN_STANDS)
         return status;
     reserve += KERN_STAYS_ADD;
     odds = KERN_STAYS_ODDS * reserve * reserve * reserve / kern_max(sag, 1);
     odds *= odds;
-    *chance = raising == KERN_HANGS ? KERN_R(0)
-            : KERN_R(0.05) + KERN_R(0.95) * odds / (1 + odds);
+    *chance = raising == KERN_HANGS
+                ? KERN_R(0)
+                : KERN_R(0.05) + KERN_R(0.95) * odds / (1 + odds);
     return status;
 }
 
-KERN_API kern_status kern_raised_load(
-    const kern_task *task, kern_real shrink, kern_side side,
-    const kern_wrench *pattern, kern_real *factor, const kern_proof *proof)
+KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
+                                      kern_side side,
+                                      const kern_wrench *pattern,
+                                      kern_real *factor,
+                                      const kern_proof *proof)
 {
     kern_real most = KERN_R(-1), stood = most;
     kern_call c;
@@ -7095,8 +7308,8 @@ KERN_API kern_status kern_raised_load(
         kern_model_set(&c.m, q); /* the unit of force is what acts at the end */
         if (status == KERN_STANDS)
             stood = kern_raise_climb(&r, q, &q->factor, most);
-        status = kern_ended(task, status == KERN_STANDS && stood < 0
-                                  ? KERN_UNDECIDED : status);
+        status = kern_ended(
+            task, status == KERN_STANDS && stood < 0 ? KERN_UNDECIDED : status);
     }
     if (status == KERN_STANDS || status == KERN_LIMIT)
         *factor = stood < KERN_FACTOR_MOST ? stood : KERN_INFINITY;
@@ -7110,12 +7323,12 @@ KERN_API kern_status kern_raised_load(
 
 /* Most runs of edges with a box, where an outline has more vertices, of half as
    many edges at least; and most nested spans. More take stack, fewer time. */
-#define KERN_RUNS       16
+#define KERN_RUNS 16
 /* The default angle [rad]; and from a contact's line to the widest cone. */
-#define KERN_ANGLE      KERN_R(0.0174533)
+#define KERN_ANGLE KERN_R(0.0174533)
 /* Gap, as a share of the mean size, and angle [rad] of contacts that a little
    rocking closes: 0.03 to 0.1 and 0.1 to 0.2 predict shaking tests as well. */
-#define KERN_NEAR_GAP   KERN_R(0.04)
+#define KERN_NEAR_GAP KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
 /* Measured structures, in errors of place and of angle: 3.5 standard
    deviations, so that of 30 contacts which carry none is missed in 98 % of
@@ -7123,22 +7336,22 @@ KERN_API kern_status kern_raised_load(
    their places, 3/8 e^2 for their vertices: 1.5 times as much, and theta^2 r^2
    for each; the angle of two edges, 0.7 sizes long, by 2 theta^2, and as much
    for their ends: twice as much. To be certain, kerns shrink or grow by it. */
-#define KERN_ERRORS        KERN_R(3.5)
+#define KERN_ERRORS KERN_R(3.5)
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
-#define KERN_ERROR_EDGE    KERN_R(3.0)  /* beyond its end; of angle: of cones */
+#define KERN_ERROR_EDGE KERN_R(3.0) /* beyond its end; of angle: of cones */
 /* Gaps up to which a riser is one of a drawing and no shear key: the pixel of
    an image of 900 a stone must not hold. At 2 a kerb of two gaps would go. */
-#define KERN_RISER      KERN_R(1.6)
+#define KERN_RISER KERN_R(1.6)
 /* Sine of 10 degrees: by so much ways of steps may turn; by less do the normals
    of a line contact and of a vertex that belongs to it, by more at a corner. */
-#define KERN_SAME_FACE  KERN_R(0.17364817766693036)
+#define KERN_SAME_FACE KERN_R(0.17364817766693036)
 /* Largest share of a step: of the smaller free block's size, or it stays with
    any gap; and of a way whose direction it hardly changes. */
-#define KERN_STEP_MOST  KERN_R(0.1)
+#define KERN_STEP_MOST KERN_R(0.1)
 /* Strides of the search for overlap to a gap, which may be so much deeper
    unseen; and of a stride to that by which it grows. Fewer miss more, more take
    time. And most triangles of a size that are tried for an inner point. */
-#define KERN_STRIDES    32
+#define KERN_STRIDES 32
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
 /* Vertices are counted as written, which may be clockwise: the area is below 0
@@ -7173,28 +7386,30 @@ static inline int kern_polygon_turn(const kern_block *block, int i)
 static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
 {
     return b->low.y - gap <= a->high.y && a->low.y - gap <= b->high.y
-           && b->low.x - gap <= a->high.x && a->low.x - gap <= b->high.x;
+        && b->low.x - gap <= a->high.x && a->low.x - gap <= b->high.x;
 }
 
 /* The largest coordinate, without its sign. */
 static kern_real kern_box_largest(const kern_box *box)
-{ return kern_max(kern_vec_largest(box->low), kern_vec_largest(box->high)); }
+{
+    return kern_max(kern_vec_largest(box->low), kern_vec_largest(box->high));
+}
 
 /* ---- outlines ---- */
 
 typedef struct kern_span {
-    int start, end;         /* corners; equal: the whole outline         */
-    int steps;              /* 1: its chord stands for edges; -1: unknown */
+    int start, end; /* corners; equal: the whole outline         */
+    int steps;      /* 1: its chord stands for edges; -1: unknown */
 } kern_span;
 
 /* A block's outline in runs of `each` vertices with a box around the edges that
    start there, from corner to corner. A short outline is one run. */
 typedef struct kern_outline {
     const kern_block *block;
-    int straight, reflex;   /* are there such vertices, or spikes?   */
-    int each;               /* vertices of a run                     */
-    kern_real step;         /* a corner is so far from its chord [m] */
-    int spans;              /* so many; 0: not known yet             */
+    int straight, reflex;      /* are there such vertices, or spikes?   */
+    int each;                  /* vertices of a run                     */
+    kern_real step;            /* a corner is so far from its chord [m] */
+    int spans;                 /* so many; 0: not known yet             */
     kern_span span[KERN_RUNS]; /* each lies in the one before        */
     kern_box box[KERN_RUNS];
 } kern_outline;
@@ -7236,11 +7451,11 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
 
 /* The way from one corner to another, counter-clockwise: an edge or a chord. */
 typedef struct kern_edge {
-    int at;                 /* its first corner as written           */
-    int start, end;         /* its corners, counter-clockwise        */
-    kern_vec p, q, d;       /* their places; unit direction          */
+    int at;           /* its first corner as written           */
+    int start, end;   /* its corners, counter-clockwise        */
+    kern_vec p, q, d; /* their places; unit direction          */
     kern_real length;
-    kern_box box;           /* of an edge                            */
+    kern_box box; /* of an edge                            */
 } kern_edge;
 
 static inline void kern_edge_set(kern_edge *e, const kern_block *block, int at,
@@ -7258,10 +7473,14 @@ static inline void kern_edge_set(kern_edge *e, const kern_block *block, int at,
 
 /* Where the foot of p on the line of e is, from its start on. */
 static kern_real kern_edge_along(const kern_edge *e, kern_vec p)
-{ return kern_vec_dot(kern_vec_sub(p, e->p), e->d); }
+{
+    return kern_vec_dot(kern_vec_sub(p, e->p), e->d);
+}
 
 static kern_vec kern_edge_foot(const kern_edge *e, kern_vec p)
-{ return kern_vec_step(e->p, kern_edge_along(e, p), e->d); }
+{
+    return kern_vec_step(e->p, kern_edge_along(e, p), e->d);
+}
 
 /* Goes to the next edge near the box, behind vertex e->at or -1; 0: none. */
 static int kern_edge_next(kern_edge *e, const kern_outline *o,
@@ -7293,8 +7512,8 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
 {
     const kern_vec d = kern_vec_sub(v, u);
     const kern_real whole = kern_vec_dot(d, d);
-    const kern_real along =
-        kern_min(kern_max(-kern_vec_dot(u, d), KERN_R(0)), whole);
+    const kern_real along = kern_min(kern_max(-kern_vec_dot(u, d), KERN_R(0)),
+                                     whole);
     const kern_real share = whole > 0 ? along / whole : KERN_R(0);
     const kern_vec r = kern_vec_step(u, share, d);
     return kern_vec_dot(r, r);
@@ -7324,8 +7543,8 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
             KERN_R(0.999) * kern_vec_dot(way, way) > least;
         end = n - start > o->each ? start + o->each : n;
         for (i = skip ? end - 1 : start; i < end; i++) {
-            const kern_vec v =
-                kern_vec_sub(vertex[kern_polygon_next(block, i, 0)], p);
+            const kern_vec v = kern_vec_sub(
+                vertex[kern_polygon_next(block, i, 0)], p);
             const kern_real square = skip ? least : kern_edge_square(u, v);
             if (square < least) {
                 least = square;
@@ -7333,7 +7552,7 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
             }
             if ((u.y > 0) != (v.y > 0)
                 && (skip ? box->low.x > p.x
-                      : (kern_vec_cross(u, v) > 0) == (v.y > u.y)))
+                         : (kern_vec_cross(u, v) > 0) == (v.y > u.y)))
                 inside = !inside;
             u = v;
         }
@@ -7364,7 +7583,7 @@ static int kern_polygon_crossing(const kern_block *block)
     int i, lowest = 0;
     for (i = 0; i < block->vertices; i++)
         lowest += v[kern_polygon_next(block, i, 0)].y > v[i].y
-                  && v[kern_polygon_next(block, i, 1)].y >= v[i].y;
+               && v[kern_polygon_next(block, i, 1)].y >= v[i].y;
     kern_outline_set(&o, block);
     if (!o.reflex && lowest < 2)
         return -1;
@@ -7375,7 +7594,7 @@ static int kern_polygon_crossing(const kern_block *block)
         f = e;
         while (!touch && kern_edge_next(&f, &o, &e.box, 0))
             touch = f.start != e.end && f.end != e.start
-                    && !kern_one_side(&e, &f) && !kern_one_side(&f, &e);
+                 && !kern_one_side(&e, &f) && !kern_one_side(&f, &e);
         if (touch)
             return e.at;
     }
@@ -7414,28 +7633,30 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
         if (!kern_vec_is_moderate(block->vertex[fault->index]))
             return KERN_BAD_NUMBER;
     spread = kern_polygon_area(block);
-    least = 2 * KERN_ROUNDING * kern_box_largest(&block->box) *
-            kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
+    least = 2 * KERN_ROUNDING * kern_box_largest(&block->box)
+          * kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
     least = kern_max(least, 1 / (KERN_FAR * KERN_FAR));
     /* or all vertices are on one line */
     fault->index = spread > least ? kern_polygon_crossing(block) : -1;
-    return fault->index >= 0 ? KERN_CROSSING
-           : kern_abs(block->area) > least ? KERN_OK : KERN_NO_AREA;
+    return fault->index >= 0             ? KERN_CROSSING
+         : kern_abs(block->area) > least ? KERN_OK
+                                         : KERN_NO_AREA;
 }
 
 KERN_SHARED static kern_status kern_vertices_check(const kern_vec *v, int n)
 {
     return n < 0 || n > KERN_POINTS_MOST ? KERN_BAD_COUNT
-           : n < 3 ? KERN_FEW_VERTICES : v ? KERN_OK : KERN_BAD_POINTER;
+         : n < 3                         ? KERN_FEW_VERTICES
+         : v                             ? KERN_OK
+                                         : KERN_BAD_POINTER;
 }
 
 /* Leaves a block that every call refuses where the polygon is none. */
-KERN_API kern_status kern_ground_init(kern_block *block,
-                                      const kern_vec *vertex, int vertices,
-                                      kern_fault *fault)
+KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
+                                      int vertices, kern_fault *fault)
 {
-    const kern_block made = {vertex, vertices, 1, 0, {{0, 0}, {0, 0}}, 0,
-                             {0, 0}, {0, 0, 0}};
+    const kern_block made = {vertex,           vertices, 1,      0,
+                             {{0, 0}, {0, 0}}, 0,        {0, 0}, {0, 0, 0}};
     kern_fault ignored;
     kern_status status = kern_vertices_check(vertex, vertices);
     fault = fault ? fault : &ignored;
@@ -7567,8 +7788,8 @@ static void kern_overlap_within(const kern_outline *a, const kern_outline *b,
             const kern_vec at = kern_vec_scale(sum, KERN_R(1) / 3);
             const kern_real own = kern_polygon_depth(a, at, &near_a);
             if (own > *deep)
-                *deep = kern_max(*deep, kern_min(
-                    own, kern_polygon_depth(b, at, &near_b)));
+                *deep = kern_max(
+                    *deep, kern_min(own, kern_polygon_depth(b, at, &near_b)));
             if (own > 2 * *deep)
                 return;
         }
@@ -7592,8 +7813,8 @@ KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
         for (k = 0; k < own->vertices && !apart; k++) {
             kern_edge_set(&e, own, k, kern_polygon_next(own, k, 0));
             apart = kern_overlap_beside(&e, other, 1, gap / 2)
-                    && (side[i]->reflex + side[i]->straight == 0 /* convex */
-                        || kern_overlap_beside(&e, own, -1, gap / 2));
+                 && (side[i]->reflex + side[i]->straight == 0 /* convex */
+                     || kern_overlap_beside(&e, own, -1, gap / 2));
         }
     }
     for (i = 0; i < 2 && !apart && !(deep > enough); i++)
@@ -7611,14 +7832,17 @@ KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
 
 /* Does the edge that starts at vertex i of n lie in the span? */
 KERN_SHARED static int kern_span_holds(const kern_span *span, int i, int n)
-{ return (i - span->start + n) % n <= (span->end - span->start - 1 + n) % n; }
+{
+    return (i - span->start + n) % n <= (span->end - span->start - 1 + n) % n;
+}
 
 /* Length of the edge from corner i to k if it turns to both sides: a riser. */
 static kern_real kern_riser_length(const kern_block *block, int i, int k)
 {
     const int turns = kern_polygon_turn(block, i) * kern_polygon_turn(block, k);
-    return turns < 0 ? kern_vec_length(kern_vec_sub(
-        block->vertex[k], block->vertex[i])) : KERN_INFINITY;
+    return turns < 0
+             ? kern_vec_length(kern_vec_sub(block->vertex[k], block->vertex[i]))
+             : KERN_INFINITY;
 }
 
 /* Has the span a riser: of any length inside, of at most a step at its ends? */
@@ -7718,31 +7942,33 @@ static int kern_outline_chord(kern_outline *o, int i, kern_edge *chord)
 /* Two blocks, and the contacts of all pairs so far, in the caller's array. Here
    a line is one: p is its middle, travel half its length; 0: it is a point. */
 typedef struct kern_pair {
-    int a, b;               /* indices of the blocks, a before b           */
-    kern_real gap;          /* widest [m], at the blocks' centres          */
-    kern_real swing;        /* what its errors of angle add, per distance  */
-    kern_real deep;         /* deepest overlap [m]                         */
-    kern_real reach;        /* no gap or overlap is wider [m]              */
-    kern_real least;        /* a line is longer [m]                        */
-    kern_real foot;         /* a foot on an edge is so far inside [m]      */
-    kern_real sine;         /* of the angle of the options                 */
+    int a, b;        /* indices of the blocks, a before b           */
+    kern_real gap;   /* widest [m], at the blocks' centres          */
+    kern_real swing; /* what its errors of angle add, per distance  */
+    kern_real deep;  /* deepest overlap [m]                         */
+    kern_real reach; /* no gap or overlap is wider [m]              */
+    kern_real least; /* a line is longer [m]                        */
+    kern_real foot;  /* a foot on an edge is so far inside [m]      */
+    kern_real sine;  /* of the angle of the options                 */
     const kern_options *options;
     kern_contact *out;
-    int room, count;        /* count may exceed the room: no more is stored */
-    int first;              /* of the contacts of this pair                */
-    kern_outline of[2];     /* a and b                                     */
+    int room, count;    /* count may exceed the room: no more is stored */
+    int first;          /* of the contacts of this pair                */
+    kern_outline of[2]; /* a and b                                     */
 } kern_pair;
 
 /* One end of a line: side is -1 or 1. */
 static kern_vec kern_line_end(const kern_contact *line, kern_real side)
-{ return kern_vec_step(line->p, side * line->travel, kern_vec_turn(line->n)); }
+{
+    return kern_vec_step(line->p, side * line->travel, kern_vec_turn(line->n));
+}
 
 /* Adds a contact behind those as long or longer; without room it is counted. */
 static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
                           kern_real half)
 {
-    const kern_contact made = {pair->a, pair->b, half > 0, p, n,
-                               pair->options->mu, half};
+    const kern_contact made = {pair->a, pair->b,           half > 0, p,
+                               n,       pair->options->mu, half};
     kern_contact *at = pair->out;
     int i = pair->count++;
     if (i >= pair->room)
@@ -7757,7 +7983,7 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
                              const kern_edge *f)
 {
     return kern_vec_dot(e->d, f->d) < 0
-           && kern_abs(kern_vec_cross(e->d, f->d)) <= pair->sine;
+        && kern_abs(kern_vec_cross(e->d, f->d)) <= pair->sine;
 }
 
 /* ---- steps ---- */
@@ -7783,8 +8009,7 @@ static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
         way = kern_vec_sub(block->vertex[i], *p);
     } while (i != corner && KERN_STEP_MOST * kern_vec_length(way) < o->step);
     return kern_vec_cross(chord, e->d) >= -KERN_SAME_FACE
-           && kern_vec_cross(way, e->d)
-              >= -KERN_SAME_FACE * kern_vec_length(way);
+        && kern_vec_cross(way, e->d) >= -KERN_SAME_FACE * kern_vec_length(way);
 }
 
 /* The chord of an edge, in *chord, or the edge. At a corner where it starts it
@@ -7796,10 +8021,13 @@ static const kern_edge *kern_pair_chord(kern_outline *o, const kern_edge *edge,
     const int out = block->area > 0;
     const int last = kern_polygon_next(block, edge->start, out);
     return kern_outline_chord(o, edge->at, chord)
-           || (corner && kern_vec_length(kern_vec_sub(block->vertex[last],
-                                                      edge->p)) <= o->step
-               && kern_outline_chord(o, out ? last : edge->start, chord))
-           ? chord : edge;
+                || (corner
+                    && kern_vec_length(
+                           kern_vec_sub(block->vertex[last], edge->p))
+                           <= o->step
+                    && kern_outline_chord(o, out ? last : edge->start, chord))
+             ? chord
+             : edge;
 }
 
 /* Adds a contact of two edges, on their chords: midway between two that run
@@ -7837,7 +8065,7 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
         return;
     }
     t = kern_vec_scale(kern_vec_turn(t), -1); /* the outer normal */
-    if (2 * kern_vec_dot(t, n) > 1) /* less than 60 degrees off */
+    if (2 * kern_vec_dot(t, n) > 1)           /* less than 60 degrees off */
         kern_pair_put(pair, q, t, half * kern_vec_dot(t, n));
 }
 
@@ -7848,9 +8076,11 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 {
     const kern_vec u = kern_vec_sub(p, pair->of[0].block->centre);
     const kern_vec v = kern_vec_sub(p, pair->of[1].block->centre);
-    return !(pair->swing > 0) ? pair->gap
-        : KERN_SQRT(pair->gap * pair->gap + pair->swing * pair->swing
-                    * (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
+    return !(pair->swing > 0)
+             ? pair->gap
+             : KERN_SQRT(pair->gap * pair->gap
+                         + pair->swing * pair->swing
+                               * (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
 }
 
 /* Edge e of a and edge f of b run against each other. In the frame of their
@@ -7866,7 +8096,7 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
         return;
     t = kern_vec_unit(kern_vec_sub(e->d, f->d));
     n = kern_vec_scale(kern_vec_turn(t), -1); /* outward */
-    cosine = kern_vec_dot(e->d, t); /* and of f the opposite */
+    cosine = kern_vec_dot(e->d, t);           /* and of f the opposite */
     slope = kern_vec_dot(e->d, n) / cosine;
     at = kern_vec_dot(r, t);
     low = kern_max(KERN_R(0), at);
@@ -7885,14 +8115,14 @@ static int kern_pair_bears(const kern_pair *pair, const kern_edge *e, int on,
                            kern_vec p, kern_real gap)
 {
     const kern_real along = kern_edge_along(e, p);
-    const kern_real inside =
-        pair->foot - KERN_ERROR_EDGE * pair->options->pose_error;
+    const kern_real inside = pair->foot
+                           - KERN_ERROR_EDGE * pair->options->pose_error;
     int end, bears = along > inside && along < e->length - inside;
     for (end = 0; end < 2 && !bears; end++) {
         const kern_vec r = kern_vec_sub(p, end ? e->q : e->p);
         bears = kern_vec_dot(r, r) <= gap * gap
-                && kern_polygon_turn(pair->of[on].block,
-                                     end ? e->end : e->start) < 0;
+             && kern_polygon_turn(pair->of[on].block, end ? e->end : e->start)
+                    < 0;
     }
     return bears;
 }
@@ -7908,8 +8138,8 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
     kern_vec back, p = f->p;
     if (high > wide || high < -kern_max(wide, pair->deep))
         return;
-    back = kern_vec_unit(kern_vec_sub(own->vertex[kern_polygon_next(
-        own, f->start, own->area > 0)], f->p));
+    back = kern_vec_unit(kern_vec_sub(
+        own->vertex[kern_polygon_next(own, f->start, own->area > 0)], f->p));
     if (kern_vec_cross(back, f->d) > 0
         || kern_vec_cross(back, e->d) < -pair->sine
         || !kern_pair_bears(pair, e, on, p, wide))
@@ -7950,7 +8180,7 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
     kern_contact *at = pair->out;
     const kern_contact *const lead = &at[i];
     kern_vec low = lead->p, high = lead->p; /* outermost points            */
-    kern_real least = KERN_R(0), most = KERN_R(0); /* where they are     */
+    kern_real least = KERN_R(0), most = KERN_R(0);      /* where they are     */
     kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* of normals    */
     kern_real half;
     int k, rest = i + 1;
@@ -7963,7 +8193,7 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
         const kern_real off = kern_abs(kern_vec_dot(lead->n, r));
         if (lead->line && !c->line && cosine > 0 && sine < KERN_SAME_FACE
             && kern_max(off, kern_max(least - along, along - most))
-               <= pair->gap)
+                   <= pair->gap)
             continue;
         if (!(cosine > 0) || sine > pair->sine
             || off + c->travel * sine > pair->gap) {
@@ -8015,8 +8245,8 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
     kern_real widest = KERN_R(0);
     int j, k;
     for (j = 0; j < contacts; j++)
-        for (k = j + 1; k < contacts
-                        && kern_together(of, &contact[j], down); k++) {
+        for (k = j + 1; k < contacts && kern_together(of, &contact[j], down);
+             k++) {
             const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
             const kern_real square = kern_vec_dot(d, d);
             if (square > widest && kern_together(of, &contact[k], down)) {
@@ -8055,25 +8285,28 @@ static void kern_point_travels(kern_contact *contact, int contacts,
 typedef struct kern_search {
     const kern_block *block;
     int blocks;
-    int from;               /* the first block that meets those before     */
+    int from; /* the first block that meets those before     */
     kern_fault *fault;
-    kern_real floor;        /* places closer than that are the same [m]    */
-    kern_real reach;        /* widest gap of any pair [m]                  */
-    int listing;            /* overlaps are found and no contacts: of them */
-    kern_overlap *overlap;  /* there are pair.count                        */
+    kern_real floor;       /* places closer than that are the same [m]    */
+    kern_real reach;       /* widest gap of any pair [m]                  */
+    int listing;           /* overlaps are found and no contacts: of them */
+    kern_overlap *overlap; /* there are pair.count                        */
     kern_pair pair;
 } kern_search;
 
 /* Half the diagonal of the block's box. */
 static kern_real kern_box_half(const kern_block *block)
-{ return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2; }
+{
+    return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2;
+}
 
 /* The widest gap of blocks of that size; the error's is added to the exact. */
 static kern_real kern_search_gap(const kern_search *s, kern_real size)
 {
     const kern_options *o = s->pair.options;
-    const kern_real exact = o->gap > 0 && !(o->pose_error > 0) ? KERN_R(0)
-                                                          : KERN_GAP * size;
+    const kern_real exact = o->gap > 0 && !(o->pose_error > 0)
+                              ? KERN_R(0)
+                              : KERN_GAP * size;
     return kern_max(o->gap + exact, s->floor);
 }
 
@@ -8086,7 +8319,7 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
                  b->fixed ? KERN_INFINITY : kern_abs(b->area)));
     pair->gap = kern_search_gap(s, size);
     pair->deep = kern_max(pair->gap, pair->options->overlap)
-                 + pair->swing * (kern_box_half(a) + kern_box_half(b));
+               + pair->swing * (kern_box_half(a) + kern_box_half(b));
     pair->reach = kern_max(s->reach, pair->deep);
     pair->least = kern_max(kern_min(pair->gap, KERN_GAP * size), s->floor);
     pair->foot = kern_max(KERN_SLIGHT * size, s->floor);
@@ -8101,9 +8334,9 @@ static int kern_block_is_stale(const kern_block *block)
     kern_block now = *block;
     kern_polygon_area(&now);
     return kern_vec_largest(kern_vec_sub(now.box.low, block->box.low)) > 0
-           || kern_vec_largest(kern_vec_sub(now.box.high, block->box.high)) > 0
-           || !(kern_abs(now.area - block->area)
-                <= KERN_GAP * kern_abs(block->area));
+        || kern_vec_largest(kern_vec_sub(now.box.high, block->box.high)) > 0
+        || !(kern_abs(now.area - block->area)
+             <= KERN_GAP * kern_abs(block->area));
 }
 
 /* Finds contacts of blocks i and j that are not both fixed, or an overlap. */
@@ -8189,15 +8422,18 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
     for (i = 0; i < s->blocks; i++) {
         const kern_block *block = &s->block[i];
         const kern_box *box = &block->box;
-        kern_status status = block->vertices < 0 ? KERN_NO_BLOCK
-            : kern_vertices_check(block->vertex, block->vertices);
+        kern_status status = block->vertices < 0
+                               ? KERN_NO_BLOCK
+                               : kern_vertices_check(block->vertex,
+                                                     block->vertices);
         if (!block->vertices)
             continue;
         if (status == KERN_OK)
             status = !kern_is_finite(block->area)
-                     || !kern_box_near(box, box, 0) /* low above high */
-                     || kern_box_largest(box) > KERN_FAR ? KERN_BAD_NUMBER
-                   : !(kern_abs(block->area) > 0) ? KERN_NO_AREA
+                          || !kern_box_near(box, box, 0) /* low above high */
+                          || kern_box_largest(box) > KERN_FAR
+                       ? KERN_BAD_NUMBER
+                   : !(kern_abs(block->area) > 0)               ? KERN_NO_AREA
                    : i >= s->from && kern_block_is_stale(block) ? KERN_STALE
                                                                 : KERN_OK;
         if (status != KERN_OK) {
@@ -8221,10 +8457,12 @@ static kern_status kern_search_asked(const kern_search *s)
     const kern_options *o = s->pair.options;
     const kern_status status = o ? kern_options_check(o) : KERN_BAD_POINTER;
     return status != KERN_OK ? status
-           : s->from < 0 || s->blocks < s->from || s->pair.room < 0
-             || s->blocks > KERN_POINTS_MOST ? KERN_BAD_COUNT
-           : (s->blocks > 0 && !s->block) || (s->pair.room > 0 && !s->pair.out)
-             ? KERN_BAD_POINTER : KERN_OK;
+         : s->from < 0 || s->blocks < s->from || s->pair.room < 0
+                   || s->blocks > KERN_POINTS_MOST
+             ? KERN_BAD_COUNT
+         : (s->blocks > 0 && !s->block) || (s->pair.room > 0 && !s->pair.out)
+             ? KERN_BAD_POINTER
+             : KERN_OK;
 }
 
 /* Contacts of the blocks from one on, or a list of overlaps. */
@@ -8269,7 +8507,9 @@ static int kern_search_run(const kern_block *block, int blocks,
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
                            int room, kern_work *work)
-{ return kern_search_run(block, blocks, options, out, room, work, 0, 0); }
+{
+    return kern_search_run(block, blocks, options, out, room, work, 0, 0);
+}
 
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options, kern_contact *out,
@@ -8282,7 +8522,9 @@ KERN_API int kern_touch(const kern_block *block, int b,
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work)
-{ return kern_search_run(block, blocks, options, out, room, work, 0, 1); }
+{
+    return kern_search_run(block, blocks, options, out, room, work, 0, 1);
+}
 
 /* ---- contacts that are given ---- */
 
@@ -8310,10 +8552,12 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     normal = kern_vec_unit(kern_vec_scale(out->n, 1 / longest));
     d = kern_vec_sub(q, out->p);
     length = kern_vec_length(d);
-    line = length > 2 * KERN_ROUNDING * kern_max(kern_vec_largest(out->p),
-                                                 kern_vec_largest(q));
-    if (line && kern_abs(kern_vec_dot(d, normal)) >
-                kern_sine(options->angle) * length)
+    line = length
+         > 2 * KERN_ROUNDING
+               * kern_max(kern_vec_largest(out->p), kern_vec_largest(q));
+    if (line
+        && kern_abs(kern_vec_dot(d, normal))
+               > kern_sine(options->angle) * length)
         return (int)KERN_BAD_LINE;
     out->n = normal;
     out->line = line;
@@ -8361,7 +8605,7 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
 static int kern_plan_is_whole(const kern_plan *plan)
 {
     return plan && plan->block && plan->contact && plan->task.known.motion
-           && plan->task.known.force && plan->task.work;
+        && plan->task.known.force && plan->task.work;
 }
 
 /* Lays the block behind the others, at rest, and finds its contacts. */
@@ -8421,8 +8665,9 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
 /* Adds the block, unless that is NULL: a number of contacts, or a status. */
 KERN_SHARED static int kern_plan_open(kern_plan *plan, const kern_block *block)
 {
-    return block ? kern_plan_add(plan, block)
-        : kern_plan_is_whole(plan) ? 0 : (int)KERN_BAD_POINTER;
+    return block                    ? kern_plan_add(plan, block)
+         : kern_plan_is_whole(plan) ? 0
+                                    : (int)KERN_BAD_POINTER;
 }
 
 /* Takes back what kern_plan_add() did; returns the answer that it was for. */
@@ -8440,8 +8685,11 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof)
 {
     const int found = kern_plan_add(plan, block);
-    return kern_plan_back(plan, block, found, found < 0 ? (kern_status)found
-        : kern_measure_anew(&plan->task, &plan->task.known, out, proof));
+    return kern_plan_back(
+        plan, block, found,
+        found < 0
+            ? (kern_status)found
+            : kern_measure_anew(&plan->task, &plan->task.known, out, proof));
 }
 
 /* Whether it stands at that margin; if kerns are not nested, below it too. */
@@ -8479,16 +8727,20 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof)
 {
     const int found = kern_plan_add(plan, block);
-    return kern_plan_back(plan, block, found, found < 0 ? (kern_status)found
-        : kern_plan_stands(&plan->task, margin, proof));
+    return kern_plan_back(plan, block, found,
+                          found < 0
+                              ? (kern_status)found
+                              : kern_plan_stands(&plan->task, margin, proof));
 }
 
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
                                      kern_real *chance)
 {
     const int found = kern_plan_open(plan, block);
-    return kern_plan_back(plan, block, found, found < 0 ? (kern_status)found
-        : kern_stays(&plan->task, plan->task.s.blocks - 1, chance));
+    return kern_plan_back(
+        plan, block, found,
+        found < 0 ? (kern_status)found
+                  : kern_stays(&plan->task, plan->task.s.blocks - 1, chance));
 }
 
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
@@ -8496,8 +8748,10 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
                                       const kern_proof *proof)
 {
     const int found = kern_plan_open(plan, block);
-    return kern_plan_back(plan, block, found, found < 0 ? (kern_status)found
-        : kern_raised(&plan->task, KERN_R(0), out, reserve, proof));
+    return kern_plan_back(
+        plan, block, found,
+        found < 0 ? (kern_status)found
+                  : kern_raised(&plan->task, KERN_R(0), out, reserve, proof));
 }
 
 /* ==== Part VII: Words ==================================================== */
@@ -8507,8 +8761,9 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 KERN_API const char *kern_status_text(kern_status status)
 {
     switch (status) {
-#define KERN_STATUS_TEXT(name, value, text) case name: return text;
-    KERN_STATUS_LIST(KERN_STATUS_TEXT)
+#define KERN_STATUS_TEXT(name, value, text) \
+    case name: return text;
+        KERN_STATUS_LIST(KERN_STATUS_TEXT)
 #undef KERN_STATUS_TEXT
     }
     return "no status";
@@ -8528,7 +8783,9 @@ KERN_API kern_options kern_defaults(void)
 
 /* The options, or for NULL the defaults. */
 KERN_SHARED static kern_options kern_options_of(const kern_options *options)
-{ return options ? *options : kern_defaults(); }
+{
+    return options ? *options : kern_defaults();
+}
 
 KERN_API kern_options kern_measured_options(const kern_options *options,
                                             kern_real e, kern_real theta)
@@ -8554,7 +8811,7 @@ static void kern_contacts_err(kern_contact *c, int n, kern_real by,
         c->p = kern_vec_step(c->p, shift, kern_vec_turn(c->n));
         c->travel -= shift;
         c->mu = kern_max(c->mu - turn, KERN_R(0))
-                / kern_max(1 + c->mu * turn, KERN_ANGLE);
+              / kern_max(1 + c->mu * turn, KERN_ANGLE);
     }
 }
 
@@ -8624,7 +8881,9 @@ static kern_status kern_certain_check(const kern_task *task, kern_real margin,
     if (!(task->options.pose_error > 0 && margin >= 0))
         return KERN_BAD_OPTION;
     return task->s.contacts > room || task->work->reals < task->s.blocks
-           || task->work->indices < task->s.blocks ? KERN_NO_SPACE : KERN_OK;
+                || task->work->indices < task->s.blocks
+             ? KERN_NO_SPACE
+             : KERN_OK;
 }
 
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
@@ -8654,12 +8913,12 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
         out->low = kern_min(kern_max(m.holds, KERN_R(0)), margin);
     status = kern_limit_less(&other, status);
     if (status == KERN_STANDS && out->low > 0)
-        status = kern_limit_less(&other, kern_raised(
-            &other, KERN_R(0), &raised, NULL, NULL));
+        status = kern_limit_less(
+            &other, kern_raised(&other, KERN_R(0), &raised, NULL, NULL));
     if (status >= KERN_UNDECIDED) {
-        other.options = kern_measured_options(
-            &other.options, 2 * task->options.pose_error,
-            2 * task->options.pose_turn);
+        other.options = kern_measured_options(&other.options,
+                                              2 * task->options.pose_error,
+                                              2 * task->options.pose_turn);
         other.s.contacts = kern_contacts(task->s.block, task->s.blocks,
                                          &other.options, contact, room,
                                          task->work);
@@ -8669,12 +8928,13 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
             out->low = out->high = KERN_R(0);
         else if (status == KERN_STANDS || status == KERN_LIMIT)
             out->high = kern_max(m.fails, margin > 0 && !task->options.relative
-                                          ? margin + by : margin);
+                                              ? margin + by
+                                              : margin);
         if (status >= KERN_UNDECIDED && status != KERN_FALLS)
             status = raised == KERN_RAISED ? KERN_STANDS : KERN_OK;
     }
     task->work->units += kern_limit_of(task->options.limit)
-                         - other.options.limit;
+                       - other.options.limit;
     return status;
 }
 

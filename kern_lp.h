@@ -31,7 +31,8 @@
    SPDX-License-Identifier: MIT */
 
 #if !defined(KERN_LP_H_ALLOWED)
-#error "kern_lp.h: include kern.h instead, with KERN_USE_GLPK defined where the implementation is"
+#error \
+    "kern_lp.h: include kern.h instead, with KERN_USE_GLPK defined where the implementation is"
 #endif
 
 #ifndef KERN_LP_H
@@ -120,8 +121,9 @@ static int kern_glpk_run(glp_prob *p, const kern_program *lp)
     how.it_lim = 200 + 5 * (lp->rows + lp->cols);
     how.it_lim = how.it_lim < left ? how.it_lim : left;
     code = glp_simplex(p, &how);
-    kern_lp_spend(lp, (glp_get_it_cnt(p) - before) * unit
-                  + (code == GLP_EITLIM && how.it_lim == left ? unit : 0));
+    kern_lp_spend(lp,
+                  (glp_get_it_cnt(p) - before) * unit
+                      + (code == GLP_EITLIM && how.it_lim == left ? unit : 0));
     return code == 0 ? glp_get_status(p) : GLP_UNDEF;
 }
 
@@ -161,7 +163,8 @@ static kern_status kern_lp_glpk(const kern_program *lp, kern_real *x,
     double size = 0.0;
     for (i = 0; i < lp->rows; i++)
         size = size > (double)kern_abs(lp->rhs[i])
-               ? size : (double)kern_abs(lp->rhs[i]);
+                 ? size
+                 : (double)kern_abs(lp->rhs[i]);
     if (code == GLP_OPT)
         status = glp_get_obj_val(p) > 1e-11 * size ? KERN_LP_INFEASIBLE
                                                    : KERN_LP_OPTIMAL;
@@ -173,8 +176,9 @@ static kern_status kern_lp_glpk(const kern_program *lp, kern_real *x,
         for (i = 1; i <= lp->cols; i++)
             glp_set_obj_coef(p, i, (double)lp->cost[i - 1]);
         code = kern_glpk_run(p, lp);
-        status = code == GLP_OPT ? KERN_LP_OPTIMAL
-                 : code == GLP_UNBND ? KERN_LP_UNBOUNDED : KERN_UNDECIDED;
+        status = code == GLP_OPT   ? KERN_LP_OPTIMAL
+               : code == GLP_UNBND ? KERN_LP_UNBOUNDED
+                                   : KERN_UNDECIDED;
     }
     for (i = 0; i < lp->cols; i++)
         x[i] = (kern_real)glp_get_col_prim(p, i + 1);

@@ -48,7 +48,8 @@ enum { EXIT_STANDS, EXIT_FALLS, EXIT_BAD, EXIT_UNDECIDED };
 static void show_progress(const struct settings *set, int number, int *shown)
 {
     static clock_t next = CLOCKS_PER_SEC;
-    if (clock() < next || !ARGS_TERMINAL(2)) return;
+    if (clock() < next || !ARGS_TERMINAL(2))
+        return;
     next = clock() + CLOCKS_PER_SEC / 10;
     fprintf(stderr, "\rkern: file %d of %d ", number + 1, set->files);
     fflush(stderr);
@@ -57,13 +58,15 @@ static void show_progress(const struct settings *set, int number, int *shown)
 
 static void clear_progress(int *shown)
 {
-    if (*shown) fprintf(stderr, "\r%*s\r", 40, "");
+    if (*shown)
+        fprintf(stderr, "\r%*s\r", 40, "");
     *shown = 0;
 }
 
 static int exit_status_of(const struct analysis *a)
 {
-    if (a->error[0]) return EXIT_BAD;
+    if (a->error[0])
+        return EXIT_BAD;
     if (a->verdict < 0 || (!a->set->verdict_only && open_questions(a)))
         return EXIT_UNDECIDED;
     return a->verdict == KERN_FALLS ? EXIT_FALLS : EXIT_STANDS;
@@ -72,17 +75,20 @@ static int exit_status_of(const struct analysis *a)
 /* Refuses what the library would, with both numbers. */
 static int too_many(struct analysis *a)
 {
-    if (a->text.blocks <= KERN_BLOCKS_MOST) return 0;
+    if (a->text.blocks <= KERN_BLOCKS_MOST)
+        return 0;
     return fail(a, 0, "%d blocks, at most %d are analysed", a->text.blocks,
                 KERN_BLOCKS_MOST);
 }
 
 static void print_error(const struct analysis *a)
 {
-    if (!a->error[0]) return;
+    if (!a->error[0])
+        return;
     fflush(stdout); /* stdout and stderr may go to one log */
     fprintf(stderr, "%s:", a->file);
-    if (a->line > 0) fprintf(stderr, "%d:", a->line);
+    if (a->line > 0)
+        fprintf(stderr, "%d:", a->line);
     fprintf(stderr, " %s\n", a->error);
 }
 
@@ -90,13 +96,14 @@ static void print_error(const struct analysis *a)
 static int write_files(const struct analysis *a)
 {
     int bad = a->set->svg && draw(a);
-    if (a->set->svg && a->sweeps > 0) bad |= draw_sweep(a);
+    if (a->set->svg && a->sweeps > 0)
+        bad |= draw_sweep(a);
     return (a->set->c_file && write_c(a)) || bad;
 }
 
 static int run_file(const struct settings *set, int number, int *shown)
 {
-    struct analysis a = { 0 };
+    struct analysis a = {0};
     a.set = set;
     a.file = set->file[number];
     a.number = number;
@@ -105,24 +112,30 @@ static int run_file(const struct settings *set, int number, int *shown)
         (double)NAN;
     int bad = read_structure(&a) || too_many(&a) || analyse(&a);
     if (!bad && !set->json) {
-        if (ARGS_TERMINAL(1)) clear_progress(shown);
+        if (ARGS_TERMINAL(1))
+            clear_progress(shown);
         report_verdict(&a);
     }
-    if (!bad && !set->verdict_only) measure(&a);
+    if (!bad && !set->verdict_only)
+        measure(&a);
     show_stage(&a, "");
-    if (a.error[0] || ARGS_TERMINAL(1)) clear_progress(shown);
+    if (a.error[0] || ARGS_TERMINAL(1))
+        clear_progress(shown);
     int status = exit_status_of(&a);
     print_error(&a);
-    if (set->json) report_json(&a);
-    else if (!a.error[0] && !set->verdict_only) report(&a);
-    if (!a.error[0] && write_files(&a)) status = EXIT_BAD;
+    if (set->json)
+        report_json(&a);
+    else if (!a.error[0] && !set->verdict_only)
+        report(&a);
+    if (!a.error[0] && write_files(&a))
+        status = EXIT_BAD;
     free_analysis(&a);
     return status;
 }
 
 static int run(const struct settings *set)
 {
-    int count[4] = { 0 }, shown = 0;
+    int count[4] = {0}, shown = 0;
     for (int i = 0; i < set->files; i++) {
         show_progress(set, i, &shown);
         count[run_file(set, i, &shown)]++;
@@ -136,8 +149,10 @@ static int run(const struct settings *set)
         fprintf(stderr, "kern: cannot write the report: %s\n", strerror(errno));
         return EXIT_BAD;
     }
-    return count[EXIT_BAD] ? EXIT_BAD : count[EXIT_UNDECIDED] ? EXIT_UNDECIDED
-         : count[EXIT_FALLS] ? EXIT_FALLS : EXIT_STANDS;
+    return count[EXIT_BAD]       ? EXIT_BAD
+         : count[EXIT_UNDECIDED] ? EXIT_UNDECIDED
+         : count[EXIT_FALLS]     ? EXIT_FALLS
+                                 : EXIT_STANDS;
 }
 
 /* ---- Command line -------------------------------------------------------- */
@@ -169,9 +184,9 @@ static int number_option(const char *name, const char *value, enum kind kind,
         "positive number", "number not below zero",
         "angle in radians from 0 to below 0.5",
         "whole number of places from 1 to 10,000",
-        "whole number from 1 to 2,000,000,000, or 0"
-    };
-    if (!value) return bad_use("a number is missing after", name);
+        "whole number from 1 to 2,000,000,000, or 0"};
+    if (!value)
+        return bad_use("a number is missing after", name);
     if (!text_number(value, out) || !is_of_kind(kind, (double)*out)) {
         fprintf(stderr, "kern: %s takes a%s %s, read '%s'\n", name,
                 kind == ANGLE ? "n" : "", what[kind], value);
@@ -192,18 +207,23 @@ static int error_option(const char *name, const char *value, kern_real *error,
     memcpy(first, value, n);
     first[n] = '\0';
     return number_option(name, first, POSITIVE, error)
-        || number_option(name, comma + 1, ANGLE, turn) ? -1 : 0;
+                || number_option(name, comma + 1, ANGLE, turn)
+             ? -1
+             : 0;
 }
 
 /* A file that is written must end as such files do, so that none is written
    over a structure. */
 static int output_option(const char *name, const char *file, const char *end)
 {
-    if (args_ends(file, end)) return 0;
+    if (args_ends(file, end))
+        return 0;
     if (!file || !file[0])
         return bad_use("a file name is missing after", name);
-    fprintf(stderr, "kern: %s takes a name that ends in %s, read %s; try kern "
-            "--help\n", name, end, file);
+    fprintf(stderr,
+            "kern: %s takes a name that ends in %s, read %s; try kern "
+            "--help\n",
+            name, end, file);
     return -1;
 }
 
@@ -212,8 +232,9 @@ static int name_option(struct settings *set, char **argv, int *i)
 {
     const char *word = argv[*i];
     if (args_value(argv, i, "--stays", &set->stays))
-        return set->stays && set->stays[0] ? 0
-             : bad_use("a block, or all, is missing after", "--stays");
+        return set->stays && set->stays[0]
+                 ? 0
+                 : bad_use("a block, or all, is missing after", "--stays");
     if (args_value(argv, i, "--c", &set->c_file))
         return output_option("--c", set->c_file, ".h");
     if (args_value(argv, i, "--svg", &set->svg))
@@ -225,22 +246,28 @@ static int name_option(struct settings *set, char **argv, int *i)
 static int read_option(void *settings, char **argv, int *i)
 {
     struct settings *set = settings;
-    struct { const char *name; enum kind kind; kern_real *out; } number[] = {
-        { "--epsilon", POSITIVE, &set->epsilon },
-        { "-e", POSITIVE, &set->epsilon },
-        { "--mu", NOT_NEGATIVE, &set->mu }, { "--gap", POSITIVE, &set->gap },
-        { "--at", NOT_NEGATIVE, &set->at }, { "--limit", UNITS, &set->limit },
-        { "--overlap", POSITIVE, &set->overlap },
-        { "--sweep", PLACES, &set->sweep }
-    };
-    struct { const char *name; int *out; } flag[] = {
-        { "--relative", &set->relative }, { "-r", &set->relative },
-        { "--forces", &set->forces }, { "--mechanism", &set->mechanism },
-        { "--raised", &set->raised }, { "--sequence", &set->sequence },
-        { "--profile", &set->profile }, { "--near", &set->touching },
-        { "--json", &set->json }, { "--verdict", &set->verdict_only },
-        { "--lone", &set->lone }
-    };
+    struct {
+        const char *name;
+        enum kind kind;
+        kern_real *out;
+    } number[] = {{"--epsilon", POSITIVE, &set->epsilon},
+                  {"-e", POSITIVE, &set->epsilon},
+                  {"--mu", NOT_NEGATIVE, &set->mu},
+                  {"--gap", POSITIVE, &set->gap},
+                  {"--at", NOT_NEGATIVE, &set->at},
+                  {"--limit", UNITS, &set->limit},
+                  {"--overlap", POSITIVE, &set->overlap},
+                  {"--sweep", PLACES, &set->sweep}};
+    struct {
+        const char *name;
+        int *out;
+    } flag[] = {
+        {"--relative", &set->relative}, {"-r", &set->relative},
+        {"--forces", &set->forces},     {"--mechanism", &set->mechanism},
+        {"--raised", &set->raised},     {"--sequence", &set->sequence},
+        {"--profile", &set->profile},   {"--near", &set->touching},
+        {"--json", &set->json},         {"--verdict", &set->verdict_only},
+        {"--lone", &set->lone}};
     const char *word = argv[*i], *value;
     if (strcmp(word, "--mechanism") == 0 && argv[*i + 1]
         && strcmp(argv[*i + 1], "live") == 0) {
@@ -268,23 +295,29 @@ static int read_option(void *settings, char **argv, int *i)
 static int check_share(const struct settings *set, const char *name,
                        kern_real value)
 {
-    if (!set->relative || value <= 1) return 0;
-    fprintf(stderr, "kern: with --relative %s takes a share up to 1, read "
-            "%.9g\n", name, (double)value);
+    if (!set->relative || value <= 1)
+        return 0;
+    fprintf(stderr,
+            "kern: with --relative %s takes a share up to 1, read "
+            "%.9g\n",
+            name, (double)value);
     return -1;
 }
 
 int main(int argc, char **argv)
 {
-    struct settings set = { 0 };
+    struct settings set = {0};
     set.epsilon = set.mu = set.gap = set.at = set.limit = set.overlap = -1;
     set.error = set.turn = set.own_error = set.own_turn = -1;
     set.file = argv;
     set.files = args_read(argc, argv, read_option, &set);
-    if (set.files == ARGS_BAD) return EXIT_BAD;
+    if (set.files == ARGS_BAD)
+        return EXIT_BAD;
     if (set.files == ARGS_HELP)
         return fputs(help, stdout) < 0 || fputs(help_format, stdout) < 0
-               || fputs(help_json, stdout) < 0 ? EXIT_BAD : EXIT_STANDS;
+                    || fputs(help_json, stdout) < 0
+                 ? EXIT_BAD
+                 : EXIT_STANDS;
     if (set.files == ARGS_VERSION)
         return puts("kern " KERN_VERSION) < 0 ? EXIT_BAD : EXIT_STANDS;
     if (set.files == 0) {
@@ -292,5 +325,7 @@ int main(int argc, char **argv)
         return EXIT_BAD;
     }
     return check_share(&set, "--at", set.at)
-        || check_share(&set, "--epsilon", set.epsilon) ? EXIT_BAD : run(&set);
+                || check_share(&set, "--epsilon", set.epsilon)
+             ? EXIT_BAD
+             : run(&set);
 }

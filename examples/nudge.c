@@ -27,9 +27,9 @@
 
 enum { MEASURES = 12, ROWS = 8 };
 
-#define SHARE 0.1   /* of the margin, that a place may cost                   */
-#define GAIN 0.01   /* that is not worth another measure                      */
-#define FLAT 1e-3   /* slope that is none                                     */
+#define SHARE 0.1 /* of the margin, that a place may cost                   */
+#define GAIN 0.01 /* that is not worth another measure                      */
+#define FLAT 1e-3 /* slope that is none                                     */
 
 static const char built_in[] =
     "fixed pier     0 0      1 0      1 1      0 1\n"
@@ -41,21 +41,21 @@ struct nudge {
     kern_task task;
     kern_work work;
     kern_contact *contact;
-    int room;                   /* contact points                             */
+    int room; /* contact points                             */
     kern_force *force;
     kern_motion *motion;
-    kern_contact_rate *point;   /* how the margin depends on each contact ... */
-    kern_block_rate *stone;     /* ... and on each block                      */
+    kern_contact_rate *point; /* how the margin depends on each contact ... */
+    kern_block_rate *stone;   /* ... and on each block                      */
     kern_margin m;
     int measures;
-    int climber;                /* the stone that moves; -1: none             */
-    kern_vec along;             /* its bed                                    */
-    double way;                 /* how far it moved                           */
+    int climber;    /* the stone that moves; -1: none             */
+    kern_vec along; /* its bed                                    */
+    double way;     /* how far it moved                           */
 };
 
 /* A place along the bed. */
 struct step {
-    double x, margin, slope;    /* margin < 0: it cannot lie there            */
+    double x, margin, slope; /* margin < 0: it cannot lie there            */
 };
 
 static int complain(const char *what, const char *why)
@@ -101,8 +101,8 @@ static int open_task(struct nudge *n)
     n->point = malloc(room * sizeof *n->point);
     n->motion = malloc(blocks * sizeof *n->motion);
     n->stone = calloc(blocks, sizeof *n->stone);
-    if (!n->work.real || !n->work.index || !n->contact || !n->force
-        || !n->point || !n->motion || !n->stone)
+    if (!n->work.real || !n->work.index || !n->contact || !n->force || !n->point
+        || !n->motion || !n->stone)
         return complain("memory", strerror(errno));
     n->task = kern_task_of(t->block, t->blocks, n->contact, 0, &n->work);
     n->task.s.gravity = t->gravity;
@@ -152,8 +152,8 @@ static double exactness(const struct nudge *n, int i)
 static int matters(const struct nudge *n, int i)
 {
     return !n->task.s.block[i].fixed
-        && exactness(n, i) < 100 * kern_mean_size(n->task.s.block,
-                                                  n->task.s.blocks);
+        && exactness(n, i)
+               < 100 * kern_mean_size(n->task.s.block, n->task.s.blocks);
 }
 
 /* ---- along the bed ------------------------------------------------------ */
@@ -181,7 +181,7 @@ static int find_bed(const struct nudge *n, int stone, kern_vec *along)
 static double slope_of(const struct nudge *n, int stone, kern_vec along)
 {
     return n->stone[stone].place.x * along.x
-        + n->stone[stone].place.y * along.y;
+         + n->stone[stone].place.y * along.y;
 }
 
 /* The stone whose bed it matters most to move along; -1: none. */
@@ -242,8 +242,8 @@ static struct step try_step(struct nudge *n, int stone, kern_vec along,
 static double tangents_meet(const struct step *a, const struct step *b,
                             double *margin)
 {
-    const double x = (b->margin - a->margin + a->slope * a->x
-                      - b->slope * b->x) / (a->slope - b->slope);
+    const double x = (b->margin - a->margin + a->slope * a->x - b->slope * b->x)
+                   / (a->slope - b->slope);
 
     *margin = a->margin + a->slope * (x - a->x);
     return x;
@@ -266,7 +266,7 @@ static double place_between(const struct step *low, const struct step *high,
    far it has moved. */
 static double climb(struct nudge *n, int stone, kern_vec along)
 {
-    struct step low, high = { 0, 0, 0 }, best, s;
+    struct step low, high = {0, 0, 0}, best, s;
     double at = 0, next, hope = 0, step;
     int between = 0;
 
@@ -277,8 +277,9 @@ static double climb(struct nudge *n, int stone, kern_vec along)
     while (n->measures <= MEASURES && !n->m.saturated
            && fabs(low.slope) > FLAT) {
         next = between ? place_between(&low, &high, &hope) : low.x + step;
-        if (between && ((high.margin >= 0 && hope < best.margin * (1 + GAIN))
-                        || fabs(high.x - low.x) < 0.1 * fabs(step)))
+        if (between
+            && ((high.margin >= 0 && hope < best.margin * (1 + GAIN))
+                || fabs(high.x - low.x) < 0.1 * fabs(step)))
             break;
         s = try_step(n, stone, along, &at, next);
         if (s.margin > best.margin)
@@ -305,9 +306,11 @@ static void print_stones(const struct nudge *n)
     char *done = calloc((size_t)n->task.s.blocks, 1), name[TEXT_SHOW_ROOM];
     int row, i;
 
-    printf("margin %.5f, of which %.0f %% are lost where one stone lies no more "
-           "exact than\n\n%-10s %8s  %s\n", n->m.margin, 100 * SHARE, "stone",
-           "exact to", "the margin grows by x, y and turning");
+    printf(
+        "margin %.5f, of which %.0f %% are lost where one stone lies no more "
+        "exact than\n\n%-10s %8s  %s\n",
+        n->m.margin, 100 * SHARE, "stone", "exact to",
+        "the margin grows by x, y and turning");
     for (row = 0; done && row < ROWS; row++) {
         int best = -1;
 
@@ -377,11 +380,13 @@ static void draw_nudges(const struct draw_view *v, const void *data)
         if (!matters(n, i))
             continue;
         if (exactness(n, i) < size)
-            draw_circle(v->out, c, exactness(n, i) * v->scale, "fill=\"none\" "
+            draw_circle(v->out, c, exactness(n, i) * v->scale,
+                        "fill=\"none\" "
                         "stroke=\"" DRAW_KERN "\" stroke-width=\"1.2\"");
-        draw_arrow(v->out, c, draw_place(v, b->centre.x + unit * r.x,
-                   b->centre.y + unit * r.y),
-                   draw_clamp(0.02 * size * v->scale, 0.8, 2), DRAW_LOAD);
+        draw_arrow(
+            v->out, c,
+            draw_place(v, b->centre.x + unit * r.x, b->centre.y + unit * r.y),
+            draw_clamp(0.02 * size * v->scale, 0.8, 2), DRAW_LOAD);
     }
     if (fabs(n->way) > 0) {
         kern_motion moved;
@@ -389,7 +394,8 @@ static void draw_nudges(const struct draw_view *v, const void *data)
         moved.vx = n->way * n->along.x;
         moved.vy = n->way * n->along.y;
         moved.spin = 0;
-        draw_block(v, &s->block[n->climber], &moved, 1, "fill=\"none\" "
+        draw_block(v, &s->block[n->climber], &moved, 1,
+                   "fill=\"none\" "
                    "stroke=\"" DRAW_GHOST "\" stroke-dasharray=\"4 3\"");
     }
 }
@@ -397,17 +403,18 @@ static void draw_nudges(const struct draw_view *v, const void *data)
 /* The structure as it was read. */
 static int draw(struct nudge *n, const char *path)
 {
-    struct draw_scene scene = { 0 };
+    struct draw_scene scene = {0};
     char text[300];
 
     if (n->climber >= 0) {
         move_stone(n, n->climber, n->along, -n->way);
         measure(n);
     }
-    snprintf(text, sizeof text, "Arrows: which way the margin, %.4g, grows.\n"
+    snprintf(text, sizeof text,
+             "Arrows: which way the margin, %.4g, grows.\n"
              "Circles: a stone that far off costs %.0f %% of it.\n"
-             "Dashed: the best place of one stone along its bed.", n->m.margin,
-             100 * SHARE);
+             "Dashed: the best place of one stone along its bed.",
+             n->m.margin, 100 * SHARE);
     scene.s = &n->task.s;
     scene.limiting = -1;
     scene.caption = text;

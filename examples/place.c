@@ -53,12 +53,11 @@ static const char built_in[] =
 
 /* Of size 1 or so; no two sides are parallel. */
 static const double outline[CORNERS][2] = {
-    { -0.6, -0.35 }, { 0.5, -0.42 }, { 0.68, 0.1 }, { 0.2, 0.45 },
-    { -0.52, 0.35 },
+    {-0.6, -0.35}, {0.5, -0.42}, {0.68, 0.1}, {0.2, 0.45}, {-0.52, 0.35},
 };
 
 struct place {
-    double x, y, turn;      /* of the centre of mass                          */
+    double x, y, turn; /* of the centre of mass                          */
     kern_status status;
     kern_margin m;
 };
@@ -73,9 +72,9 @@ struct wall {
     double density;
     kern_margin alone;
     struct place place[PLACES];
-    double error;            /* of a place                                    */
-    int best;                /* place, -1: none                               */
-    double stays;            /* the chance that it stays there, NAN: unknown  */
+    double error; /* of a place                                    */
+    int best;     /* place, -1: none                               */
+    double stays; /* the chance that it stays there, NAN: unknown  */
 };
 
 /* ---- where a stone rests ------------------------------------------------ */
@@ -142,7 +141,7 @@ static void lower_stone(struct wall *w, struct place *place)
         step = -step;
     while (fabs(at) < LEANING && rest_height(w, place->x, at + step) < y)
         y = rest_height(w, place->x, at += step);
-    for (low = at - fabs(step), high = at + fabs(step); high - low > 1e-10; ) {
+    for (low = at - fabs(step), high = at + fabs(step); high - low > 1e-10;) {
         double a = high - ratio * (high - low), b = low + ratio * (high - low);
 
         if (rest_height(w, place->x, a) < rest_height(w, place->x, b))
@@ -227,8 +226,7 @@ static int open_wall(struct wall *w, const char *path)
         return -1;
     status = kern_measure(&w->plan.task, &w->alone, NULL);
     if (status != KERN_STANDS)
-        return complain("the wall without the stone",
-                        kern_status_text(status));
+        return complain("the wall without the stone", kern_status_text(status));
     return 0;
 }
 
@@ -280,8 +278,7 @@ static void find_best(struct wall *w)
     for (i = 0; i < PLACES; i++) { /* of equal ones the first */
         double sure = sure_margin(w, i);
 
-        if (sure >= 0 && (w->best < 0
-                          || sure > sure_margin(w, w->best) + 1e-6))
+        if (sure >= 0 && (w->best < 0 || sure > sure_margin(w, w->best) + 1e-6))
             w->best = i;
     }
 }
@@ -351,7 +348,8 @@ static void print_table(const struct wall *w)
         print_place(&w->place[i]);
     if (w->best >= 0) {
         printf("\nbest of all %d places, with an error of %.2f to both "
-               "sides:\n", PLACES, w->error);
+               "sides:\n",
+               PLACES, w->error);
         print_place(&w->place[w->best]);
         printf("there at least  %.3f; it stays with a chance of %.2f\n",
                sure_margin(w, w->best), w->stays);
@@ -360,13 +358,13 @@ static void print_table(const struct wall *w)
 
 /* ---- the picture: the margin over the place, and the wall below --------- */
 
-#define WIDE 760.0      /* the page                                           */
-#define LEFT 74.0       /* of both drawings                                   */
+#define WIDE 760.0 /* the page                                           */
+#define LEFT 74.0  /* of both drawings                                   */
 #define PLOT_TOP 24.0
 #define PLOT_HIGH 190.0
 #define FALLS_HIGH 22.0 /* a strip for the places where it falls              */
 #define GAP 26.0
-#define BELOW 62.0      /* of the drawings: the paragraph                     */
+#define BELOW 62.0 /* of the drawings: the paragraph                     */
 
 static double plot_y(double margin, double most)
 {
@@ -448,18 +446,17 @@ static void draw_wall(struct wall *w, const struct draw_view *v, double most)
     int i;
 
     draw_open(v->out, "stroke=\"" DRAW_EDGE "\" stroke-width=\"0.9\" "
-              "stroke-linejoin=\"round\" clip-path=\"url(#view)\"");
+                      "stroke-linejoin=\"round\" clip-path=\"url(#view)\"");
     for (i = 0; i < s->blocks; i++)
-        draw_block(v, &s->block[i], NULL, 0, s->block[i].fixed
-                   ? "fill=\"#c9c2b4\"" : "fill=\"#e9e3d6\"");
+        draw_block(v, &s->block[i], NULL, 0,
+                   s->block[i].fixed ? "fill=\"#c9c2b4\"" : "fill=\"#e9e3d6\"");
     if (w->best >= 0) {
         put_stone(w, &w->place[w->best]);
         draw_block(v, &w->stone, NULL, 0, "fill=\"" DRAW_WHOLE "\"");
     }
     draw_close(v->out);
     if (w->best >= 0)
-        draw_line(v->out,
-                  draw_place(v, w->stone.centre.x, w->stone.box.high.y),
+        draw_line(v->out, draw_place(v, w->stone.centre.x, w->stone.box.high.y),
                   draw_vec(draw_place(v, w->stone.centre.x, 0).x,
                            plot_y(w->place[w->best].m.margin, most)),
                   "stroke=\"" DRAW_KERN "\" stroke-width=\"0.9\" "
@@ -486,7 +483,8 @@ static int draw_margins(struct wall *w, const char *path)
         if (w->place[i].status == KERN_STANDS)
             most = fmax(most, w->place[i].m.margin);
     most *= 1.08;
-    snprintf(text, sizeof text, "Margin of the wall with one more stone, over "
+    snprintf(text, sizeof text,
+             "Margin of the wall with one more stone, over "
              "its place.\nOrange: the wall without it, %.3g. Red: the "
              "wall falls.\nThe stone is drawn in its best place: %.3g, and "
              "%.3g at least if it comes to lie %.2g to either side.",
@@ -494,9 +492,10 @@ static int draw_margins(struct wall *w, const char *path)
              w->best < 0 ? 0 : sure_margin(w, w->best), w->error);
     high = draw_paragraph(NULL, LEFT, bottom + BELOW, WIDE, 12.5, text);
     draw_begin(out, WIDE, ceil(high));
-    fprintf(out, "<clipPath id=\"view\"><rect x=\"%.2f\" y=\"%.2f\" "
-            "width=\"%.2f\" height=\"%.2f\"/></clipPath>\n", v.left, v.top,
-            (v.high.x - v.low.x) * v.scale, bottom - v.top);
+    fprintf(out,
+            "<clipPath id=\"view\"><rect x=\"%.2f\" y=\"%.2f\" "
+            "width=\"%.2f\" height=\"%.2f\"/></clipPath>\n",
+            v.left, v.top, (v.high.x - v.low.x) * v.scale, bottom - v.top);
     draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
     draw_axes(&v, most, bottom);
     draw_paragraph(out, LEFT, bottom + BELOW, WIDE, 12.5, text);

@@ -42,9 +42,9 @@ struct pushes {
     kern_task task;
     kern_work work;
     kern_contact *contact;
-    kern_wrench *pattern;     /* one a block, 0 but where it is pushed        */
+    kern_wrench *pattern; /* one a block, 0 but where it is pushed        */
     double (*most)[DIRECTIONS]; /* of a block, in its weights; NAN: undecided */
-    double median;            /* of those that are bounded                    */
+    double median; /* of those that are bounded                    */
 };
 
 static double degrees(int direction) { return 360.0 * direction / DIRECTIONS; }
@@ -71,7 +71,7 @@ static kern_wrench push_of(const struct pushes *p, int i, int direction)
 
 static int find_pushes(struct pushes *p)
 {
-    const kern_wrench none = { 0, 0, 0 };
+    const kern_wrench none = {0, 0, 0};
     const char *name;
     int i, k;
 
@@ -148,7 +148,8 @@ static void print_table(const struct pushes *p)
     int i, k;
 
     printf("largest push, in weights of the stone, by direction in degrees\n\n"
-           "%-10s", "stone");
+           "%-10s",
+           "stone");
     for (k = 0; k < COLUMNS; k++)
         printf(" %8g", degrees(k * DIRECTIONS / COLUMNS));
     printf("\n");
@@ -251,7 +252,8 @@ static void draw_pushes(const struct draw_view *v, const void *data)
 
         if (b->fixed || !b->vertex)
             continue;
-        snprintf(style, sizeof style, "fill=\"none\" stroke=\"" DRAW_EDGE
+        snprintf(style, sizeof style,
+                 "fill=\"none\" stroke=\"" DRAW_EDGE
                  "\" stroke-width=\"%.2f\" stroke-dasharray=\"2 2\"",
                  0.6 * thin);
         draw_circle(v->out, c, radius, style);
@@ -261,21 +263,24 @@ static void draw_pushes(const struct draw_view *v, const void *data)
             const double most = p->most[i][k];
             const double angle = degrees(k) * 3.14159265358979323846 / 180;
             const double r = isinf(most) ? radius
-                             : isnan(most) ? 0 : radius * most / (p->median + most);
+                           : isnan(most) ? 0
+                                         : radius * most / (p->median + most);
 
             fprintf(v->out, "%c%.2f %.2f", k > 0 ? 'L' : 'M',
                     draw_px(c.x + r * cos(angle)),
                     draw_px(c.y - r * sin(angle)));
         }
-        fprintf(v->out, "Z\" fill=\"" DRAW_KERN "\" fill-opacity=\"0.35\" "
+        fprintf(v->out,
+                "Z\" fill=\"" DRAW_KERN "\" fill-opacity=\"0.35\" "
                 "stroke=\"" DRAW_KERN "\" stroke-width=\"%.2f\" "
-                "stroke-linejoin=\"round\"/>\n", thin);
+                "stroke-linejoin=\"round\"/>\n",
+                thin);
     }
 }
 
 static int draw(struct pushes *p, const char *path)
 {
-    struct draw_scene scene = { 0 };
+    struct draw_scene scene = {0};
     char caption[160];
 
     p->median = median_push(p);
@@ -286,7 +291,8 @@ static int draw(struct pushes *p, const char *path)
     snprintf(caption, sizeof caption,
              "The largest push at the centre of each stone, by direction.\n"
              "Inner ring: the median, %.3g weights of the stone. Outer ring: "
-             "any push.", p->median);
+             "any push.",
+             p->median);
     scene.caption = caption;
     return draw_file(path, &scene) ? complain(path, strerror(errno)) : 0;
 }

@@ -74,17 +74,18 @@
 
 #include "questions.h"
 
-#define NEAR 1e-5          /* mean block sizes around d* where peers, with
+#define NEAR \
+    1e-5             /* mean block sizes around d* where peers, with
                               their tolerances of 1e-7, may answer either way */
-#define BRACKET 2e-6       /* mean block sizes from holds to fails at the most */
+#define BRACKET 2e-6 /* mean block sizes from holds to fails at the most */
 /* The LIMITS of kern.h: in larger structures a margin may lie anywhere in its
    bracket, and in still larger ones that may be so many mean sizes wide. */
 #define EXACT_MOST 128
 #define NARROW_MOST 256
 #define BRACKET_WIDE 3e-5
-#define LEVELS 20          /* of Algorithm 1                                  */
-#define DETAIL_MOST 200    /* largest structures of which all is asked        */
-#define CLOSED_MOST 500    /* and whose kerns are closed                      */
+#define LEVELS 20       /* of Algorithm 1                                  */
+#define DETAIL_MOST 200 /* largest structures of which all is asked        */
+#define CLOSED_MOST 500 /* and whose kerns are closed                      */
 #define SIZES_MOST 16
 
 /* ---- Records ------------------------------------------------------------- */
@@ -94,26 +95,26 @@
    what is divided by what. */
 #define COLUMNS_OF(X)                                                         \
     X(NONE, "", 0, 0)                                                         \
-    X(VERDICT, "verdict ms", 0, 0)     /* kern_verdict at 0                */\
-    X(MEASURE, "measure ms", 0, 0)     /* kern_measure with both proofs    */\
-    X(LEVEL, "scan ms", 0, 0)          /* kern_verdict at each level       */\
-    X(CLOSED, "kerns closed ms", 0, 0) /* kern_verdict, kerns closed       */\
-    X(LOAD, "load ms", 0, 0)           /* kern_load_factor to the right    */\
-    X(TILT, "tilt ms", 0, 0)           /* kern_tilt to the right           */\
-    X(FLOOR, "floor ms", 0, 0)                                               \
-    X(SEARCH, "contacts ms", 0, 0)     /* kern_contacts                    */\
-    X(GLPK, "GLPK ms", 0, 0)                                                 \
-    X(CLP, "Clp ms", 0, 0)                                                   \
-    X(GLPK_WARM, "GLPK's Alg. 1 ms", 0, 0)                                   \
-    X(CLP_WARM, "Clp's Alg. 1 ms", 0, 0)                                     \
-    X(LP, "peer's LP ms", 0, 0)        /* of the faster peer               */\
-    X(WARM, "peer's Alg. 1 ms", 0, 0)                                        \
-    X(LP_CLOSED, "LP closed ms", 0, 0)                                       \
-    X(POINTS, "points", 0, 0)           /* contact points                   */\
-    X(FALLEN, "fallen", 0, 0)                 /* it has no margin                 */\
+    X(VERDICT, "verdict ms", 0, 0)     /* kern_verdict at 0                */ \
+    X(MEASURE, "measure ms", 0, 0)     /* kern_measure with both proofs    */ \
+    X(LEVEL, "scan ms", 0, 0)          /* kern_verdict at each level       */ \
+    X(CLOSED, "kerns closed ms", 0, 0) /* kern_verdict, kerns closed       */ \
+    X(LOAD, "load ms", 0, 0)           /* kern_load_factor to the right    */ \
+    X(TILT, "tilt ms", 0, 0)           /* kern_tilt to the right           */ \
+    X(FLOOR, "floor ms", 0, 0)                                                \
+    X(SEARCH, "contacts ms", 0, 0) /* kern_contacts                    */     \
+    X(GLPK, "GLPK ms", 0, 0)                                                  \
+    X(CLP, "Clp ms", 0, 0)                                                    \
+    X(GLPK_WARM, "GLPK's Alg. 1 ms", 0, 0)                                    \
+    X(CLP_WARM, "Clp's Alg. 1 ms", 0, 0)                                      \
+    X(LP, "peer's LP ms", 0, 0) /* of the faster peer               */        \
+    X(WARM, "peer's Alg. 1 ms", 0, 0)                                         \
+    X(LP_CLOSED, "LP closed ms", 0, 0)                                        \
+    X(POINTS, "points", 0, 0) /* contact points                   */          \
+    X(FALLEN, "fallen", 0, 0) /* it has no margin                 */          \
     X(MARGIN, "d*/d_max", 0, 0)                                               \
-    X(FIRST, "pivots at 0", 0, 0)       /* of the verdict                   */\
-    X(PIVOTS, "pivots", 0, 0)           /* of the measure                   */\
+    X(FIRST, "pivots at 0", 0, 0) /* of the verdict                   */      \
+    X(PIVOTS, "pivots", 0, 0)     /* of the measure                   */      \
     X(SOLVES, "LPs", 0, 0)                                                    \
     X(VERDICT_LP, "verdict / LP", VERDICT, LP)                                \
     X(MEASURE_LP, "measure / LP", MEASURE, LP)                                \
@@ -139,22 +140,22 @@
 enum { COLUMNS_OF(COLUMN_NAME) COLUMNS };
 static const struct column {
     const char *text;
-    int over, under;       /* of a ratio; else NONE                           */
+    int over, under; /* of a ratio; else NONE                           */
 } columns[] = {COLUMNS_OF(COLUMN_LINE)};
 
 struct bench {
     int size[SIZES_MOST], sizes;
-    int family, number;    /* -1: all                                         */
-    const char *list;      /* of files; NULL: none                            */
+    int family, number; /* -1: all                                         */
+    const char *list;   /* of files; NULL: none                            */
     int quick, print, release;
     double batch;          /* shortest time on the clock [ms]                 */
     double once;           /* longer than this is run but once [ms]           */
     double value[COLUMNS]; /* of the structure at hand; NAN: not found        */
     double tried[TOPS];    /* of a file: the times of its tries [ms]          */
     int tries;
-    kern_plan whole;       /* of a made wall: a candidate is added to it      */
+    kern_plan whole; /* of a made wall: a candidate is added to it      */
     int structures, checks, differences, silent;
-    int inside;            /* margins of candidates that differ in a bracket  */
+    int inside; /* margins of candidates that differ in a bracket  */
 };
 
 static int compare_numbers(const void *a, const void *b)
@@ -188,8 +189,9 @@ static void record_all(struct ask *ask)
     int i;
     for (i = 0; i < COLUMNS; i++) {
         const struct column *c = &columns[i];
-        record(ask, c->text, c->over ? bench->value[c->over]
-                             / bench->value[c->under] : bench->value[i]);
+        record(ask, c->text,
+               c->over ? bench->value[c->over] / bench->value[c->under]
+                       : bench->value[i]);
     }
     for (i = 0; i < bench->tries; i++) {
         record(ask, "try ms", bench->tried[i]);
@@ -242,7 +244,8 @@ static double time_of(struct ask *ask, ask_function *run, ask_function *before)
     const struct bench *bench = ask->bench;
     double best = time_batch(ask, run, before, 1);
     const int runs = best < bench->batch
-        ? (int)(bench->batch / fmax(best, 1e-4)) + 1 : 1;
+                       ? (int)(bench->batch / fmax(best, 1e-4)) + 1
+                       : 1;
     int i;
     if (best > bench->once || (before && ask->scene->size > DETAIL_MOST))
         return best;
@@ -282,8 +285,8 @@ static int margins_agree(const struct ask *ask, const kern_margin *a,
                          const kern_margin *b)
 {
     return is_same(ask, a->margin, b->margin)
-           || (ask->scene->size > EXACT_MOST && a->holds <= b->fails
-               && b->holds <= a->fails);
+        || (ask->scene->size > EXACT_MOST && a->holds <= b->fails
+            && b->holds <= a->fails);
 }
 
 /* Whether somebody else's level is as good as that of the measure: where a step
@@ -343,8 +346,9 @@ static kern_status settle(struct ask *ask)
     if (ask->status != KERN_STANDS || m->margin < 1e-4 * m->most)
         return ask->status; /* of a smaller step there may be too many */
     scene->options.epsilon = inside && !m->saturated
-        ? (m->holds + where * (m->fails - m->holds)) / (LEVELS - 1)
-        : m->margin / (LEVELS - where);
+                               ? (m->holds + where * (m->fails - m->holds))
+                                     / (LEVELS - 1)
+                               : m->margin / (LEVELS - where);
     ask->margin.epsilon = scene->options.epsilon;
     return ask->status;
 }
@@ -406,8 +410,9 @@ static void measure_closed(struct ask *ask)
     const kern_margin *m = &ask->margin;
     ask->shrink = m->most;
     note(ask, CLOSED, time_of(ask, run_verdict, NULL));
-    check(ask, m->saturated || ask->status == KERN_FALLS
-          || m->most - m->margin < NEAR * m->most,
+    check(ask,
+          m->saturated || ask->status == KERN_FALLS
+              || m->most - m->margin < NEAR * m->most,
           "falls with its kerns closed", ask->status, m->margin);
 }
 
@@ -432,9 +437,9 @@ static void measure_sideways(struct ask *ask)
     note(ask, TILT, time_of(ask, run_tilt, NULL));
     check(ask, ask->status == KERN_STANDS, "tilt", ask->status, ask->number);
     if (ask->number < 1.5 && factor < 10 && !has_loads(ask->scene))
-        check(ask, fabs(tan(ask->number) - factor)
-              <= 1e-5 * (1 + factor * factor), "tan(tilt), load factor",
-              tan(ask->number), factor);
+        check(ask,
+              fabs(tan(ask->number) - factor) <= 1e-5 * (1 + factor * factor),
+              "tan(tilt), load factor", tan(ask->number), factor);
 }
 
 /* ---- Candidates ---------------------------------------------------------- */
@@ -462,10 +467,11 @@ static void check_bears(struct ask *ask, kern_status bears)
     const int stands = ask->status == KERN_STANDS;
     const kern_status due = stands && m->margin >= ask->least ? KERN_STANDS
                                                               : KERN_FALLS;
-    check(ask, bears == due
-          || (stands && ask->least >= m->holds
-              && (m->saturated || ask->least <= m->fails)
-              && (bears >= 0 || bears == KERN_UNDECIDED)),
+    check(ask,
+          bears == due
+              || (stands && ask->least >= m->holds
+                  && (m->saturated || ask->least <= m->fails)
+                  && (bears >= 0 || bears == KERN_UNDECIDED)),
           "candidate, bears", bears, due);
 }
 
@@ -498,11 +504,11 @@ static void measure_place(struct ask *ask, struct tally *tally)
     /* where both proofs hold over some way, each may end at another place */
     same = is_same(ask, m.margin, ask->with.margin);
     ask->bench->inside += !same;
-    check(ask, same || (m.holds <= ask->with.fails
-                        && ask->with.holds <= m.fails),
+    check(ask,
+          same || (m.holds <= ask->with.fails && ask->with.holds <= m.fails),
           "candidate, margin", m.margin, ask->with.margin);
-    check(ask, level_fits(&ask->with, 0, m.level), "candidate, level",
-          m.level, ask->with.level);
+    check(ask, level_fits(&ask->with, 0, m.level), "candidate, level", m.level,
+          ask->with.level);
     tally->share[tally->stand++] = tried / fresh;
     if (is_same(ask, m.margin, ask->margin.margin)) {
         tally->stay++;
@@ -591,16 +597,16 @@ static void measure_peer(struct ask *ask)
     const double cold = lp_time(ask, 0, run_lp);
     note(ask, GLPK + peer, cold);
     note(ask, LP, fmin(value[LP], cold)); /* of NAN and a number the number */
-    check(ask, ask->answer < 0 || ask->answer == stands
-          || (stands && m->margin < near_of(ask)), "verdict at 0, of a peer",
-          ask->status, ask->answer);
+    check(ask,
+          ask->answer < 0 || ask->answer == stands
+              || (stands && m->margin < near_of(ask)),
+          "verdict at 0, of a peer", ask->status, ask->answer);
     if (!stands || !(m->margin > 0) || blocks > CLOSED_MOST)
         return;
-    note(ask, LP_CLOSED, fmin(value[LP_CLOSED],
-                              lp_time(ask, m->most, run_lp)));
-    check(ask, ask->answer < 1 || m->saturated
-          || m->most - m->margin < near_of(ask), "peer stands with kerns closed",
-          m->margin, m->most);
+    note(ask, LP_CLOSED, fmin(value[LP_CLOSED], lp_time(ask, m->most, run_lp)));
+    check(ask,
+          ask->answer < 1 || m->saturated || m->most - m->margin < near_of(ask),
+          "peer stands with kerns closed", m->margin, m->most);
     if (blocks > DETAIL_MOST || ask->scene->is_file)
         return;
     note(ask, GLPK_WARM + peer, lp_time(ask, 0, run_lp_levels));
@@ -686,7 +692,9 @@ static void measure_size(struct bench *bench, int size)
 {
     const int from = bench->number < 0 ? 0 : bench->number;
     const int to = bench->number >= 0 ? from + 1
-                 : size > DETAIL_MOST ? 3 : bench->quick ? 5 : 9;
+                 : size > DETAIL_MOST ? 3
+                 : bench->quick       ? 5
+                                      : 9;
     struct scene scene;
     int family, number;
     for (family = 0; family < FAMILIES; family++) {
@@ -706,9 +714,12 @@ static void print_memory(int blocks, int contacts)
 {
     const double lean =
         (KERN_LEAN_REALS(blocks, contacts) * (double)sizeof(kern_real)
-         + KERN_LEAN_INTS(blocks, contacts) * (double)sizeof(int)) / 1024;
-    const double whole = lean + ((double)blocks * sizeof(kern_block)
-        + (double)contacts * sizeof(kern_contact)) / 1024;
+         + KERN_LEAN_INTS(blocks, contacts) * (double)sizeof(int))
+        / 1024;
+    const double whole = lean
+                       + ((double)blocks * sizeof(kern_block)
+                          + (double)contacts * sizeof(kern_contact))
+                             / 1024;
     printf("memory,%d,%d,0,lean KB,%.9g\n", blocks, contacts, lean);
     printf("memory,%d,%d,0,whole KB,%.9g\n", blocks, contacts, whole);
 }
@@ -790,7 +801,7 @@ static int read_options(struct bench *bench, int argc, char **argv)
 static void measure_all(struct bench *bench)
 {
     const int some = bench->sizes > 0 || bench->family >= 0
-                     || bench->number >= 0 || bench->print;
+                  || bench->number >= 0 || bench->print;
     int i;
     if (bench->list) {
         measure_list(bench, bench->list);
@@ -799,9 +810,8 @@ static void measure_all(struct bench *bench)
     if (!some)
         measure_list(bench, "tests/corpus/even.txt");
     if (bench->sizes == 0)
-        read_sizes(bench, bench->release
-                   ? "5,10,20,30,50,100,200,500,1000,2000"
-                   : "5,10,20,30,50,100,200");
+        read_sizes(bench, bench->release ? "5,10,20,30,50,100,200,500,1000,2000"
+                                         : "5,10,20,30,50,100,200");
     for (i = 0; i < bench->sizes; i++)
         measure_size(bench, bench->size[i]);
 }
@@ -821,13 +831,14 @@ int main(int argc, char **argv)
         printf("family,blocks,number,kind,name,value\n");
     measure_all(bench);
     if (!bench->print) {
-        print_memory(31, 140);    /* 30 blocks with 70 line contacts */
+        print_memory(31, 140); /* 30 blocks with 70 line contacts */
         print_memory(1001, 3500);
-        fprintf(stderr, "%d structures, %d checks, %d disagree, %d margins of "
+        fprintf(stderr,
+                "%d structures, %d checks, %d disagree, %d margins of "
                 "candidates differ by more\nthan 1e-9 within their brackets; a "
-                "peer had no answer %d times.\n", bench->structures,
-                bench->checks, bench->differences, bench->inside,
-                bench->silent);
+                "peer had no answer %d times.\n",
+                bench->structures, bench->checks, bench->differences,
+                bench->inside, bench->silent);
     }
     status = bench->differences > 0;
     free(bench);

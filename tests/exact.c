@@ -67,11 +67,13 @@ static void take_product(mpq_t sum, const mpq_t a, const mpq_t b)
 /* ==== The structure without rounding ================================ */
 
 /* Where contact point k acts, and its normal: exact values of the doubles. */
-typedef struct point { mpq_t x, y, nx, ny, mu; } point;
+typedef struct point {
+    mpq_t x, y, nx, ny, mu;
+} point;
 
 static point place[CONTACTS];
 static mpq_t centre[BLOCKS][2], load[BLOCKS][3]; /* weight and load */
-static int group[BLOCKS];     /* number of a free block, -1: fixed */
+static int group[BLOCKS]; /* number of a free block, -1: fixed */
 static int groups;
 
 static void exact_start(void)
@@ -79,8 +81,8 @@ static void exact_start(void)
     int i, k;
     mpq_inits(t1, t2, NULL);
     for (k = 0; k < CONTACTS; k++)
-        mpq_inits(place[k].x, place[k].y, place[k].nx, place[k].ny,
-                  place[k].mu, NULL);
+        mpq_inits(place[k].x, place[k].y, place[k].nx, place[k].ny, place[k].mu,
+                  NULL);
     for (i = 0; i < BLOCKS; i++)
         mpq_inits(centre[i][0], centre[i][1], load[i][0], load[i][1],
                   load[i][2], NULL);
@@ -157,8 +159,7 @@ static void exact_act(mpq_t sum[3], int i, int k, const mpq_t fx,
 }
 
 /* The force f n + r t of point k. */
-static void exact_force(mpq_t fx, mpq_t fy, int k, const mpq_t f,
-                        const mpq_t r)
+static void exact_force(mpq_t fx, mpq_t fy, int k, const mpq_t f, const mpq_t r)
 {
     mpq_mul(fx, f, place[k].nx);
     take_product(fx, r, place[k].ny);
@@ -225,8 +226,8 @@ static int is_balanced(int i, mpq_t sum[3])
     if (own > 0)
         missing = kern_max(missing, allowed / own);
     return kern_abs(mpq_get_d(sum[0])) <= allowed
-           && kern_abs(mpq_get_d(sum[1])) <= allowed
-           && kern_abs(mpq_get_d(sum[2])) <= turning;
+        && kern_abs(mpq_get_d(sum[1])) <= allowed
+        && kern_abs(mpq_get_d(sum[2])) <= turning;
 }
 
 /* Whether the forces hold: they lie in their cones, are not too large in all,
@@ -240,7 +241,7 @@ static int forces_hold(void)
     for (k = 0; k < s.contacts; k++) {
         const double most = force[k].normal * contact[k].mu;
         holds = holds && force[k].normal >= 0
-                && kern_abs(force[k].tangential) <= most * (1 + 1e-15);
+             && kern_abs(force[k].tangential) <= most * (1 + 1e-15);
         total += force[k].normal;
     }
     for (i = 0; i < s.blocks; i++)
@@ -279,7 +280,7 @@ static double gain_of(int k, int side)
     edge_force(fx, fy, k, side);
     for (end = 0; end < 2; end++) {
         const int i = end ? contact[k].b : contact[k].a;
-        const double v[3] = { motion[i].vx, motion[i].vy, motion[i].spin };
+        const double v[3] = {motion[i].vx, motion[i].vy, motion[i].spin};
         for (row = 0; row < 3; row++)
             mpq_set_si(sum[row], 0, 1);
         exact_act(sum, i, k, fx, fy, end ? 1 : -1);
@@ -302,7 +303,7 @@ static int motion_proves(void)
     int i, k, row;
     mpq_inits(power, speed, NULL);
     for (i = 0; i < s.blocks; i++) {
-        const double v[3] = { motion[i].vx, motion[i].vy, motion[i].spin };
+        const double v[3] = {motion[i].vx, motion[i].vy, motion[i].spin};
         if (block[i].fixed)
             continue;
         if (v[0] < 0 || v[0] > 0 || v[1] < 0 || v[1] > 0 || v[2] < 0
@@ -358,7 +359,7 @@ static void simplex_column(int j, mpq_t *entry, int rows)
 static int carried(int k, int side)
 {
     return force[k].normal * contact[k].mu + side * force[k].tangential
-           > 1e-9 * force[k].normal;
+         > 1e-9 * force[k].normal;
 }
 
 /* What a force along an edge does in the sums of all groups. */
@@ -472,11 +473,9 @@ static int exact_stands(int with_forces)
 
 enum { DISTANCES = 7 };
 static const char *const distance_name[DISTANCES] = {
-    "1e-11", "1e-10", "1e-9", "1e-7", "1e-5", "1e-3", "any"
-};
-static const double distance[DISTANCES] = {
-    1e-11, 1e-10, 1e-9, 1e-7, 1e-5, 1e-3, 0
-};
+    "1e-11", "1e-10", "1e-9", "1e-7", "1e-5", "1e-3", "any"};
+static const double distance[DISTANCES] = {1e-11, 1e-10, 1e-9, 1e-7,
+                                           1e-5,  1e-3,  0};
 
 /* A proof allows a residual of 1e-9 of a block's weight. Where "stands" is only
    true within that tolerance, kerns that grow by TOLERANCE times 1e-9 of the
@@ -545,7 +544,9 @@ static int almost_stands(double shrink)
 
 /* With families: how many of each were asked and undecided, and how many could
    not be asked, since contacts were refused. */
-static struct { long asked, undecided, refused; } of_family[FAMILIES];
+static struct {
+    long asked, undecided, refused;
+} of_family[FAMILIES];
 
 static void ask(int seed, int most, int families)
 {
@@ -616,8 +617,8 @@ int main(int argc, char **argv)
         wrong += t->wrong;
     }
     for (i = 0; i < FAMILIES && families; i++)
-        printf("%-11s %6ld asked, %ld undecided, %ld refused\n",
-               family_name[i], of_family[i].asked, of_family[i].undecided,
+        printf("%-11s %6ld asked, %ld undecided, %ld refused\n", family_name[i],
+               of_family[i].asked, of_family[i].undecided,
                of_family[i].refused);
     printf("%ld wrong\n", wrong);
     return wrong ? 1 : 0;

@@ -13,8 +13,7 @@
 enum { WEDGES, FRACTURES, INTERLOCKS, SETTLED, SIZES, FAMILIES };
 
 static const char *const family_name[FAMILIES] = {
-    "wedges", "fractures", "interlocks", "settled", "sizes"
-};
+    "wedges", "fractures", "interlocks", "settled", "sizes"};
 
 static double power_of_ten(int n)
 {
@@ -76,14 +75,13 @@ static void make_fractures(int blocks)
     c[POINTS] = stones_vec(-1, -1);
     c[POINTS + 1] = stones_vec(2.6, -1);
     add(c, POINTS + 2, 0);
-    for (i = 0; i < blocks; ) {
+    for (i = 0; i < blocks;) {
         const int middle = i + 1 < blocks && random_below(2) ? 2 : POINTS - 1;
         const double rough = uniform(0, 0.15), lean = uniform(-0.08, 0.08);
         int from = 0, to = middle;
         y += uniform(0.4, 0.9);
         for (k = 0; k < POINTS; k++)
-            over[k] = stones_vec(under[k].x + lean,
-                                    y + rough * uniform(-1, 1));
+            over[k] = stones_vec(under[k].x + lean, y + rough * uniform(-1, 1));
         for (; from < POINTS - 1; from = to, to = POINTS - 1, i++) {
             int n = 0;
             for (k = from; k <= to; k++)
@@ -102,8 +100,8 @@ enum { WIDE = 4, HIGH = 4 };
 static int outline_of(int cell[HIGH][WIDE], int stone, const double *x,
                       const double *y, kern_vec *out)
 {
-    static const int dx[5] = { 0, 1, 1, 0, 0 }, dy[5] = { 0, 0, 1, 1, 0 };
-    static const int nx[4] = { 0, 1, 0, -1 }, ny[4] = { -1, 0, 1, 0 };
+    static const int dx[5] = {0, 1, 1, 0, 0}, dy[5] = {0, 0, 1, 1, 0};
+    static const int nx[4] = {0, 1, 0, -1}, ny[4] = {-1, 0, 1, 0};
     int next[(HIGH + 1) * (WIDE + 1)];
     int i, j, k, n = 0, first = -1, at, last;
     for (k = 0; k < (HIGH + 1) * (WIDE + 1); k++)
@@ -129,10 +127,10 @@ static int outline_of(int cell[HIGH][WIDE], int stone, const double *x,
 static int may_grow(int cell[HIGH][WIDE], int stone, int i, int j)
 {
     return !cell[j][i]
-           && ((i > 0 && cell[j][i - 1] == stone)
-               || (i + 1 < WIDE && cell[j][i + 1] == stone)
-               || (j > 0 && cell[j - 1][i] == stone)
-               || (j + 1 < HIGH && cell[j + 1][i] == stone));
+        && ((i > 0 && cell[j][i - 1] == stone)
+            || (i + 1 < WIDE && cell[j][i + 1] == stone)
+            || (j > 0 && cell[j - 1][i] == stone)
+            || (j + 1 < HIGH && cell[j + 1][i] == stone));
 }
 
 /* Stones of one to four cells of a grid, some cells empty. */
@@ -175,7 +173,7 @@ static void rest_edges(struct rest_near *around, const kern_vec *v, int n)
 static void make_settled(int blocks)
 {
     static struct rest_edge edge[BLOCKS * VERTICES];
-    struct rest_near around = { edge, 0 };
+    struct rest_near around = {edge, 0};
     uint64_t made = state;
     int i;
     add_box(-9, -1, 9, 0, 0);
@@ -217,7 +215,8 @@ static void move_all(kern_vec turn, kern_vec way)
     int i, k;
     for (i = 0; i < s.blocks; i++) {
         const kern_real density = block[i].fixed
-                                  ? 0 : block[i].mass / fabs(block[i].area);
+                                    ? 0
+                                    : block[i].mass / fabs(block[i].area);
         for (k = 0; k < block[i].vertices; k++) {
             const kern_vec p = stones_turned(turn, vertex[i][k]);
             vertex[i][k] = stones_vec(p.x + way.x, p.y + way.y);

@@ -56,7 +56,7 @@ static void compare(kern_status got, const kern_margin *m, kern_status want,
 {
     const kern_real mean = kern_mean_size(block, s.blocks);
     const kern_real close = KERN_PICK(4e-6, 0.08)
-                            * (options.relative ? KERN_R(1) : mean);
+                          * (options.relative ? KERN_R(1) : mean);
     kern_work work = whole_work();
     if (got == KERN_NO_SPACE) {
         no_space++;
@@ -80,8 +80,8 @@ static void compare(kern_status got, const kern_margin *m, kern_status want,
 
 static void report(const char *what)
 {
-    printf("%-36s %6ld decided, %6ld undecided, %6ld no space\n", what,
-           decided, undecided, no_space);
+    printf("%-36s %6ld decided, %6ld undecided, %6ld no space\n", what, decided,
+           undecided, no_space);
     decided = undecided = no_space = 0;
 }
 
@@ -121,15 +121,14 @@ static void cut_room(int seed)
     kern_work work = whole_work();
     int room, all;
     random_structure(seed, 6, &work);
-    all = kern_contacts(block, s.blocks, &options, found, CONTACTS,
-                        &work);
+    all = kern_contacts(block, s.blocks, &options, found, CONTACTS, &work);
     for (room = 0; room < CONTACTS && all >= 0; room++) {
         const int got = kern_contacts(block, s.blocks, &options, contact, room,
                                       &work);
         CHECK(got == all || got == KERN_NO_SPACE);
         CHECK(got != all || got <= room);
-        CHECK(got < 0 || memcmp(contact, found,
-                                sizeof *found * (size_t)got) == 0);
+        CHECK(got < 0
+              || memcmp(contact, found, sizeof *found * (size_t)got) == 0);
     }
 }
 

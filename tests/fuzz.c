@@ -37,8 +37,7 @@
 #error "fuzz.c: say -DFUZZ_TEXT or -DFUZZ_STRUCTURE"
 #endif
 
-#define PROPERTY(holds)                                                       \
-    ((holds) ? (void)0 : property_fails(#holds, __LINE__))
+#define PROPERTY(holds) ((holds) ? (void)0 : property_fails(#holds, __LINE__))
 
 static void property_fails(const char *what, int line)
 {
@@ -56,10 +55,11 @@ static struct {
 
 static void say_counts(void)
 {
-    fprintf(stderr, "%ld inputs; undecided: %ld of %ld questions to tame "
-            "structures, %ld of %ld to wild ones\n", count.inputs,
-            count.undecided[1], count.asked[1], count.undecided[0],
-            count.asked[0]);
+    fprintf(stderr,
+            "%ld inputs; undecided: %ld of %ld questions to tame "
+            "structures, %ld of %ld to wild ones\n",
+            count.inputs, count.undecided[1], count.asked[1],
+            count.undecided[0], count.asked[0]);
     if (KERN_PICK(1000, 100) * KERN_R(count.undecided[1])
         > KERN_R(count.asked[1] + 1000))
         property_fails("undecided is rare", __LINE__);
@@ -200,8 +200,8 @@ static void check_structure(int which, const kern_structure *s,
                             int real_room, int int_room)
 {
     kern_work work = work_of(real_room, int_room);
-    kern_task task =
-        kern_task_of(s->block, s->blocks, s->contact, s->contacts, &work);
+    kern_task task = kern_task_of(s->block, s->blocks, s->contact, s->contacts,
+                                  &work);
     kern_status status;
     int i, free_blocks = 0;
     task.s.gravity = s->gravity;
@@ -240,8 +240,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
         s.blocks = t.blocks;
         s.contact = t.given ? t.contact : contact;
         s.contacts = t.given ? t.contacts
-                   : kern_contacts(t.block, t.blocks, &t.options, contact,
-                                   CONTACTS, &work);
+                             : kern_contacts(t.block, t.blocks, &t.options,
+                                             contact, CONTACTS, &work);
         s.gravity = t.gravity;
         if (s.contacts >= 0)
             check_structure((int)(length % QUESTIONS), &s, &t.options,
@@ -325,7 +325,7 @@ static int polygon_of(bytes *b, kern_vec *v, int row)
         }
         if (shape >= 80) /* one corner a little off */
             v[shape % 4].y += KERN_R(byte_of(b) - 128)
-                              * power_of_two(-8 - byte_of(b) % 40);
+                            * power_of_two(-8 - byte_of(b) % 40);
     } else {
         n = shape % (VERTICES + 1);
         for (i = 0; i < n; i++)
@@ -446,10 +446,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
     for (i = s.blocks = 0; i < blocks; i++) {
         const int n = polygon_of(&b, vertex[s.blocks], i);
         const kern_real density = flags & 8 && i ? number_of(&b) : KERN_R(2);
-        const kern_status made =
-            i == 0 ? kern_ground_init(&block[0], vertex[0], n, &work.fault)
-                   : kern_block_init(&block[s.blocks], vertex[s.blocks], n,
-                                     density, &work.fault);
+        const kern_status made = i == 0 ? kern_ground_init(&block[0], vertex[0],
+                                                           n, &work.fault)
+                                        : kern_block_init(&block[s.blocks],
+                                                          vertex[s.blocks], n,
+                                                          density, &work.fault);
         if (made == KERN_OK)
             s.blocks++;
     }

@@ -38,18 +38,21 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x9e1c58344b08def4u },
-    { 1000, 0x5602b713d77e3d3fu },
-    { 5000, 0x3f94c31e19074a20u },
+    {200, 0x9e1c58344b08def4u},
+    {1000, 0x5602b713d77e3d3fu},
+    {5000, 0x3f94c31e19074a20u},
 #else
-    { 200, 0xdc30c2c3f89b14c9u },
-    { 1000, 0x354ab67d20640945u },
-    { 5000, 0x7fed2e0ee9f0f6f4u },
+    {200, 0xdc30c2c3f89b14c9u},
+    {1000, 0x354ab67d20640945u},
+    {5000, 0x7fed2e0ee9f0f6f4u},
 #endif
 };
 
-enum { GOLDENS = (int)(sizeof golden / sizeof *golden), FEWEST = 200,
-       MOST = 5000 };
+enum {
+    GOLDENS = (int)(sizeof golden / sizeof *golden),
+    FEWEST = 200,
+    MOST = 5000
+};
 
 /* ==== Arithmetic as the promise needs it ============================ */
 
@@ -134,7 +137,9 @@ static void hash_geometry(void)
 
 /* Verdicts as numbers of their own: those of kern_status may change. */
 static void hash_verdict(kern_status got)
-{ hash_int(got == KERN_STANDS ? 0 : got == KERN_FALLS ? 1 : (int)got); }
+{
+    hash_int(got == KERN_STANDS ? 0 : got == KERN_FALLS ? 1 : (int)got);
+}
 
 static void hash_proof(int forces, int motions)
 {
@@ -335,8 +340,5 @@ static int run(int structures)
 #ifdef GOLDEN_BARE
 int main(void) { return run(FEWEST); }
 #else
-int main(int argc, char **argv)
-{
-    return run(argc > 1 ? atoi(argv[1]) : MOST);
-}
+int main(int argc, char **argv) { return run(argc > 1 ? atoi(argv[1]) : MOST); }
 #endif

@@ -63,6 +63,10 @@ windows() { # its headers define far and near
     done
 }
 
+format() { # every C file is as .clang-format says
+    git ls-files '*.c' '*.h' | xargs clang-format --dry-run -Werror
+}
+
 alone() { # kern_lp.h says what to do
     printf '#include "kern_lp.h"\n' >"$out/alone.c"
     gcc -I. -c "$out/alone.c" -o "$out/alone.o" 2>&1 |

@@ -88,15 +88,15 @@ static int check_near(double got, double want, double tol, int line,
 {
     /* a NaN fails; equal infinities pass */
     const int ok = fabs(got - want) <= tol
-                   || (isinf(got) && isinf(want) && (got > 0) == (want > 0));
+                || (isinf(got) && isinf(want) && (got > 0) == (want > 0));
     check_report(ok, line, what, got, want, tol);
     return ok;
 }
 
 #define CHECK(cond) check_report((cond) ? 1 : 0, __LINE__, #cond, 0, 1, 0)
-#define CHECK_INT(got, want)                                                   \
+#define CHECK_INT(got, want) \
     check_near((double)(got), (double)(want), 0, __LINE__, #got)
-#define CHECK_NEAR(got, want, tol)                                             \
+#define CHECK_NEAR(got, want, tol) \
     check_near((double)(got), (double)(want), (double)(tol), __LINE__, #got)
 
 /* Whether run(4 n) takes less than `most` times as long as run(n): 4 where time
@@ -136,10 +136,10 @@ typedef double wide; /* the twin's numbers: wider than kern_real */
 #define TWIN_ZERO 1e-12  /* the twin's own rounding: of its sum,     */
 #define TWIN_PRICE 1e-14 /* of its prices,                           */
 #define TWIN_PIVOT 1e-10 /* and of its pivots                        */
-#define NEAR_LO                                                                \
+#define NEAR_LO \
     1e-7 /* shortfall, as a share of the weight, that                          \
             is surely none ...                       */
-#define NEAR_HI                                                                \
+#define NEAR_HI \
     2e-3 /* ... and surely one: in between a verdict                           \
             may be either                            */
 #else
@@ -187,15 +187,17 @@ enum { NO_NUMBERS = 3 };
 
 static double no_number(int which)
 {
-    return which == 0   ? not_a_number()
-           : which == 1 ? huge_value()
-                        : -huge_value();
+    return which == 0 ? not_a_number()
+         : which == 1 ? huge_value()
+                      : -huge_value();
 }
 
 static uint64_t random_state = 88172645463325252ull;
 
 static void random_seed(unsigned long long seed)
-{ random_state = random_from(seed); }
+{
+    random_state = random_from(seed);
+}
 
 static double uniform(double low, double high)
 {
@@ -207,10 +209,7 @@ static int random_int(int low, int high) /* both ends included */
     return low + (int)(random_bits(&random_state) % (uint64_t)(high - low + 1));
 }
 
-static int chance(double share)
-{
-    return uniform(0, 1) < share;
-}
+static int chance(double share) { return uniform(0, 1) < share; }
 
 /* ==== Worlds ===================================================== >>worlds */
 
@@ -326,9 +325,9 @@ static int world_mass(world *w, double mass, double x, double y, double size)
 static void world_line(world *w, int a, int b, double nx, double ny, double x0,
                        double y0, double x1, double y1)
 {
-    const int got =
-        contact_make(a, b, vec(nx, ny), vec(x0, y0), vec(x1, y1), R(w->mu),
-                     &w->options, w->contact + w->contacts);
+    const int got = contact_make(a, b, vec(nx, ny), vec(x0, y0), vec(x1, y1),
+                                 R(w->mu), &w->options,
+                                 w->contact + w->contacts);
     w->given = 1;
     CHECK(got == 1 || got == 2);
     if (got > 0)
@@ -395,8 +394,8 @@ static void world_copy(world *to, const world *from)
     memcpy(to, from, sizeof *to);
     for (i = 0; i < to->blocks; i++)
         if (to->block[i].vertex)
-            to->block[i].vertex =
-                to->vertex + (from->block[i].vertex - from->vertex);
+            to->block[i].vertex = to->vertex
+                                + (from->block[i].vertex - from->vertex);
 }
 
 static void world_friction(world *w, double mu)
@@ -457,7 +456,7 @@ static int guard_holds(const kern_work *work, int reals, int ints)
     int k, clean = 1;
     for (k = work->reals; k < reals + GUARD; k++)
         clean = clean && !(work->real[k] < R(MARK))
-                && !(work->real[k] > R(MARK));
+             && !(work->real[k] > R(MARK));
     for (k = work->indices; k < ints + GUARD; k++)
         clean = clean && work->index[k] == MARK;
     return clean;
@@ -512,7 +511,7 @@ static int carry_the_same(const world *w, const kern_contact *p,
     const double of_p = (double)(p->n.x * down.x + p->n.y * down.y);
     const double of_k = (double)(k->n.x * down.x + k->n.y * down.y);
     return (of_p < 0 || of_p > 0) && (of_k < 0 || of_k > 0)
-           && (of_p < 0 ? p->b : p->a) == (of_k < 0 ? k->b : k->a);
+        && (of_p < 0 ? p->b : p->a) == (of_k < 0 ? k->b : k->a);
 }
 
 /* The middle of what carries the block of contact k. */
@@ -597,9 +596,9 @@ static wide own_weight(const world *w, int i)
 {
     const kern_block *b = &w->block[i];
     const double size = sqrt(fabs((double)b->area));
-    double sum =
-        (double)b->mass * hypot((double)w->gravity.x, (double)w->gravity.y) +
-        hypot((double)b->load.fx, (double)b->load.fy);
+    double sum = (double)b->mass
+                   * hypot((double)w->gravity.x, (double)w->gravity.y)
+               + hypot((double)b->load.fx, (double)b->load.fy);
     if (b->load.torque < 0 || b->load.torque > 0)
         sum += fabs((double)b->load.torque) / (size > 0 ? size : 1);
     return sum;
@@ -617,8 +616,7 @@ static wide own_total(const world *w)
 
 /* Largest violation of the friction cones, in roundings; *total is the sum of
    the normal forces. Infinite where a force lies clearly outside. */
-static wide share_of_cones(const world *w, const kern_force *force,
-                           wide *total)
+static wide share_of_cones(const world *w, const kern_force *force, wide *total)
 {
     wide worst = 0;
     int k;
@@ -643,9 +641,9 @@ static wide share_of_block(const world *w, double d, const wide *travel,
 {
     const kern_block *b = &w->block[i];
     const double area = fabs((double)b->area);
-    const wide size = area > 0           ? sqrt(area)
-                      : mean_size(w) > 0 ? mean_size(w)
-                                         : 1;
+    const wide size = area > 0         ? sqrt(area)
+                    : mean_size(w) > 0 ? mean_size(w)
+                                       : 1;
     wide fx = (wide)b->mass * w->gravity.x + b->load.fx;
     wide fy = (wide)b->mass * w->gravity.y + b->load.fy;
     wide torque = b->load.torque, largest = 0, noise = 0, allowed, error;
@@ -667,13 +665,13 @@ static wide share_of_block(const world *w, double d, const wide *travel,
         if (f > largest)
             largest = f;
         /* places are known to the rounding of their coordinates, no better */
-        noise += 4 * EPS * (1 + (double)c->mu) * (double)f *
-                 (fabs((double)c->p.x) + fabs((double)c->p.y) +
-                  fabs((double)b->centre.x) + fabs((double)b->centre.y)) /
-                 (double)size;
+        noise += 4 * EPS * (1 + (double)c->mu) * (double)f
+               * (fabs((double)c->p.x) + fabs((double)c->p.y)
+                  + fabs((double)b->centre.x) + fabs((double)b->centre.y))
+               / (double)size;
     }
-    allowed = (wide)PROOF_TOL * (own_weight(w, i) + 1e-12 * largest) + noise +
-              (SINGLE ? 32 * (wide)EPS * largest : 0);
+    allowed = (wide)PROOF_TOL * (own_weight(w, i) + 1e-12 * largest) + noise
+            + (SINGLE ? 32 * (wide)EPS * largest : 0);
     error = (wide)fmax(fmax(fabs((double)fx), fabs((double)fy)),
                        fabs((double)(torque / size)));
     if (error <= 0)
@@ -715,10 +713,9 @@ static double share_of_motion(const world *w, double d,
         const kern_block *b = &w->block[i];
         const kern_motion *v = &motion[i];
         const int moves = v->vx < 0 || v->vx > 0 || v->vy < 0 || v->vy > 0
-                          || v->spin < 0 || v->spin > 0;
-        if (!(fabs((double)v->vx) + fabs((double)v->vy) +
-                  fabs((double)v->spin) <=
-              DBL_MAX))
+                       || v->spin < 0 || v->spin > 0;
+        if (!(fabs((double)v->vx) + fabs((double)v->vy) + fabs((double)v->spin)
+              <= DBL_MAX))
             return huge_value();
         if (b->fixed) {
             if (moves)
@@ -727,9 +724,9 @@ static double share_of_motion(const world *w, double d,
         }
         if (moves)
             weight += own_weight(w, i);
-        power += ((wide)b->mass * w->gravity.x + b->load.fx) * v->vx +
-                 ((wide)b->mass * w->gravity.y + b->load.fy) * v->vy +
-                 (wide)b->load.torque * v->spin;
+        power += ((wide)b->mass * w->gravity.x + b->load.fx) * v->vx
+               + ((wide)b->mass * w->gravity.y + b->load.fy) * v->vy
+               + (wide)b->load.torque * v->spin;
     }
     for (k = 0; k < w->contacts; k++) {
         const kern_contact *c = &w->contact[k];
@@ -737,22 +734,23 @@ static double share_of_motion(const world *w, double d,
         const kern_motion *va = &motion[c->a], *vb = &motion[c->b];
         const wide s = own_slide(travel[k], (wide)d, w->options.relative);
         const wide px = c->p.x - s * c->n.y, py = c->p.y + s * c->n.x;
-        const wide rx = vb->vx - (wide)vb->spin * (py - b->centre.y) -
-                        (va->vx - (wide)va->spin * (py - a->centre.y));
-        const wide ry = vb->vy + (wide)vb->spin * (px - b->centre.x) -
-                        (va->vy + (wide)va->spin * (px - a->centre.x));
+        const wide rx = vb->vx - (wide)vb->spin * (py - b->centre.y)
+                      - (va->vx - (wide)va->spin * (py - a->centre.y));
+        const wide ry = vb->vy + (wide)vb->spin * (px - b->centre.x)
+                      - (va->vy + (wide)va->spin * (px - a->centre.x));
         const wide open = rx * c->n.x + ry * c->n.y;
         const wide slide = ry * c->n.x - rx * c->n.y;
         /* places are known to the rounding of their coordinates, no better */
         const double reach = fabs((double)px) + fabs((double)py);
-        const wide noise =
-            4 * EPS * (1 + (double)c->mu) *
-            (fabs((double)va->vx) + fabs((double)va->vy) +
-             fabs((double)vb->vx) + fabs((double)vb->vy) +
-             fabs((double)va->spin) * (reach + fabs((double)a->centre.x) +
-                                       fabs((double)a->centre.y)) +
-             fabs((double)vb->spin) * (reach + fabs((double)b->centre.x) +
-                                       fabs((double)b->centre.y)));
+        const wide noise = 4 * EPS * (1 + (double)c->mu)
+                         * (fabs((double)va->vx) + fabs((double)va->vy)
+                            + fabs((double)vb->vx) + fabs((double)vb->vy)
+                            + fabs((double)va->spin)
+                                  * (reach + fabs((double)a->centre.x)
+                                     + fabs((double)a->centre.y))
+                            + fabs((double)vb->spin)
+                                  * (reach + fabs((double)b->centre.x)
+                                     + fabs((double)b->centre.y)));
         for (side = -1; side <= 1; side += 2)
             if (-(open + side * (wide)c->mu * slide) - noise > against)
                 against = -(open + side * (wide)c->mu * slide) - noise;
@@ -824,19 +822,18 @@ static int twin_leave(const tableau *t, int enter)
         const wide *row = twin_row(t, i);
         if (row[enter] > (wide)TWIN_PIVOT
             && (leave < 0
-             || (row[t->all] + (wide)TWIN_ZERO) / row[enter] < least)) {
+                || (row[t->all] + (wide)TWIN_ZERO) / row[enter] < least)) {
             least = (row[t->all] + (wide)TWIN_ZERO) / row[enter];
             leave = i;
         }
     }
     for (i = 0; i < t->rows && leave >= 0; i++) {
         const wide *row = twin_row(t, i), *now = twin_row(t, leave);
-        if (row[enter] > (wide)TWIN_PIVOT
-            && row[t->all] / row[enter] <= least
+        if (row[enter] > (wide)TWIN_PIVOT && row[t->all] / row[enter] <= least
             && (t->still > 2 * t->rows && row[enter] > (wide)1e-6
-                     && now[enter] > (wide)1e-6
-                 ? twin_basis[i] < twin_basis[leave]
-                 : row[enter] > now[enter]))
+                        && now[enter] > (wide)1e-6
+                    ? twin_basis[i] < twin_basis[leave]
+                    : row[enter] > now[enter]))
             leave = i;
     }
     return leave;
@@ -955,9 +952,10 @@ static void twin_contact(const world *w, int k, wide s, const int *row_of,
                 continue;
             at[0] = sign * gx;
             at[all + 1] = sign * gy;
-            at[2 * (all + 1)] =
-                sign * ((px - b->centre.x) * gy - (py - b->centre.y) * gx) /
-                twin_size(b);
+            at[2 * (all + 1)] = sign
+                              * ((px - b->centre.x) * gy
+                                 - (py - b->centre.y) * gx)
+                              / twin_size(b);
         }
     }
 }
@@ -1185,8 +1183,7 @@ static void check_saturated(const kern_margin *m)
                  slip = 8 * fmax(EPS, 1e-10) * steps;
     CHECK_NEAR(m->margin, m->most, 0);
     CHECK_NEAR(m->fails, m->most, 0);
-    CHECK((SINGLE && m->level == -1)
-          || m->level == (int)ceil(steps - slip) + 1
+    CHECK((SINGLE && m->level == -1) || m->level == (int)ceil(steps - slip) + 1
           || m->level == (int)ceil(steps + slip) + 1);
 }
 
@@ -1194,13 +1191,14 @@ static void check_saturated(const kern_margin *m)
 static void check_end(const world *w, const kern_margin *m)
 {
     const double mean = mean_size(w);
-    const double past =
-        (double)m->margin +
-        (SINGLE ? 1e-4 : 1e-6) * fmax((double)m->margin, mean);
+    const double past = (double)m->margin
+                      + (SINGLE ? 1e-4 : 1e-6) * fmax((double)m->margin, mean);
     /* forces of GLPK miss more than a proof allows in a wider zone: the bracket
        may grow there to KERN_WIDEST times its width */
-    const double wide_as = (SINGLE ? 0.04001 : GLPK ? 2.8001e-5 : 2.0001e-6)
-                           * (w->options.relative ? 1 : mean);
+    const double wide_as = (SINGLE ? 0.04001
+                            : GLPK ? 2.8001e-5
+                                   : 2.0001e-6)
+                         * (w->options.relative ? 1 : mean);
     CHECK_NEAR(m->fails - m->holds, 0, wide_as);
     CHECK(share_of_motion(w, (double)m->fails, motion_of) <= 1.001
           || share_of_motion(w, past, motion_of) <= 1.001);
@@ -1284,10 +1282,10 @@ static void same_level(const world *w, const kern_margin *m,
 {
     const double steps = (double)(m->most / m->epsilon);
     const double edge = (n->level < m->level ? n->level : m->level)
-                        * (double)m->epsilon;
+                      * (double)m->epsilon;
     const int closing = n->saturated && m->saturated
-                        && abs(n->level - m->level) == 1
-                        && fabs(steps - floor(steps + 0.5)) < 1e-6;
+                     && abs(n->level - m->level) == 1
+                     && fabs(steps - floor(steps + 0.5)) < 1e-6;
     if (n->level != m->level && !closing
         && !open_question(w, fmin(edge, (double)m->most)))
         check_near(n->level, m->level, 0, line, "level of the same");
@@ -1458,8 +1456,9 @@ static void random_pile(world *w, int blocks)
     world_mass(w, 0, 0, 0, 1);
     for (i = 1; i <= blocks; i++) {
         const int supports = random_int(1, 3);
-        const int on =
-            i == 1 || chance(0.3) ? 0 : random_int(i > 6 ? i - 6 : 1, i - 1);
+        const int on = i == 1 || chance(0.3)
+                         ? 0
+                         : random_int(i > 6 ? i - 6 : 1, i - 1);
         const double x = on ? (double)w->block[on].centre.x + uniform(-0.4, 0.4)
                             : uniform(-4, 4);
         const double y = on ? (double)w->block[on].centre.y + 1 : 0.5;
@@ -1467,8 +1466,8 @@ static void random_pile(world *w, int blocks)
         for (k = 0; k < supports; k++) {
             const int from = k == 0 ? on : random_int(0, i - 1);
             const double at = supports == 1
-                                  ? uniform(-0.2, 0.2)
-                                  : -0.5 + (k + uniform(0.2, 0.8)) / supports;
+                                ? uniform(-0.2, 0.2)
+                                : -0.5 + (k + uniform(0.2, 0.8)) / supports;
             const double lean = uniform(-0.6, 0.6) * (k == 0 ? 0.3 : 1);
             const double nx = sin(lean), ny = cos(lean),
                          half = uniform(0.05, 0.3);
@@ -1573,12 +1572,12 @@ static void random_loads(world *w)
         if (!w->block[i].fixed && chance(0.4)) {
             kern_block *b = &w->block[i];
             const double weight = 9.81 * (double)b->mass;
-            kern_block_load(b,
-                            vec(uniform(-0.3, 0.3) * weight,
-                                uniform(-0.5, 0.2) * weight),
-                            vec((double)b->centre.x + uniform(-0.3, 0.3),
-                                (double)b->centre.y + uniform(-0.3, 0.3)),
-                            R(uniform(-0.05, 0.05) * weight));
+            kern_block_load(
+                b,
+                vec(uniform(-0.3, 0.3) * weight, uniform(-0.5, 0.2) * weight),
+                vec((double)b->centre.x + uniform(-0.3, 0.3),
+                    (double)b->centre.y + uniform(-0.3, 0.3)),
+                R(uniform(-0.05, 0.05) * weight));
         }
 }
 
@@ -1616,8 +1615,8 @@ static int random_of_kind(world *w, unsigned long long seed, int most,
         random_loads(w);
     w->options.relative = chance(0.3);
     epsilon = step[random_int(w->blocks > 12 ? 2 : 0, 3)] * uniform(0.9, 1.1);
-    w->options.epsilon =
-        R(w->options.relative ? epsilon : epsilon * mean_size(w));
+    w->options.epsilon = R(w->options.relative ? epsilon
+                                               : epsilon * mean_size(w));
     return kind;
 }
 
@@ -1978,9 +1977,9 @@ static int contact_at(const world *w, int a, int b, double x, double y,
     int k;
     for (k = 0; k < w->contacts; k++) {
         const kern_contact *c = &w->contact[k];
-        const double sign = c->a == a && c->b == b   ? 1
-                            : c->a == b && c->b == a ? -1
-                                                     : 0;
+        const double sign = c->a == a && c->b == b ? 1
+                          : c->a == b && c->b == a ? -1
+                                                   : 0;
         if (fabs(sign) > 0 && fabs((double)c->p.x - x) <= tol
             && fabs((double)c->p.y - y) <= tol
             && fabs(sign * (double)c->n.x - nx) <= tol
@@ -2012,8 +2011,8 @@ static void check_contacts(const world *w)
         CHECK(!(w->block[c->a].fixed && w->block[c->b].fixed));
         CHECK_NEAR(hypot((double)c->n.x, (double)c->n.y), 1, 8 * EPS);
         CHECK_NEAR(c->travel, travel[k],
-                   64 * EPS *
-                       (1 + fabs((double)c->p.x) + fabs((double)c->p.y)));
+                   64 * EPS
+                       * (1 + fabs((double)c->p.x) + fabs((double)c->p.y)));
         if (c->line && k + 1 < w->contacts && w->contact[k + 1].line
             && c->travel > 0 && w->contact[k + 1].travel < 0) {
             const kern_contact *e = c + 1;
@@ -2303,83 +2302,182 @@ static const struct rule {
     double gap;                   /* 0: 1e-3 of the stone's size             */
     double ground[24], stone[20]; /* vertices, until the first 99            */
     int points, lines;
-    double at[4][3];              /* x, y, n.x, until the first 99           */
+    double at[4][3]; /* x, y, n.x, until the first 99           */
 } contact_rule[] = {
     /* a point is the vertex, not midway to the edge */
-    {0, 0.02, {-1, -1, 1, -1, 1, 0, -1, 0, 99}, {0, 0.01, 1, 1, -1, 1, 99},
-     1, 0, {{0, 0.01, 0}, {99}}},
+    {0,
+     0.02,
+     {-1, -1, 1, -1, 1, 0, -1, 0, 99},
+     {0, 0.01, 1, 1, -1, 1, 99},
+     1,
+     0,
+     {{0, 0.01, 0}, {99}}},
     /* what is longer than the gap is a line, however short beside the stone */
-    {0, 1e-4, {-1, -1, 2e-4, -1, 2e-4, 0, -1, 0, 99},
-     {0, 0, 1, 0, 1, 1, 0, 1, 99}, 2, 1, {{0, 0, 0}, {2e-4, 0, 0}, {99}}},
+    {0,
+     1e-4,
+     {-1, -1, 2e-4, -1, 2e-4, 0, -1, 0, 99},
+     {0, 0, 1, 0, 1, 1, 0, 1, 99},
+     2,
+     1,
+     {{0, 0, 0}, {2e-4, 0, 0}, {99}}},
     /* a tip beside a stone, within the gap of its bed, has another normal */
-    {0, 0.01, {-1, -1, 2, -1, 2, 0, -0.03, 0, 0, 0.005, -0.03, 0.03, -1, 0.03, 99},
-     {0, 0, 1, 0, 1, 1, 0, 1, 99}, 3, 1,
+    {0,
+     0.01,
+     {-1, -1, 2, -1, 2, 0, -0.03, 0, 0, 0.005, -0.03, 0.03, -1, 0.03, 99},
+     {0, 0, 1, 0, 1, 1, 0, 1, 99},
+     3,
+     1,
      {{0, 0, 0}, {1, 0, 0}, {0, 0.005, 1}, {99}}},
     /* a tip on a shelf below another has the normal of the line on that one */
-    {0, 0, {-1, -1, 1, -1, 1, 0, 0, 0, 0, 0.7, 1, 0.7, 1, 1, -1, 1, 99},
+    {0,
+     0,
+     {-1, -1, 1, -1, 1, 0, 0, 0, 0, 0.7, 1, 0.7, 1, 1, -1, 1, 99},
      {0.5, 0, 1.5, 0.2, 1.5, 1.3, 0, 1.3, 0, 1, 1.2, 1, 1.2, 0.5, 0.2, 0.3, 99},
-     3, 1, {{0, 1, 0}, {1, 1, 0}, {0.5, 0, 0}, {99}}},
+     3,
+     1,
+     {{0, 1, 0}, {1, 1, 0}, {0.5, 0, 0}, {99}}},
     /* of two on one line, one bears the stone and one holds it down */
-    {0, 0, {-2, -1, 0, -1, 0, 0, -1.2, 0, -1.2, 0.8, 1, 0.8, 1, 0, 2, 0, 2, 1.2,
-         -2, 1.2, 99},
+    {0,
+     0,
+     {-2,  -1, 0, -1, 0, 0, -1.2, 0,  -1.2, 0.8, 1,
+      0.8, 1,  0, 2,  0, 2, 1.2,  -2, 1.2,  99},
      {-1, 0, 0.2, 0, 0.2, -0.3, 2, -0.3, 2, 0, 0.6, 0, 0.6, 0.3, -1, 0.3, 99},
-     4, 2, {{-1, 0, 0}, {0, 0, 0}, {99}}},
+     4,
+     2,
+     {{-1, 0, 0}, {0, 0, 0}, {99}}},
     /* a bed that bends by more than the angle is two, also within the gap */
-    {0, 0.02, {-1, -1, 1, -1, 1, 0, 0, 0, -1, 0.05, 99},
-     {-0.3, 0.015, 0, 0, 0.7, 0, 0.7, 1, -0.3, 1, 99}, 4, 2,
+    {0,
+     0.02,
+     {-1, -1, 1, -1, 1, 0, 0, 0, -1, 0.05, 99},
+     {-0.3, 0.015, 0, 0, 0.7, 0, 0.7, 1, -0.3, 1, 99},
+     4,
+     2,
      {{0, 0, 0}, {0.7, 0, 0}, {99}}},
     /* so is one within the angle whose end is off the line of the other */
-    {0, 0, {-2, -1, 1.5, -1, 1.5, 0.0025, 0.5, -0.0025, 0.5, -0.5, 0, -0.5, 0, 0,
-         -2, 0, 99},
-     {-2, 0, 0, 0, 0.5, -0.0025, 1.5, 0.0025, 1.5, 0.5, -2, 0.5, 99}, 4, 2,
+    {0,
+     0,
+     {-2, -1, 1.5, -1, 1.5, 0.0025, 0.5, -0.0025, 0.5, -0.5, 0, -0.5, 0, 0, -2,
+      0, 99},
+     {-2, 0, 0, 0, 0.5, -0.0025, 1.5, 0.0025, 1.5, 0.5, -2, 0.5, 99},
+     4,
+     2,
      {{-2, 0, 0}, {0, 0, 0}, {99}}},
     /* normals count by length: tilts of 0.0005 over 1 and -0.001 over 0.5 */
-    {0, 0.01, {-2, -1, 2, -1, 2, 0, -2, 0, 99},
-     {-1, 0.001, 0, 0, 0.5, 0.001, 0.5, 1, -1, 1, 99}, 2, 1,
+    {0,
+     0.01,
+     {-2, -1, 2, -1, 2, 0, -2, 0, 99},
+     {-1, 0.001, 0, 0, 0.5, 0.001, 0.5, 1, -1, 1, 99},
+     2,
+     1,
      {{-1, 0.0005, 0}, {0.5, 0.0005, 0}, {99}}},
     /* points count alike: on slopes of 0.004 and -0.002 */
-    {0, 0.01, {-1, -1, 1, -1, 1, -0.002, 0, 0, -1, -0.004, 99},
-     {-0.5, -0.002, 0, 0.5, 0.5, -0.001, 1, 1, -1, 1, 99}, 2, 1,
+    {0,
+     0.01,
+     {-1, -1, 1, -1, 1, -0.002, 0, 0, -1, -0.004, 99},
+     {-0.5, -0.002, 0, 0.5, 0.5, -0.001, 1, 1, -1, 1, 99},
+     2,
+     1,
      {{-0.5, -0.002, -0.001}, {0.5, -0.001, -0.001}, {99}}},
     /* a line of an outline with a step is midway between the chords */
-    {0, 0.02, {-1, -1, 1, -1, 1, 0, 0.1, 0, 0.1, -0.01, -0.1, -0.01, -0.1, 0, -1,
-            0, 99},
-     {-0.5, 0.008, 0.5, 0.008, 0.5, 1, -0.5, 1, 99}, 2, 1,
+    {0,
+     0.02,
+     {-1, -1, 1, -1, 1, 0, 0.1, 0, 0.1, -0.01, -0.1, -0.01, -0.1, 0, -1, 0, 99},
+     {-0.5, 0.008, 0.5, 0.008, 0.5, 1, -0.5, 1, 99},
+     2,
+     1,
      {{-0.5, 0.004, 0}, {0.5, 0.004, 0}, {99}}},
     /* a tooth below the gap is none, also where the outline begins with it */
-    {0, 0.05, {-1, -1, 1, -1, 1, 0, -1, 0, 99},
-     {0, 0, 0.02, 0.04, 1, 0.04, 1, 1, -1, 1, -1, 0.04, -0.02, 0.04, 99}, 2, 1,
+    {0,
+     0.05,
+     {-1, -1, 1, -1, 1, 0, -1, 0, 99},
+     {0, 0, 0.02, 0.04, 1, 0.04, 1, 1, -1, 1, -1, 0.04, -0.02, 0.04, 99},
+     2,
+     1,
      {{-1, 0.02, 0}, {1, 0.02, 0}, {99}}},
     /* what is farther from its chord than a tenth of a stone is no step,
        whatever the gap: both beds bear, 0.105 above and below their mean */
-    {0, 0.3, {-1, -1, 1, -1, 1, -0.21, 0, -0.21, 0, 0, -1, 0, 99},
-     {-1, 0, 1, 0, 1, 0.5, -1, 0.5, 99}, 2, 1,
+    {0,
+     0.3,
+     {-1, -1, 1, -1, 1, -0.21, 0, -0.21, 0, 0, -1, 0, 99},
+     {-1, 0, 1, 0, 1, 0.5, -1, 0.5, 99},
+     2,
+     1,
      {{-1, -0.0525, 0}, {1, -0.0525, 0}, {99}}},
-    {0, 0.3, {-1, -1, 1, -1, 1, -0.19, 0, -0.19, 0, 0, -1, 0, 99},
-     {-1, 0, 1, 0, 1, 0.5, -1, 0.5, 99}, 4, 2, {{-1, 0, 0}, {0, 0, 0}, {99}}},
+    {0,
+     0.3,
+     {-1, -1, 1, -1, 1, -0.19, 0, -0.19, 0, 0, -1, 0, 99},
+     {-1, 0, 1, 0, 1, 0.5, -1, 0.5, 99},
+     4,
+     2,
+     {{-1, 0, 0}, {0, 0, 0}, {99}}},
     /* the tread of a step in a side bears nothing: it is no part of the side */
-    {0, 0.02, {-1, -1, 1.015, -1, 1.015, -0.01, 1, -0.01, 1, 0, -1, 0, 99},
-     {1.008, -0.01, 2, -0.01, 2, 1, 1.2, 1, 99}, 1, 0, {{99}}},
+    {0,
+     0.02,
+     {-1, -1, 1.015, -1, 1.015, -0.01, 1, -0.01, 1, 0, -1, 0, 99},
+     {1.008, -0.01, 2, -0.01, 2, 1, 1.2, 1, 99},
+     1,
+     0,
+     {{99}}},
     /* a point beside a line within 10 degrees (here 9.5, then 10.5) is none */
-    {0, 0, {-1, -1, 1, -1, 1, 0.16734, 0, 0, -1, 0, 99},
-     {-0.5, 0, 0, 0, 1, 0.5, 1, 2, -0.5, 2, 99}, 2, 1, {{99}}},
-    {0, 0, {-1, -1, 1, -1, 1, 0.18534, 0, 0, -1, 0, 99},
-     {-0.5, 0, 0, 0, 1, 0.5, 1, 2, -0.5, 2, 99}, 3, 1, {{99}}},
+    {0,
+     0,
+     {-1, -1, 1, -1, 1, 0.16734, 0, 0, -1, 0, 99},
+     {-0.5, 0, 0, 0, 1, 0.5, 1, 2, -0.5, 2, 99},
+     2,
+     1,
+     {{99}}},
+    {0,
+     0,
+     {-1, -1, 1, -1, 1, 0.18534, 0, 0, -1, 0, 99},
+     {-0.5, 0, 0, 0, 1, 0.5, 1, 2, -0.5, 2, 99},
+     3,
+     1,
+     {{99}}},
     /* 1e-6 of the size: a foot so close to the end is none, */
-    {1, 0, {-1, -1, 0, -1, 0, 0, -1, 0, 99}, {-0.7e-6, 0, 1, 1, -1, 1, 99},
-     0, 0, {{99}}},
-    {1, 0, {-1, -1, 0, -1, 0, 0, -1, 0, 99}, {-1.4e-6, 0, 1, 1, -1, 1, 99},
-     1, 0, {{-1.4e-6, 0, 0}, {99}}},
+    {1,
+     0,
+     {-1, -1, 0, -1, 0, 0, -1, 0, 99},
+     {-0.7e-6, 0, 1, 1, -1, 1, 99},
+     0,
+     0,
+     {{99}}},
+    {1,
+     0,
+     {-1, -1, 0, -1, 0, 0, -1, 0, 99},
+     {-1.4e-6, 0, 1, 1, -1, 1, 99},
+     1,
+     0,
+     {{-1.4e-6, 0, 0}, {99}}},
     /* a face so short is a point, */
-    {1, 0, {-1, -1, 1, -1, 1, 0, -1, 0, 99}, {0, 0, 0.7e-6, 0, 1, 1, -1, 1, 99},
-     1, 0, {{0.35e-6, 0, 0}, {99}}},
-    {1, 0, {-1, -1, 1, -1, 1, 0, -1, 0, 99}, {0, 0, 1.4e-6, 0, 1, 1, -1, 1, 99},
-     2, 1, {{0, 0, 0}, {1.4e-6, 0, 0}, {99}}},
+    {1,
+     0,
+     {-1, -1, 1, -1, 1, 0, -1, 0, 99},
+     {0, 0, 0.7e-6, 0, 1, 1, -1, 1, 99},
+     1,
+     0,
+     {{0.35e-6, 0, 0}, {99}}},
+    {1,
+     0,
+     {-1, -1, 1, -1, 1, 0, -1, 0, 99},
+     {0, 0, 1.4e-6, 0, 1, 1, -1, 1, 99},
+     2,
+     1,
+     {{0, 0, 0}, {1.4e-6, 0, 0}, {99}}},
     /* and a vertex that turns by less is no corner, which bears nothing */
-    {1, 0, {-1, -1, 1, -1, 1, -0.35e-6, 0, 0, -1, -0.35e-6, 99},
-     {0, 0, 1, 1, -1, 1, 99}, 1, 0, {{0, 0, 0}, {99}}},
-    {1, 0, {-1, -1, 1, -1, 1, -0.7e-6, 0, 0, -1, -0.7e-6, 99},
-     {0, 0, 1, 1, -1, 1, 99}, 0, 0, {{99}}},
+    {1,
+     0,
+     {-1, -1, 1, -1, 1, -0.35e-6, 0, 0, -1, -0.35e-6, 99},
+     {0, 0, 1, 1, -1, 1, 99},
+     1,
+     0,
+     {{0, 0, 0}, {99}}},
+    {1,
+     0,
+     {-1, -1, 1, -1, 1, -0.7e-6, 0, 0, -1, -0.7e-6, 99},
+     {0, 0, 1, 1, -1, 1, 99},
+     0,
+     0,
+     {{99}}},
 };
 
 static int rule_polygon(world *w, double density, const double *xy)
@@ -2409,7 +2507,9 @@ static void contact_rules(void)
         for (k = 0; k < 4 && r->at[k][0] < 99; k++)
             CHECK(contact_at(&w, 0, 1, r->at[k][0], r->at[k][1], r->at[k][2],
                              sqrt(1 - r->at[k][2] * r->at[k][2]),
-                             r->tiny ? 1e-9 : SINGLE ? 1e-5 : 2e-6));
+                             r->tiny  ? 1e-9
+                             : SINGLE ? 1e-5
+                                      : 2e-6));
         check_contacts(&w);
     }
     context[0] = 0;
@@ -2486,30 +2586,56 @@ static const struct {
 } overlaps[] = {
     {"a corner in the other", 0, 2, 2, {0, 0, 1, 1}, {0.9, 0.9, 2, 2}},
     {"crossing bars: no vertex inside",
-     0, 2, 2, {-2, -0.5, 2, 0.5}, {-0.5, -2, 0.5, 2}},
+     0,
+     2,
+     2,
+     {-2, -0.5, 2, 0.5},
+     {-0.5, -2, 0.5, 2}},
     {"one in the other", 0, 2, 2, {-2, -2, 2, 2}, {-0.5, -0.5, 0.5, 0.5}},
     {"the same place twice", 0, 2, 2, {0, 0, 1, 1}, {0, 0, 1, 1}},
     {"sides in common, half over half",
-     0, 2, 2, {0, 0, 1, 1}, {0.5, 0, 1.5, 1}},
+     0,
+     2,
+     2,
+     {0, 0, 1, 1},
+     {0.5, 0, 1.5, 1}},
     {"through the reflex part",
-     0, 8, 2, {0, 0, 3, 0, 3, 3, 0, 3, 0, 2, 2, 2, 2, 1, 0, 1},
+     0,
+     8,
+     2,
+     {0, 0, 3, 0, 3, 3, 0, 3, 0, 2, 2, 2, 2, 1, 0, 1},
      {1, 1.25, 4, 1.75}},
     {"from side to side of a jaw, where no vertex is inside",
-     0, 8, 2, {0, 0, 3, 0, 3, 3, 0, 3, 0, 2, 2, 2, 2, 1, 0, 1},
+     0,
+     8,
+     2,
+     {0, 0, 3, 0, 3, 3, 0, 3, 0, 2, 2, 2, 2, 1, 0, 1},
      {0.5, -1, 0.75, 1.5}},
     {"a shape that is not convex, twice, a little turned",
-     0, 8, 8, {0, 0, 3, 0, 3, 3, 0, 3, 0, 2, 2, 2, 2, 1, 0, 1},
+     0,
+     8,
+     8,
+     {0, 0, 3, 0, 3, 3, 0, 3, 0, 2, 2, 2, 2, 1, 0, 1},
      {2e-4, 0, 3, 2e-4, 3, 3, 0, 3, 0, 2, 2, 2, 2, 1, 0, 1}},
     {"a wedge pushed into a mouth, beyond its corners",
-     0, 8, 3, {0, 0, 3, 0, 3, 3, 0, 3, 0, 2, 2, 2, 2, 1, 0, 1},
+     0,
+     8,
+     3,
+     {0, 0, 3, 0, 3, 3, 0, 3, 0, 2, 2, 2, 2, 1, 0, 1},
      {-1, 0.7, -1, 2.3, 1.9, 1.5}},
     {"with a fixed one", 1, 2, 2, {0, 0, 1, 1}, {0.2, 0.5, 0.8, 3}},
     {"a blade thinner than the gap, in the side of a box: only its own outline"
      " is deep",
-     0, 2, 7, {-4, 0, -1, 1},
+     0,
+     2,
+     7,
+     {-4, 0, -1, 1},
      {0, 0, 1, 0, 1, 1, 0, 1, 0, 0.5005, -3, 0.50025, 0, 0.5}},
     {"the other way round",
-     0, 7, 2, {0, 0, 1, 0, 1, 1, 0, 1, 0, 0.5005, -3, 0.50025, 0, 0.5},
+     0,
+     7,
+     2,
+     {0, 0, 1, 0, 1, 1, 0, 1, 0, 0.5005, -3, 0.50025, 0, 0.5},
      {-4, 0, -1, 1}},
 };
 
@@ -2641,9 +2767,9 @@ static void contact_given(void)
     for (i = 0; i < COUNT_OF(makes); i++) {
         sprintf(context, "(contact %d)", i);
         memset(c, 0x55, sizeof c);
-        CHECK_INT(make_given(makes[i].a, makes[i].b, makes[i].v,
-                             makes[i].angle, c),
-                  makes[i].want);
+        CHECK_INT(
+            make_given(makes[i].a, makes[i].b, makes[i].v, makes[i].angle, c),
+            makes[i].want);
         if (makes[i].want != 2)
             continue;
         /* the normal is made unit; half the length along t */
@@ -2674,11 +2800,11 @@ static void contact_stale(void)
         /* moved, smaller, larger, one corner, no number: by box and by area */
         kern_vec *v = w.vertex + 4;
         const kern_vec before = v[2];
-        v[2] = k == 0   ? vec(0.5, 0.5)
-               : k == 1 ? vec(1, 0.9)
-               : k == 2 ? vec(1.1, 1)
-               : k == 3 ? vec(1, 1.01)
-                        : vec(not_a_number(), 1);
+        v[2] = k == 0 ? vec(0.5, 0.5)
+             : k == 1 ? vec(1, 0.9)
+             : k == 2 ? vec(1.1, 1)
+             : k == 3 ? vec(1, 1.01)
+                      : vec(not_a_number(), 1);
         CHECK_INT(kern_contacts(w.block, 3, &w.options, out, 8, &work),
                   KERN_STALE);
         CHECK_INT(work.fault.block, 1);
@@ -2706,13 +2832,12 @@ static void contact_stale(void)
     w.vertex[5] = vec(1, 1);
     w.vertex[6] = vec(1, 0);
     w.vertex[7] = vec(0, 0);
-    CHECK_INT(kern_contacts(w.block, 3, &w.options, out, 8, &work),
-              KERN_STALE);
+    CHECK_INT(kern_contacts(w.block, 3, &w.options, out, 8, &work), KERN_STALE);
     /* one array for two stones that do not touch */
     for (k = 0; k < 4; k++)
         w.vertex[4 + k] = vec(k % 3 ? 3 : 2, k / 2);
-    CHECK_INT(
-        kern_block_init(&w.block[2], w.vertex + 4, 4, R(1), NULL), KERN_OK);
+    CHECK_INT(kern_block_init(&w.block[2], w.vertex + 4, 4, R(1), NULL),
+              KERN_OK);
     CHECK_INT(kern_touch(w.block, 2, &w.options, out, 8, &work), KERN_STALE);
     CHECK_INT(work.fault.block, 1);
     CHECK_INT(kern_contacts(w.block, 3, &w.options, out, 8, &work), KERN_STALE);
@@ -2737,8 +2862,8 @@ static void count_that_is_a_status(void)
     world_box(&w, 1, 0, 0.5, 1, 2);
     s = structure_of(&w);
     work = work_for(3, 64);
-    s.contacts =
-        kern_contacts(w.block, 3, &w.options, w.contact, MAX_POINTS, &work);
+    s.contacts = kern_contacts(w.block, 3, &w.options, w.contact, MAX_POINTS,
+                               &work);
     for (i = 0; i < 2; i++) {
         const int want = i ? KERN_BAD_POINTER : KERN_OVERLAP;
         kern_task *task = task_of(&s, &w.options, &work);
@@ -2869,8 +2994,8 @@ static void lone_points(void)
             CHECK_INT(world_touch(&w), 2);
             CHECK_NEAR(w.contact[0].travel,
                        side < 0 ? w.contact[0].n.y * -2 : 0, GEO);
-            CHECK_NEAR(w.contact[1].travel,
-                       side < 0 ? w.contact[1].n.y * 2 : 0, GEO);
+            CHECK_NEAR(w.contact[1].travel, side < 0 ? w.contact[1].n.y * 2 : 0,
+                       GEO);
             CHECK_INT(measure(&w, &m), KERN_STANDS);
             CHECK_INT(m.saturated, side >= 0);
             if (side < 0)
@@ -2966,13 +3091,14 @@ static void row_of_cubes(int cubes)
         for (i = 0; i < 4 && cubes_upright; i++)
             v[i] = vec((double)v[i].y, (double)v[i].x);
         bad += (ground ? kern_ground_init(&block[k], v, 4, NULL)
-                       : kern_block_init(&block[k], v, 4, 1, NULL)) != KERN_OK;
+                       : kern_block_init(&block[k], v, 4, 1, NULL))
+            != KERN_OK;
     }
     CHECK_INT(bad, 0);
     /* one place of the row is the ground's, and empty */
-    CHECK_INT(kern_contacts(block, cubes + 1, &options, contact, 4 * cubes,
-                            &work),
-              2 * cubes + 2 * (cubes - 2));
+    CHECK_INT(
+        kern_contacts(block, cubes + 1, &options, contact, 4 * cubes, &work),
+        2 * cubes + 2 * (cubes - 2));
 }
 
 /* Each two blocks are looked at, which takes some nanoseconds: the most blocks
@@ -3066,8 +3192,8 @@ static void contacts_shuffled(world *w)
                 const int keep = unit[done].a;
                 unit[done].a = unit[done].b;
                 unit[done].b = keep;
-                unit[done].n =
-                    vec(-(double)unit[done].n.x, -(double)unit[done].n.y);
+                unit[done].n = vec(-(double)unit[done].n.x,
+                                   -(double)unit[done].n.y);
                 unit[done].travel = -unit[done].travel;
             }
             done++;
@@ -3117,16 +3243,17 @@ static int is_image(const change *c, const int *order, const kern_contact *o,
 {
     const double tol = SINGLE ? 2e-3 : 1e-10;
     const kern_vec p = moved(c, o->p), n = turned(c, o->n);
-    const double sign = e->a == order[o->a] && e->b == order[o->b]   ? 1
-                        : e->b == order[o->a] && e->a == order[o->b] ? -1
-                                                                     : 0;
+    const double sign = e->a == order[o->a] && e->b == order[o->b] ? 1
+                      : e->b == order[o->a] && e->a == order[o->b] ? -1
+                                                                   : 0;
     return fabs(sign) > 0
-           && hypot((double)(e->p.x - p.x), (double)(e->p.y - p.y)) <=
-               tol * c->scale
-           && hypot((double)e->n.x * sign - (double)n.x,
-                 (double)e->n.y * sign - (double)n.y) <= tol
-           && fabs(fabs((double)e->travel)
-                   - fabs((double)o->travel) * c->scale) <= 2 * tol * c->scale;
+        && hypot((double)(e->p.x - p.x), (double)(e->p.y - p.y))
+               <= tol * c->scale
+        && hypot((double)e->n.x * sign - (double)n.x,
+                 (double)e->n.y * sign - (double)n.y)
+               <= tol
+        && fabs(fabs((double)e->travel) - fabs((double)o->travel) * c->scale)
+               <= 2 * tol * c->scale;
 }
 
 static void contact_invariance(void)
@@ -3163,10 +3290,10 @@ static void contact_invariance(void)
 static int same_contact(const kern_contact *c, const kern_contact *d)
 {
     return c->a == d->a && c->b == d->b && c->line == d->line
-           && memcmp(&c->p, &d->p, sizeof c->p) == 0
-           && memcmp(&c->n, &d->n, sizeof c->n) == 0
-           && memcmp(&c->mu, &d->mu, sizeof c->mu) == 0
-           && memcmp(&c->travel, &d->travel, sizeof c->travel) == 0;
+        && memcmp(&c->p, &d->p, sizeof c->p) == 0
+        && memcmp(&c->n, &d->n, sizeof c->n) == 0
+        && memcmp(&c->mu, &d->mu, sizeof c->mu) == 0
+        && memcmp(&c->travel, &d->travel, sizeof c->travel) == 0;
 }
 
 /* The contacts of block after block, each with those before it, are those of
@@ -3237,8 +3364,8 @@ static void steps_of_a_rounding(void)
         double xy[16] = {0, -1, 1, -1, 1, 0, 0.5, 0, 0.5, 0, 0, 0};
         double on[16] = {0, 0, 0.5, 0, 0.5, 0, 1, 0, 1, 1, 0, 1};
         const double kerb[] = {-2, -1, 3, -1, 3, h, 1, h, 1, 0, -2, 0};
-        const double both[] = {-2, -1, 3, -1, 3, h, 1, h, 1, 0, 0, 0,
-                               0, h, -2, h};
+        const double both[] = {-2, -1, 3, -1, 3, h, 1,  h,
+                               1,  0,  0, 0,  0, h, -2, h};
         if (SINGLE && h < 1e-6)
             continue;
         sprintf(context, "(step of %g)", h);
@@ -3388,7 +3515,8 @@ static void steps_that_slide(void)
         angle = uniform(2, 44) * pi / 180;
         mu = uniform(0.1, 1.2);
         gap = trial % 3 == 0 ? uniform(1 / 1.57, 1)
-              : trial % 3 == 1 ? 1.001 : uniform(1, 3);
+            : trial % 3 == 1 ? 1.001
+                             : uniform(1, 3);
         if (fabs(angle - atan(mu)) < 0.03)
             continue;
         sprintf(context, "(%d pixels, %g rad, friction %g, gap of %g pixels)",
@@ -3397,8 +3525,7 @@ static void steps_that_slide(void)
         w.options.mu = R(mu);
         w.options.gap = R(gap / n);
         CHECK_INT(world_touch(&w), 2);
-        CHECK_INT(verdict(&w, 0),
-                  angle < atan(mu) ? KERN_STANDS : KERN_FALLS);
+        CHECK_INT(verdict(&w, 0), angle < atan(mu) ? KERN_STANDS : KERN_FALLS);
     }
     context[0] = 0;
 }
@@ -3415,10 +3542,10 @@ static void steps_and_knees(void)
             const double h = 1e-3 * up, s = 5e-5;
             const double low[] = {0, -1, 1, -1, 1, 0, 0.05, 0, 0, h};
             const double high[] = {0, h, 0.05, 0, 1, 0, 1, 1, 0, 1};
-            const double step[] = {0, -1, 1, -1, 1, s, 0.5, s, 0.5, 0,
-                                   0.05, 0, 0, h};
-            const double on[] = {0, h, 0.05, 0, 0.5, 0, 0.5, s, 1, s,
-                                 1, 1, 0, 1};
+            const double step[] = {0, -1,  1, -1,   1, s, 0.5,
+                                   s, 0.5, 0, 0.05, 0, 0, h};
+            const double on[] = {0, h, 0.05, 0, 0.5, 0, 0.5,
+                                 s, 1, s,    1, 1,   0, 1};
             world_reset(&w);
             world_polygon(&w, 0, k ? step : low, k ? 7 : 5);
             world_polygon(&w, 1, k ? on : high, k ? 7 : 5);
@@ -3479,9 +3606,8 @@ static void steps_lips(void)
         for (kind = 0; kind < 2; kind++)
             for (turned = 0; turned < 2; turned++) {
                 const double h = high[k];
-                const double lip[2][10] = {
-                    {-1, -1, 3, -1, 1, h, 1, 0, -1, 0},
-                    {0, 0, 1, 0, 1, -h, 2, 1, 0, 1}};
+                const double lip[2][10] = {{-1, -1, 3, -1, 1, h, 1, 0, -1, 0},
+                                           {0, 0, 1, 0, 1, -h, 2, 1, 0, 1}};
                 const double box[2][8] = {{0, 0, 1, 0, 1, 1, 0, 1},
                                           {-1, -1, 1, -1, 1, 0, -1, 0}};
                 double xy[10];
@@ -3549,7 +3675,8 @@ static void steps_apart(void)
         world_polygon(&w, j, xy, k / 2);
     }
     CHECK_INT(world_touch(&w), 2);
-    for (i = 0; i < 2; i++) { /* from the last tread's end to the first's start */
+    for (i = 0; i < 2;
+         i++) { /* from the last tread's end to the first's start */
         const kern_contact *c = &w.contact[i];
         CHECK_NEAR(c->p.x, 1 - i, GEO);
         CHECK_NEAR(c->p.y, (1 - i) * (TREADS - 1) * high + up / 2, GEO);
@@ -3575,14 +3702,14 @@ static void steps_straight_joint(void)
    thinner than the gap. */
 static void overlap_with_whiskers(void)
 {
-    static const double whisker[] = {0, 0, 1, 0, 1, 1, 0, 1,
-                                     0, 0.5005, -3, 0.50025, 0, 0.5};
-    static const double two[] = {0, 0, 1, 0, 1, 0.3, 5, 0.30025, 1, 0.3005,
+    static const double whisker[] = {0, 0, 1,      0,  1,       1, 0,
+                                     1, 0, 0.5005, -3, 0.50025, 0, 0.5};
+    static const double two[] = {0, 0, 1, 0, 1, 0.3,    5,  0.30025, 1, 0.3005,
                                  1, 1, 0, 1, 0, 0.5005, -3, 0.50025, 0, 0.5};
     /* two stones with a neck between them, as an image may join them */
-    static const double neck[] = {0, 0, 1, 0, 1, 0.5, 1.5, 0.5, 1.5, 0,
-                                  2.5, 0, 2.5, 1, 1.5, 1, 1.5, 0.5005,
-                                  1, 0.5005, 1, 1, 0, 1};
+    static const double neck[] = {0,   0,      1,   0,      1,   0.5, 1.5, 0.5,
+                                  1.5, 0,      2.5, 0,      2.5, 1,   1.5, 1,
+                                  1.5, 0.5005, 1,   0.5005, 1,   1,   0,   1};
     static world w;
     kern_work work = kern_work_of(NULL, 0, NULL, 0);
     int k, swap;
@@ -3663,8 +3790,10 @@ static void travels_of_many(void)
                         y = (double)(c[j].p.y + c[k].p.y) / 2;
                     }
                 }
-            CHECK_NEAR(c[i].travel, 0.6 * (y - (double)c[i].p.y) -
-                       0.8 * (x - (double)c[i].p.x), GEO);
+            CHECK_NEAR(c[i].travel,
+                       0.6 * (y - (double)c[i].p.y)
+                           - 0.8 * (x - (double)c[i].p.x),
+                       GEO);
         }
     }
     CHECK(grows_less(points_of_one_pair, 1200, 32));
@@ -3690,7 +3819,8 @@ static void given_normals(void)
         CHECK_INT(got, i == 0 ? (int)KERN_BAD_NORMAL : 1);
         if (got == 1)
             CHECK_NEAR(hypot((double)c[0].n.x - sqrt(0.5),
-                             (double)c[0].n.y - sqrt(0.5)), 0, GEO);
+                             (double)c[0].n.y - sqrt(0.5)),
+                       0, GEO);
     }
 }
 
@@ -3814,10 +3944,10 @@ static int same_supports(const world *w, const world *t, double gap)
         for (j = 0; j < t->contacts; j++) {
             const kern_contact *d = &t->contact[j];
             found |= c->a == d->a && c->b == d->b && c->line == d->line
-                     && hypot((double)(c->p.x - d->p.x),
-                           (double)(c->p.y - d->p.y)) <= gap
-                     && (double)(c->n.x * d->n.x + c->n.y * d->n.y) >=
-                         cos((double)w->options.angle);
+                  && hypot((double)(c->p.x - d->p.x), (double)(c->p.y - d->p.y))
+                         <= gap
+                  && (double)(c->n.x * d->n.x + c->n.y * d->n.y)
+                         >= cos((double)w->options.angle);
         }
         ok = found;
     }
@@ -3922,9 +4052,9 @@ static void steps_invariance(void)
             v.contact[k].a = 0;
             v.contact[k].b = 1;
             v.contact[k].p = vec(sign * (x * cs + y * sn), y * cs - x * sn);
-            v.contact[k].n =
-                vec(side * sign * ((double)d->n.x * cs + (double)d->n.y * sn),
-                    side * ((double)d->n.y * cs - (double)d->n.x * sn));
+            v.contact[k].n = vec(
+                side * sign * ((double)d->n.x * cs + (double)d->n.y * sn),
+                side * ((double)d->n.y * cs - (double)d->n.x * sn));
         }
         CHECK(same_supports(&w, &v, gap * (SINGLE ? 0.1 : 0.01)));
     }
@@ -3949,8 +4079,7 @@ static int structure_with_steps(world *to, const world *from)
         if (b->vertices < 3 || b->vertices > 16)
             return 0;
         for (k = 0; k < b->vertices; k++) {
-            const kern_vec v =
-                b->vertex[b->area < 0 ? b->vertices - 1 - k : k];
+            const kern_vec v = b->vertex[b->area < 0 ? b->vertices - 1 - k : k];
             xy[2 * k] = (double)v.x;
             xy[2 * k + 1] = (double)v.y;
         }
@@ -4027,8 +4156,8 @@ static kern_status long_ring(kern_block *b, int n, int below, int clockwise,
     kern_vec *v = long_outline[below];
     int i;
     for (i = 0; i < n; i++) {
-        const double a =
-            2 * pi * ((clockwise ? n - i : i) + (below ? 0.3 : 0)) / n;
+        const double a = 2 * pi * ((clockwise ? n - i : i) + (below ? 0.3 : 0))
+                       / n;
         const double r = 1 + 0.05 * sin(7 * a);
         v[i] = vec(r * cos(a), r * sin(a));
         if (below)
@@ -4126,8 +4255,9 @@ static void joint_of_teeth(int n)
     for (i = 0; i < 2; i++) {
         long_outline[i][k] = vec(2 * n, i ? -5 : 6);
         long_outline[i][k + 1] = vec(0, i ? -5 : 6);
-        CHECK_INT(kern_block_init(&block[i], long_outline[i], k + 2, R(1),
-                                  NULL), KERN_OK);
+        CHECK_INT(
+            kern_block_init(&block[i], long_outline[i], k + 2, R(1), NULL),
+            KERN_OK);
     }
     CHECK_INT(kern_touch(block, 1, &o, out, 20000, &work), 4 * n + 2);
 }
@@ -4146,8 +4276,8 @@ static void open_joint(void)
 {
     static const double outer[] = {-1, -1, 2, -1, 2, 0, 0, 0, 0, 2, -1, 2};
     const double gap = SINGLE ? 1e-4 : 1e-9, joint = 3 * gap;
-    double inner[] = {0, 0, 1, 0, 1, 0.5, 0.6, 0.5, 0.6, 1.5,
-                      0.3, 1.5, 0.3, 1.2, 0, 1.2};
+    double inner[] = {0,   0,   1,   0,   1,   0.5, 0.6, 0.5,
+                      0.6, 1.5, 0.3, 1.5, 0.3, 1.2, 0,   1.2};
     static world w;
     const clock_t start = clock();
     inner[0] = inner[14] = joint;
@@ -4213,14 +4343,16 @@ static void engine_rows(void)
         w[0] = w[1] = b[0] = b[1] = b[2] = 0;
         kern_row_speed(&row, v, w);
         kern_row_exert(&row, f, r, b);
-        CHECK_NEAR(f * w[0] + r * w[1],
-                   b[0] * v[0] + b[1] * v[1] + b[2] * v[2], 100 * EPS);
+        CHECK_NEAR(f * w[0] + r * w[1], b[0] * v[0] + b[1] * v[1] + b[2] * v[2],
+                   100 * EPS);
     }
 }
 
 /* The law of minimum-norm forces: of rays of stiffness 1 that only press. */
 static kern_law engine_pressed(kern_real wn, kern_real wt, kern_real mu)
-{ return kern_law_stiff(wn, wt, mu, R(2), mu); }
+{
+    return kern_law_stiff(wn, wt, mu, R(2), mu);
+}
 
 /* Whatever the motion, a force lies in its cone, is what the law says of the
    motion, and never helps it. */
@@ -4252,8 +4384,8 @@ static void engine_laws(void)
         const double wn = uniform(-1, 1), mu = uniform(0.05, 1);
         const double wt = uniform(-1, 1) * (i % 2 ? 1 : 1e-3);
         engine_law(engine_pressed(R(wn), R(wt), R(mu)), wn, wt, mu);
-        engine_law(kern_law_stiff(R(wn), R(wt), R(mu), R(2),
-                                  1 / KERN_STICKS), wn, wt, mu);
+        engine_law(kern_law_stiff(R(wn), R(wt), R(mu), R(2), 1 / KERN_STICKS),
+                   wn, wt, mu);
     }
 }
 
@@ -4271,8 +4403,8 @@ typedef struct ties {
 static void ties_open(ties *t)
 {
     kern_take take;
-    const kern_work work = kern_work_of(
-        t->real, COUNT_OF(t->real), t->index, COUNT_OF(t->index));
+    const kern_work work = kern_work_of(t->real, COUNT_OF(t->real), t->index,
+                                        COUNT_OF(t->index));
     int k;
     t->groups = random_int(1, ENGINE_GROUPS);
     t->count = random_int(t->groups, ENGINE_TIES);
@@ -4291,8 +4423,7 @@ static void ties_open(ties *t)
     CHECK(kern_take_fits(&take));
     kern_skyline_clear(&t->a);
     for (k = 0; k < t->count; k++)
-        kern_skyline_law(&t->a, t->ends + 2 * k, t->row + 2 * k,
-                            &t->law[k]);
+        kern_skyline_law(&t->a, t->ends + 2 * k, t->row + 2 * k, &t->law[k]);
     kern_skyline_shift(&t->a, R(1e-3)); /* what hangs loose has a matrix, too */
 }
 
@@ -4372,7 +4503,8 @@ static void engine_group_on(double x)
     got = kern_pass_solve(c, 4, b, R(SINGLE ? 1e-6 : 1e-11));
     CHECK_INT(got, fabs(x) <= 1 ? KERN_STANDS : KERN_FALLS);
     for (k = 0; k < 2 && got == KERN_STANDS; k++) {
-        const double plus = fmax(c[2 * k].x, 0), minus = fmax(c[2 * k + 1].x, 0);
+        const double plus = fmax(c[2 * k].x, 0),
+                     minus = fmax(c[2 * k + 1].x, 0);
         CHECK_NEAR(plus + minus, (1 + (k ? x : -x)) / 2, 1e4 * EPS);
         CHECK_NEAR(plus, minus, 1e4 * EPS);
     }
@@ -4498,8 +4630,9 @@ static void engine_step(void)
         kern_work work = work_of(&w);
         kern_call c;
         kern_ipm in;
-        CHECK_INT(kern_call_open(&c, world_task(&w, &work), R(0.2 + 0.1 * falls),
-                                 &w), KERN_OK);
+        CHECK_INT(
+            kern_call_open(&c, world_task(&w, &work), R(0.2 + 0.1 * falls), &w),
+            KERN_OK);
         CHECK(kern_ipm_open(&in, &c.m, &c.part, &c.path.q));
         kern_part_load(in.p, &c.path.q, in.p->eq.rhs);
         CHECK(kern_ipm_begin(&in));
@@ -4619,8 +4752,8 @@ static void check_dual(const program *p, int got, double cost)
     for (j = 0; j < n; j++) {
         double sum = optimal ? (double)p->lp.cost[j] : 0;
         for (i = 0; i < m; i++)
-            sum += (optimal ? -1 : 1) * (double)p->lp.a[j * m + i] *
-                   (double)p->y[i];
+            sum += (optimal ? -1 : 1) * (double)p->lp.a[j * m + i]
+                 * (double)p->y[i];
         CHECK(sum >= -tol * fmax(large, optimal ? 1 : 0));
     }
     if (optimal)
@@ -4727,12 +4860,22 @@ static void lp_kinds(void)
         double table[15], cost[4], least;
     } kind[] = {
         {2, 2, 0, KERN_LP_OPTIMAL, {1, 1, 2, 1, -1, 0}, {0}, 0},
-        {4, 2, 1, KERN_LP_OPTIMAL, {1, 1, 2, 2, 2, 4, 1, -1, 0, 3, 1, 4},
-         {1, 1}, 2}, /* redundant rows */
+        {4,
+         2,
+         1,
+         KERN_LP_OPTIMAL,
+         {1, 1, 2, 2, 2, 4, 1, -1, 0, 3, 1, 4},
+         {1, 1},
+         2}, /* redundant rows */
         {2, 2, 0, KERN_LP_INFEASIBLE, {1, 1, 2, 1, 1, 3}, {0}, 0},
         {1, 2, 1, KERN_LP_INFEASIBLE, {1, 1, -1}, {1, 1}, 0},
-        {3, 4, 1, KERN_LP_OPTIMAL, /* a degenerate vertex */
-         {1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 1, 0, 0, 1}, {1, 2, 3, -1}, 1},
+        {3,
+         4,
+         1,
+         KERN_LP_OPTIMAL, /* a degenerate vertex */
+         {1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 1, 0, 0, 1},
+         {1, 2, 3, -1},
+         1},
         {1, 2, 1, KERN_LP_OPTIMAL, {1, -1, 1}, {1, 1}, 1}, /* a ray */
         {1, 2, 1, KERN_LP_UNBOUNDED, {1, -1, 1}, {-1, -1}, 0},
         {1, 2, 0, KERN_LP_OPTIMAL, {1, -1, 1}, {0}, 0},
@@ -4864,12 +5007,14 @@ static void random_table(int rows, int cols, double *table)
             table[i * (cols + 1) + j] = chance(0.3) ? 0 : random_int(-4, 4);
     if (rows > 1 && chance(0.3)) /* a row that says nothing new */
         for (j = 0; j <= cols; j++)
-            table[(rows - 1) * (cols + 1) + j] =
-                2 * table[j] - (rows > 2 ? table[cols + 1 + j] : 0);
+            table[(rows - 1) * (cols + 1) + j] = 2 * table[j]
+                                               - (rows > 2 ? table[cols + 1 + j]
+                                                           : 0);
     if (chance(0.5)) /* degenerate */
         for (i = 0; i < rows; i++)
-            table[i * (cols + 1) + cols] =
-                chance(0.7) ? 0 : table[i * (cols + 1) + cols];
+            table[i * (cols + 1) + cols] = chance(0.7)
+                                             ? 0
+                                             : table[i * (cols + 1) + cols];
 }
 
 /* Is there a ray of falling cost? It is cut at a sum of one. */
@@ -4880,8 +5025,10 @@ static int cost_falls(int rows, int cols, const double *table,
     int i, j, found;
     for (i = 0; i <= rows; i++)
         for (j = 0; j <= cols; j++)
-            ray[i * (cols + 1) + j] =
-                i < rows ? (j < cols ? table[i * (cols + 1) + j] : 0) : 1;
+            ray[i * (cols + 1) + j] = i < rows
+                                        ? (j < cols ? table[i * (cols + 1) + j]
+                                                    : 0)
+                                        : 1;
     down = all_bases(rows + 1, cols, ray, cost, &found);
     return found && down < -1e-9;
 }
@@ -4901,9 +5048,9 @@ static void lp_random(void)
         for (j = 0; j < cols; j++)
             cost[j] = random_int(-3, 5);
         best = all_bases(rows, cols, table, cost, &found);
-        want = !found                                ? KERN_LP_INFEASIBLE
-               : cost_falls(rows, cols, table, cost) ? KERN_LP_UNBOUNDED
-                                                     : KERN_LP_OPTIMAL;
+        want = !found                              ? KERN_LP_INFEASIBLE
+             : cost_falls(rows, cols, table, cost) ? KERN_LP_UNBOUNDED
+                                                   : KERN_LP_OPTIMAL;
         program_set(&p, rows, cols, table, cost);
         got = program_solve(&p);
         CHECK_INT(got, want);
@@ -4971,9 +5118,8 @@ static void lp_scaled(void)
     program p, t;
     int k, j, answers = 0;
     for (k = 0; k < 400; k++) {
-        kern_work work =
-            kern_work_of(real, KERN_LP_REALS(LP_ROWS, LP_COLS), index,
-                         KERN_LP_INTS(LP_ROWS, LP_COLS));
+        kern_work work = kern_work_of(real, KERN_LP_REALS(LP_ROWS, LP_COLS),
+                                      index, KERN_LP_INTS(LP_ROWS, LP_COLS));
         double primal = 0;
         int got;
         random_seed(31000u + (unsigned long long)k);
@@ -5012,11 +5158,10 @@ static void lp_small_rows_and_rays(void)
 {
     static const double rows[] = {1, 1, 1e-10, 2e-10};
     static const double free_ray[] = {
-        1,  0, 0, -1, -1, 1,  1,  1,  0,  -1, 1, 0, 1, 0,
-        0,  -1, 1, 1, 0,  0,  0,  0,  0,  -1, 1, 0, 1, 0,
-        0,  0, -1, 0, 1,  -1, -1, -1, -1, 1,  1, 1, 0, 0,
-        -1, 0, -1, 0, 0,  1,  1,  1,  1,  -1, 1, 1, -1, 0};
-    static const double free_cost[] = {-2, 3,  -2, 5, 4,  -2, 3,
+        1, 0, 0, -1, -1, 1, 1,  1, 0, -1, 1, 0,  1, 0,  0,  -1, 1,  1,  0,
+        0, 0, 0, 0,  -1, 1, 0,  1, 0, 0,  0, -1, 0, 1,  -1, -1, -1, -1, 1,
+        1, 1, 0, 0,  -1, 0, -1, 0, 0, 1,  1, 1,  1, -1, 1,  1,  -1, 0};
+    static const double free_cost[] = {-2, 3,  -2, 5,  4,  -2, 3,
                                        2,  -1, 1,  -1, -2, -2};
     program p;
     program_set(&p, 2, 1, rows, NULL);
@@ -5032,8 +5177,8 @@ static void lp_bad_input(void)
 {
     static kern_real real[KERN_LP_REALS(2, 2)];
     static int index[KERN_LP_INTS(2, 2)];
-    kern_work work =
-        kern_work_of(real, KERN_LP_REALS(2, 2), index, KERN_LP_INTS(2, 2));
+    kern_work work = kern_work_of(real, KERN_LP_REALS(2, 2), index,
+                                  KERN_LP_INTS(2, 2));
     program p;
     int i, j;
     for (i = 0; i < 4 + 2 + 2; i++)
@@ -5108,8 +5253,8 @@ static void proof_forces_of_a_cube(void)
     CHECK_INT(verdict(&w, 0), KERN_STANDS);
     for (k = 0; k < w.contacts; k++) {
         const double sign = w.contact[k].b == 1 ? 1 : -1;
-        sum += (double)force_of[k].normal * (double)w.contact[k].n.y * sign +
-               (double)force_of[k].tangential * (double)w.contact[k].n.x * sign;
+        sum += (double)force_of[k].normal * (double)w.contact[k].n.y * sign
+             + (double)force_of[k].tangential * (double)w.contact[k].n.x * sign;
         torque += (double)force_of[k].normal * ((double)w.contact[k].p.x - 0.5);
     }
     CHECK_NEAR(sum, 9.81, 9.81 * PROOF_TOL);
@@ -5211,9 +5356,9 @@ static double rounded_share(const world *w, const kern_motion *y)
         if (b->fixed)
             continue;
         weight += own_weight(w, i);
-        power += ((wide)b->mass * w->gravity.x + b->load.fx) * y[i].vx +
-                 ((wide)b->mass * w->gravity.y + b->load.fy) * y[i].vy +
-                 (wide)b->load.torque * y[i].spin;
+        power += ((wide)b->mass * w->gravity.x + b->load.fx) * y[i].vx
+               + ((wide)b->mass * w->gravity.y + b->load.fy) * y[i].vy
+               + (wide)b->load.torque * y[i].spin;
     }
     for (k = 0; k < w->contacts; k++) {
         const kern_contact *c = &w->contact[k];
@@ -5221,16 +5366,17 @@ static double rounded_share(const world *w, const kern_motion *y)
         for (end = 0; end < 2; end++) {
             const kern_motion *v = &y[end ? c->b : c->a];
             const kern_vec centre = w->block[end ? c->b : c->a].centre;
-            gap += fabs((double)v->vx) + fabs((double)v->vy) +
-                   fabs((double)v->spin) *
-                       (fabs((double)(c->p.x - centre.x)) +
-                        fabs((double)(c->p.y - centre.y)));
+            gap += fabs((double)v->vx) + fabs((double)v->vy)
+                 + fabs((double)v->spin)
+                       * (fabs((double)(c->p.x - centre.x))
+                          + fabs((double)(c->p.y - centre.y)));
         }
         gap *= (1 + c->mu) * 4;
         most = gap > most ? gap : most;
     }
-    return power > 0 ? (double)((SINGLE ? 1e3 : 1e6) * weight * EPS * most /
-                                power) : huge_value();
+    return power > 0
+             ? (double)((SINGLE ? 1e3 : 1e6) * weight * EPS * most / power)
+             : huge_value();
 }
 
 /* A damaged proof, measured by the test (*own) and by the library (*theirs).
@@ -5317,8 +5463,8 @@ static void proof_too_large(void)
         const double press = (side ? 100 : 0.05) * FORCE_BOUND * W;
         for (k = 0; k < 4; k++) {
             /* normals are horizontal: t is up where n points right */
-            const double up =
-                (w.contact[k].b == 1 ? 1 : -1) * (double)w.contact[k].n.x;
+            const double up = (w.contact[k].b == 1 ? 1 : -1)
+                            * (double)w.contact[k].n.x;
             f[k].normal = R(press);
             f[k].tangential = R(W / 4 * up);
         }
@@ -5338,9 +5484,9 @@ static double strict_share(const world *w, double d, const kern_motion *motion)
     for (i = 0; i < w->blocks; i++) {
         const kern_block *b = &w->block[i];
         const kern_motion *v = &motion[i];
-        const wide part = ((wide)b->mass * w->gravity.x + b->load.fx) * v->vx +
-                          ((wide)b->mass * w->gravity.y + b->load.fy) * v->vy +
-                          (wide)b->load.torque * v->spin;
+        const wide part = ((wide)b->mass * w->gravity.x + b->load.fx) * v->vx
+                        + ((wide)b->mass * w->gravity.y + b->load.fy) * v->vy
+                        + (wide)b->load.torque * v->spin;
         if (b->fixed)
             continue;
         if (v->vx < 0 || v->vx > 0 || v->vy < 0 || v->vy > 0 || v->spin < 0
@@ -5361,8 +5507,8 @@ static double strict_share(const world *w, double d, const kern_motion *motion)
             ry = v->vy + v->spin * ((wide)c->p.x - o.x - s * c->n.y) - ry;
         }
         for (side = -1; side <= 1; side += 2) {
-            const wide shut = side * (wide)c->mu * (ry * c->n.x - rx * c->n.y) -
-                              rx * c->n.x - ry * c->n.y;
+            const wide shut = side * (wide)c->mu * (ry * c->n.x - rx * c->n.y)
+                            - rx * c->n.x - ry * c->n.y;
             against = shut > against ? shut : against;
         }
     }
@@ -5391,19 +5537,25 @@ static void strict_motions(world *w)
 
 static void proof_without_rounding(void)
 {
+    /* clang-format off */
     static const double turned[] = {
         2.95888096364245, 0, 3.995178370686835, 0, 5, 0, 5, 0.9575368596071754,
         4.0325608030101785, 1.024719457953587, 2.9923412409437704,
         1.021428540435464};
+    /* clang-format on */
+    /* clang-format off */
     static const double upper[] = {
         0, 1.0101624356398868, 0.9760333529370225, 1.0186265482993435,
         1.9685798551100973, 0.9963834993000589, 2.000124195517344,
         2.038238484334806, 2.0263384679946204, 2.9752005977606184,
         1.0471287107056582, 3.006636593821413};
+    /* clang-format on */
+    /* clang-format off */
     static const double lower[] = {
         0, 0, 0.9693282853377662, 0, 2.029722807360566, 0, 1.9685798551100973,
         0.9963834993000589, 0.9760333529370225, 1.0186265482993435, 0,
         1.0101624356398868};
+    /* clang-format on */
     static world w;
     int seed, relative;
 #if !defined(KERN_SINGLE) && LDBL_MANT_DIG < 60
@@ -5436,19 +5588,18 @@ static void proof_without_rounding(void)
    joint, a point inside and one outside, to the next. */
 static void proof_far_away(void)
 {
-    static const double joint[][4] = {
-        {1000006.85734197, 1000.1728159780357, 1000007.5851202048,
-         1000.3435271441456},
-        {1000006.6543420705, 1003.1726144780692, 1000007.0821204553,
-         1003.343025644229},
-        {1000001.119489143, 1007.2861243280652, 1000001.2061444587,
-         1007.7383689172251},
-        {999996.3914897689, 1006.4279008636657, 999996.1739658307,
-         1006.8337550843848},
-        {999993.1862584405, 1002.8255061236022, 999992.8068576313,
-         1003.0864454616521},
-        {999992.98925854, 999.8253076236354, 999992.3098578807,
-         1000.0859469617354}};
+    static const double joint[][4] = {{1000006.85734197, 1000.1728159780357,
+                                       1000007.5851202048, 1000.3435271441456},
+                                      {1000006.6543420705, 1003.1726144780692,
+                                       1000007.0821204553, 1003.343025644229},
+                                      {1000001.119489143, 1007.2861243280652,
+                                       1000001.2061444587, 1007.7383689172251},
+                                      {999996.3914897689, 1006.4279008636657,
+                                       999996.1739658307, 1006.8337550843848},
+                                      {999993.1862584405, 1002.8255061236022,
+                                       999992.8068576313, 1003.0864454616521},
+                                      {999992.98925854, 999.8253076236354,
+                                       999992.3098578807, 1000.0859469617354}};
     static const int from[] = {0, 4, 1, 2, 3}; /* the supports first */
     int k;
     static world w;
@@ -5493,19 +5644,20 @@ static void proof_of_no_numbers(void)
         motion[1].vy = R(-1); /* into the ground */
         motion[1].spin = R(0.001);
         CHECK_NEAR(kern_check_motion(world_task(&w, &work), bad, motion),
-            huge_value(), 0);
+                   huge_value(), 0);
         for (k = 0; k < 3; k++) {
             memset(force, 0, sizeof force);
             memset(motion, 0, sizeof motion);
             force[0].normal = force[1].normal = R(2400 * 9.81);
             *(k ? &force[1].normal : &force[0].tangential) = bad;
             motion[1].vy = R(1);
-            *(k == 0 ? &motion[1].vx : k == 1 ? &motion[1].vy
-                                              : &motion[1].spin) = bad;
+            *(k == 0   ? &motion[1].vx
+              : k == 1 ? &motion[1].vy
+                       : &motion[1].spin) = bad;
             CHECK_NEAR(kern_check_forces(world_task(&w, &work), 0, force),
-                huge_value(), 0);
+                       huge_value(), 0);
             CHECK_NEAR(kern_check_motion(world_task(&w, &work), 0, motion),
-                huge_value(), 0);
+                       huge_value(), 0);
         }
     }
 }
@@ -5814,9 +5966,9 @@ static const struct {
     {0, 0.4, -1, 0, 0, 0, 1, 0.4}, /* slides at mu, to either side */
     {0, 0.4, -1, 0, 0, 0, -1, 0.4},
     {0, 0.4, 1, 2, 0, 0, 1, 0.4 * W / 2},
-    {0, 0.4, 1, 0, 0, -1, 1, W / 2},    /* topples when the torque is W / 2 */
-    {0, 0.4, 1, 0, 1, 0, 1, W},         /* lifts off */
-    {0, 0.4, 1, 0, -1, 0, 1, HUGE_VAL}, /* downward: never */
+    {0, 0.4, 1, 0, 0, -1, 1, W / 2},     /* topples when the torque is W / 2 */
+    {0, 0.4, 1, 0, 1, 0, 1, W},          /* lifts off */
+    {0, 0.4, 1, 0, -1, 0, 1, HUGE_VAL},  /* downward: never */
     {0, 0.4, 0, 100, 0, 0, 1, HUGE_VAL}, /* on the fixed block: never */
     /* it topples sooner to the side it hangs over: the load acts 1/2 above the
        bed, and the weight .1 and .5 from the ends of the bed [.4, 1] */
@@ -5847,7 +5999,9 @@ static void load_by_hand(void)
                               &factor),
                   KERN_STANDS);
         CHECK_NEAR(factor, pushes[i].want,
-                   isinf(pushes[i].want) ? 0 : block < 0 ? EDGE : EDGE * W);
+                   isinf(pushes[i].want) ? 0
+                   : block < 0           ? EDGE
+                                         : EDGE * W);
     }
     context[0] = 0;
     /* gravity turned by a quarter: right is up the page */
@@ -5886,8 +6040,8 @@ static void load_beside_others(void)
     /* shrunk by .4 the bed is [.4, .6]: topples at .1 / .5 */
     shifted_cube(&w, 0);
     work = work_of(&w);
-    CHECK_INT(kern_load_factor(world_task(&w, &work), R(0.4),
-                               KERN_RIGHT, &out, &proof),
+    CHECK_INT(kern_load_factor(world_task(&w, &work), R(0.4), KERN_RIGHT, &out,
+                               &proof),
               KERN_STANDS);
     CHECK_NEAR(out, 0.2, EDGE);
 }
@@ -6183,8 +6337,8 @@ static int site_answer(const site *p, const world *t, int got,
     if (got == KERN_FALLS)
         CHECK(kern_check_motion(world_task(t, &work), 0, motion_of) <= 1);
     if (got == KERN_STANDS && !m->saturated)
-        CHECK(kern_check_motion(world_task(t, &work), m->fails,
-                                motion_of) <= 1);
+        CHECK(kern_check_motion(world_task(t, &work), m->fails, motion_of)
+              <= 1);
     now = measure(t, &n);
     same_answer(t, &n, now, m, got, 1, EXACT, line);
     return now;
@@ -6236,14 +6390,12 @@ static void site_unchanged(const site *p, int line)
 {
     const size_t b = (size_t)site_was.plan.task.s.blocks,
                  c = (size_t)site_was.plan.task.s.contacts;
-    check_report(!memcmp(&p->plan, &site_was.plan, sizeof site_was.plan)
-                     && !memcmp(p->block, site_was.block,
-                                sizeof *p->block * b)
-                     && !memcmp(p->contact, site_was.contact,
-                             sizeof *p->contact * c)
-                     && !memcmp(p->motion, site_was.motion,
-                             sizeof *p->motion * b),
-                 line, "the plan is as it was", 0, 0, 0);
+    check_report(
+        !memcmp(&p->plan, &site_was.plan, sizeof site_was.plan)
+            && !memcmp(p->block, site_was.block, sizeof *p->block * b)
+            && !memcmp(p->contact, site_was.contact, sizeof *p->contact * c)
+            && !memcmp(p->motion, site_was.motion, sizeof *p->motion * b),
+        line, "the plan is as it was", 0, 0, 0);
 }
 
 /* kern_plan_bears() beside the margin that kern_plan_try() gave: with proofs,
@@ -6263,8 +6415,8 @@ static void site_bears(site *p, const kern_block *block, int got,
     site_keep(p);
     for (side = 0; side < 2; side++) {
         const kern_real at = got == KERN_FALLS ? R(0)
-                             : side ? m->fails + aside
-                                    : kern_max(m->holds - aside, R(0));
+                           : side              ? m->fails + aside
+                                  : kern_max(m->holds - aside, R(0));
         const int want = got == KERN_FALLS || side ? KERN_FALLS : KERN_STANDS;
         int said;
         if (side && m->saturated)
@@ -6278,11 +6430,13 @@ static void site_bears(site *p, const kern_block *block, int got,
         if (said == KERN_STANDS)
             CHECK(
                 kern_check_forces(task_of(&s, &p->plan.task.options, &p->work),
-                                  at, proof.force) <= 1);
+                                  at, proof.force)
+                <= 1);
         else if (p->w->options.relative == 0)
             CHECK(
                 kern_check_motion(task_of(&s, &p->plan.task.options, &p->work),
-                                  at, proof.motion) <= 1
+                                  at, proof.motion)
+                    <= 1
                 || side);
     }
 }
@@ -6302,8 +6456,8 @@ static int site_try(site *p, const kern_block *block, kern_margin *m)
     got = kern_plan_try(&p->plan, block, m, &proof);
     site_unchanged(p, __LINE__);
     p->block[b] = *block;
-    found =
-        kern_touch(p->block, b, &p->plan.task.options, one, MAX_POINTS, &none);
+    found = kern_touch(p->block, b, &p->plan.task.options, one, MAX_POINTS,
+                       &none);
     if (found < 0) {
         CHECK_INT(got, found);
         CHECK_INT(p->work.fault.block, none.fault.block);
@@ -6426,9 +6580,9 @@ static void plan_changes(void)
             int gone[3], n = 0;
             for (i = random_int(1, 3); i > 0 && p.plan.task.s.blocks > 1; i--) {
                 const int last = p.plan.task.s.blocks - 1;
-                const int at = chance(0.3)   ? last
-                               : chance(0.3) ? 0
-                                             : random_int(0, last);
+                const int at = chance(0.3) ? last
+                             : chance(0.3) ? 0
+                                           : random_int(0, last);
                 gone[n++] = p.number[at];
                 site_remove(&p, at);
             }
@@ -6482,7 +6636,7 @@ static void plan_candidates(void)
     static const struct {
         double density, x, y, margin; /* < 0: it falls */
     } tries[] = {
-        {1, 1.2, 1.2, 0.5 - 0.064 / 0.36}, /* lower */
+        {1, 1.2, 1.2, 0.5 - 0.064 / 0.36},  /* lower */
         {1, -0.2, 1.2, 0.5 - 0.008 / 0.36}, /* higher */
         {1, 5, 0, 0.4},                     /* the same */
         {10, 1.2, 1.2, 0.5 - 0.352 / 0.72}, /* hardly any */
@@ -6496,8 +6650,8 @@ static void plan_candidates(void)
     site_with(&p, &w, w.blocks);
     for (round = 0; round < 2; round++) { /* of a plan not measured, measured */
         for (i = 0; i < COUNT_OF(tries); i++) {
-            const kern_block b =
-                candidate(&w, tries[i].density, tries[i].x, tries[i].y, 0.2);
+            const kern_block b = candidate(&w, tries[i].density, tries[i].x,
+                                           tries[i].y, 0.2);
             const int got = site_try(&p, &b, &m);
             CHECK_INT(got, tries[i].margin < 0 ? KERN_FALLS : KERN_STANDS);
             if (got == KERN_STANDS)
@@ -6688,9 +6842,14 @@ static void critical_laws(void)
 static void critical_narrow(void)
 {
     static world w;
-    static const struct { double vy, narrow; int meets; } at[] = {
-        {0.49, 0, KERN_SLIDES},   {0.51, 0, KERN_OPENS},
-        {0.17, 1.5, KERN_SLIDES}, {0.18, 1.5, KERN_OPENS},
+    static const struct {
+        double vy, narrow;
+        int meets;
+    } at[] = {
+        {0.49, 0, KERN_SLIDES},
+        {0.51, 0, KERN_OPENS},
+        {0.17, 1.5, KERN_SLIDES},
+        {0.18, 1.5, KERN_OPENS},
     };
     kern_motion motion[2] = {{0, 0, 0}, {1, 0, 0}};
     kern_meeting meeting[2];
@@ -7097,14 +7256,14 @@ static void plan_every_size(void)
                 p.work = kern_work_of(real, array ? need[0] : size, index,
                                       array ? size : need[1]);
                 site_keep(&p);
-                got = call == 0   ? kern_measure(&p.plan.task, &m, NULL)
-                      : call == 1 ? kern_plan_try(&p.plan, &b, &m, NULL)
-                                  : kern_plan_remove(&p.plan, 1);
+                got = call == 0 ? kern_measure(&p.plan.task, &m, NULL)
+                    : call == 1 ? kern_plan_try(&p.plan, &b, &m, NULL)
+                                : kern_plan_remove(&p.plan, 1);
                 CHECK(guard_holds(&p.work, need[0], need[1]));
                 want = size < need[array] && got == KERN_NO_SPACE
-                           ? KERN_NO_SPACE
-                       : call == 2 ? KERN_OK
-                                   : KERN_STANDS;
+                         ? KERN_NO_SPACE
+                     : call == 2 ? KERN_OK
+                                 : KERN_STANDS;
                 CHECK_INT(got, want);
                 CHECK(size > 0 || got == KERN_NO_SPACE || call == 2);
                 if (got < 0 || call == 1)
@@ -7148,8 +7307,7 @@ static void relative_shares(void)
                   KERN_BAD_SHARE);
         CHECK_INT(kern_load_factor_of(task, at, push, &value, NULL),
                   KERN_BAD_SHARE);
-        CHECK_INT(kern_tilt(task, at, KERN_LEFT, &value, NULL),
-                  KERN_BAD_SHARE);
+        CHECK_INT(kern_tilt(task, at, KERN_LEFT, &value, NULL), KERN_BAD_SHARE);
         CHECK_INT(kern_critical_of(task, at, &proof, &critical),
                   KERN_BAD_SHARE);
         CHECK_INT(kern_plan_bears(&p.plan, &b, at, NULL), KERN_BAD_SHARE);
@@ -7215,8 +7373,9 @@ static long plan_calls, plan_ends; /* of these ended by limit or memory */
 
 static kern_real plan_rubbish(void)
 {
-    return chance(0.1) ? KERN_INFINITY : chance(0.1) ? R(not_a_number())
-           : R(chance(0.5) ? uniform(-1, 8) : uniform(0, 1));
+    return chance(0.1) ? KERN_INFINITY
+         : chance(0.1) ? R(not_a_number())
+                       : R(chance(0.5) ? uniform(-1, 8) : uniform(0, 1));
 }
 
 /* Spoils what is known, keeps a copy of it, or goes back to the copy. */
@@ -7267,7 +7426,7 @@ static void plan_settings(site *p)
 static int plan_ended(const site *p, int got)
 {
     const int ended = (got == KERN_LIMIT && p->plan.task.options.limit > 0)
-                      || (got == KERN_NO_SPACE
+                   || (got == KERN_NO_SPACE
                        && p->work.reals < KERN_REALS(MAX_BLOCKS, MAX_POINTS));
     plan_calls++;
     plan_ends += ended;
@@ -7299,8 +7458,8 @@ static void plan_measured(const site *p, int more, int points, int got,
         same_answer(&t, &n, want, m, got, 1, EXACT, line);
     else if (got == KERN_LIMIT && want == KERN_STANDS)
         check_report(m->holds <= n.fails && m->fails >= n.holds, line,
-                     "bracket at the limit", (double)m->holds,
-                     (double)n.margin, (double)m->fails);
+                     "bracket at the limit", (double)m->holds, (double)n.margin,
+                     (double)m->fails);
 }
 
 /* Whether it bears a margin, asked of the plan and of a fresh structure; and,
@@ -7309,7 +7468,8 @@ static void plan_bears(site *p, const kern_block *block, int points)
 {
     static world t;
     const double most = p->plan.task.options.relative ? 1.5
-                        : chance(0.5) ? 0.5 : 1e-3;
+                      : chance(0.5)                   ? 0.5
+                                                      : 1e-3;
     const kern_real at = R(uniform(0, most));
     const int got = kern_plan_bears(&p->plan, block, at, NULL);
     kern_margin n;
@@ -7342,8 +7502,7 @@ static void plan_candidate(site *p, const kern_block *block)
     got = kern_plan_try(&p->plan, block, &m, NULL);
     site_unchanged(p, __LINE__);
     p->block[p->plan.task.s.blocks] = *block;
-    points = kern_touch(p->block, p->plan.task.s.blocks,
-                        &p->plan.task.options,
+    points = kern_touch(p->block, p->plan.task.s.blocks, &p->plan.task.options,
                         p->contact + p->plan.task.s.contacts, 200, &none);
     if (points < 0) {
         CHECK_INT(got, points);
@@ -7400,7 +7559,8 @@ static void plan_fuzz_calls(long calls, unsigned long long first)
     unsigned long long seed = first;
     plan_calls = plan_ends = 0;
     for (; plan_calls < calls; seed++) {
-        const int kind = random_of_kind(&w, seed, 20, (int)(seed % (KINDS + 1)));
+        const int kind = random_of_kind(&w, seed, 20,
+                                        (int)(seed % (KINDS + 1)));
         if (seed % (KINDS + 1) == KINDS && kind < CHAIN) {
             world_reset(&w);
             random_keels(&w, random_int(1, 4));
@@ -7466,8 +7626,7 @@ static void jams_are_bounded(void)
         if (!two_wedges(&w))
             continue;
         work = work_of(&w);
-        CHECK(kern_measure(world_task(&w, &work), &m, NULL) >= 0
-              || SINGLE);
+        CHECK(kern_measure(world_task(&w, &work), &m, NULL) >= 0 || SINGLE);
         most = work.pivots > most ? work.pivots : most;
         found++;
     }
@@ -7483,7 +7642,7 @@ static void jams_are_bounded(void)
 static void jams_fill_the_factors(void)
 {
     static const double slender[][2] = {{31, 150}, {40, 30}, {50, 25}, {52, 60},
-                                        {54, 90}, {58, 30}, {62, 150}};
+                                        {54, 90},  {58, 30}, {62, 150}};
     static world w;
     int i, k, side;
     for (k = 0; k < 2 * COUNT_OF(slender) && !SINGLE; k++) {
@@ -7496,13 +7655,15 @@ static void jams_fill_the_factors(void)
         w.options.mu = R(0.5);
         for (i = 0; i < n; i++) {
             const double a = i * stride % n - n / 2.0, b = a + 1;
-            const double xy[] = {a, 0, b, 0, b + b * lean * high, high,
-                                 a + a * lean * high, high};
+            const double xy[] = {
+                a,   0, b, 0, b + b * lean * high, high, a + a * lean * high,
+                high};
             world_polygon(&w, 1, xy, 4);
         }
         for (side = -1; side <= 1; side += 2) {
             const double a = side * n / 2.0, b = a + side * n;
-            const double xy[] = {a, 0, b, 0, b, high, a + a * lean * high, high};
+            const double xy[] = {a,   0, b, 0, b, high, a + a * lean * high,
+                                 high};
             world_polygon(&w, 0, xy, 4);
         }
         world_touch(&w);
@@ -7520,8 +7681,8 @@ static void profile_ends(void)
 {
     static const double corner[4][8] = {
         {499997.0205986467, 98.94020399325342, 500003.0193986867,
-         99.06019599341343, 500002.99940002, 100.05999600008,
-         499997.00059998, 99.94000399992},
+         99.06019599341343, 500002.99940002, 100.05999600008, 499997.00059998,
+         99.94000399992},
         {499999.5000999967, 99.99000066665333, 500000.4999000033,
          100.00999933334667, 500000.4879008033, 100.60987933734661,
          499999.48810081665, 100.58988067065327},
@@ -7571,9 +7732,10 @@ static double bearing_by_hand(const world *w)
     double best = -1;
     int i, k;
     for (i = -1; i <= w->contacts; i++) {
-        const double length = i < 0              ? 0
-                              : i == w->contacts ? huge_value()
-                              : 2 * fabs((double)w->contact[i].travel);
+        const double length = i < 0 ? 0
+                            : i == w->contacts
+                                ? huge_value()
+                                : 2 * fabs((double)w->contact[i].travel);
         if (!(length > best))
             continue;
         world_copy(&t, w);
@@ -7655,9 +7817,20 @@ static void bearing_by_definition(void)
 /* ==== Limits of work ============================================= >>limits */
 
 enum limited_call {
-    LIMIT_STANDS, LIMIT_SHRUNK, LIMIT_MEASURE, LIMIT_DEFICIT, LIMIT_LEFT,
-    LIMIT_RIGHT, LIMIT_TILT, LIMIT_BEARING, LIMIT_MARGINS, LIMIT_LOADS,
-    LIMIT_PLAN, LIMIT_TRY, LIMIT_BEARS, LIMIT_CALLS
+    LIMIT_STANDS,
+    LIMIT_SHRUNK,
+    LIMIT_MEASURE,
+    LIMIT_DEFICIT,
+    LIMIT_LEFT,
+    LIMIT_RIGHT,
+    LIMIT_TILT,
+    LIMIT_BEARING,
+    LIMIT_MARGINS,
+    LIMIT_LOADS,
+    LIMIT_PLAN,
+    LIMIT_TRY,
+    LIMIT_BEARS,
+    LIMIT_CALLS
 };
 
 /* What a call says: 0 in all that it does not write. */
@@ -7671,29 +7844,21 @@ typedef struct limited {
 /* A call on a task, its answer to r. */
 static int ask_task(enum limited_call call, kern_task *task, limited *r)
 {
-    const kern_real at = R(0.1 * (double)kern_mean_size(task->s.block,
-                                                        task->s.blocks));
+    const kern_real at = R(
+        0.1 * (double)kern_mean_size(task->s.block, task->s.blocks));
     const int side = call == LIMIT_LEFT ? -1 : 1;
     kern_collapse c;
     switch (call) {
-    case LIMIT_STANDS:
-        return kern_verdict(task, 0, NULL);
-    case LIMIT_SHRUNK:
-        return kern_verdict(task, at, NULL);
+    case LIMIT_STANDS: return kern_verdict(task, 0, NULL);
+    case LIMIT_SHRUNK: return kern_verdict(task, at, NULL);
     case LIMIT_MEASURE:
-    case LIMIT_PLAN:
-        return kern_measure(task, &r->m, NULL);
-    case LIMIT_DEFICIT:
-        return kern_deficit(task, r->value);
+    case LIMIT_PLAN: return kern_measure(task, &r->m, NULL);
+    case LIMIT_DEFICIT: return kern_deficit(task, r->value);
     case LIMIT_LEFT:
-    case LIMIT_RIGHT:
-        return kern_load_factor(task, 0, side, r->value, NULL);
-    case LIMIT_TILT:
-        return kern_tilt(task, 0, side, r->value, NULL);
-    case LIMIT_BEARING:
-        return kern_bearing(task, r->value, NULL);
-    default:
-        return kern_profile(task, call == LIMIT_LOADS, r->value, &c);
+    case LIMIT_RIGHT: return kern_load_factor(task, 0, side, r->value, NULL);
+    case LIMIT_TILT: return kern_tilt(task, 0, side, r->value, NULL);
+    case LIMIT_BEARING: return kern_bearing(task, r->value, NULL);
+    default: return kern_profile(task, call == LIMIT_LOADS, r->value, &c);
     }
 }
 
@@ -7711,10 +7876,10 @@ static void ask_plan(enum limited_call call, const world *w, int limit,
     memset(&r->m, 0, sizeof r->m);
     p.plan.task.options.limit = limit;
     r->status = call == LIMIT_PLAN ? ask_task(call, &p.plan.task, r)
-                : call == LIMIT_TRY
-                    ? kern_plan_try(&p.plan, &w->block[last], &r->m, NULL)
-                    : kern_plan_bears(&p.plan, &w->block[last],
-                                      R(0.1 * mean_size(w)), NULL);
+              : call == LIMIT_TRY
+                  ? kern_plan_try(&p.plan, &w->block[last], &r->m, NULL)
+                  : kern_plan_bears(&p.plan, &w->block[last],
+                                    R(0.1 * mean_size(w)), NULL);
     r->units = p.work.units;
     if (r->status != KERN_LIMIT)
         return;
@@ -7779,9 +7944,7 @@ static void check_known(enum limited_call call, const world *w,
     switch (call) {
     case LIMIT_MEASURE:
     case LIMIT_PLAN:
-    case LIMIT_TRY:
-        check_known_margin(w, all, &r->m);
-        break;
+    case LIMIT_TRY: check_known_margin(w, all, &r->m); break;
     case LIMIT_DEFICIT:
     case LIMIT_LEFT:
     case LIMIT_RIGHT:
@@ -7794,8 +7957,7 @@ static void check_known(enum limited_call call, const world *w,
         for (i = 0; i < w->blocks; i++)
             CHECK(r->value[i] <= -1 || r->value[i] == all->value[i]);
         break;
-    default:
-        break;
+    default: break;
     }
 }
 
@@ -7817,8 +7979,8 @@ static void limits_of_work(void)
             CHECK(all.units > 0);
             for (limit = 1; limit <= all.units + 1;
                  limit += limit + 3 < all.units && limit > 3 ? step : 1) {
-                const limited r =
-                    ask_limited((enum limited_call)call, &w, limit);
+                const limited r = ask_limited((enum limited_call)call, &w,
+                                              limit);
                 if (limit >= all.units) {
                     CHECK(memcmp(&r, &all, sizeof r) == 0);
                     continue;
@@ -8514,27 +8676,17 @@ static void laws_units_and_places(void)
             change c = no_change();
             double tol = law_tolerance(&w);
             switch (trial) {
-            case 0:
-                c.scale = pow(10, uniform(-3, 3));
-                break;
-            case 1:
-                c.mass = pow(10, uniform(-6, 6));
-                break;
+            case 0: c.scale = pow(10, uniform(-3, 3)); break;
+            case 1: c.mass = pow(10, uniform(-6, 6)); break;
             case 2:
                 /* 1e4 diameters, and what their rounding is to a block */
                 c.dx = (SINGLE ? 3 : 1e4) * 2 * (reach_of(&w) + mean_size(&w));
                 c.dy = -c.dx / 2;
                 tol += 64 * EPS * c.dx / mean_size(&w);
                 break;
-            case 3:
-                c.mirror = 1;
-                break;
-            case 4:
-                c.angle = uniform(-pi, pi);
-                break;
-            case 5:
-                c.shuffle = 1;
-                break;
+            case 3: c.mirror = 1; break;
+            case 4: c.angle = uniform(-pi, pi); break;
+            case 5: c.shuffle = 1; break;
             default:
                 c.scale = seed % 2 ? 1e3 : 1e-3;
                 c.mass = seed % 3 ? 1e6 : 1e-6;
@@ -8605,8 +8757,8 @@ static void laws_more_support(void)
     int seed, k;
     for (seed = 0; seed < some(1500); seed++) {
         kern_margin m;
-        const int kind =
-            random_world(&w, 160000u + (unsigned long long)seed, 25);
+        const int kind = random_world(&w, 160000u + (unsigned long long)seed,
+                                      25);
         const int got = measure(&w, &m);
         const double tol = law_tolerance(&w);
         int b;
@@ -8615,8 +8767,8 @@ static void laws_more_support(void)
         /* more friction */
         world_copy(&t, &w);
         for (k = 0; k < t.contacts; k++)
-            t.contact[k].mu =
-                R((double)t.contact[k].mu * uniform(1, 2) + uniform(0, 0.1));
+            t.contact[k].mu = R((double)t.contact[k].mu * uniform(1, 2)
+                                + uniform(0, 0.1));
         not_worse(&w, &m, got, &t, tol, __LINE__);
         /* a fixed block more, against any free block anywhere */
         world_copy(&t, &w);
@@ -8714,8 +8866,8 @@ static void laws_side_by_side(void)
         stand++;
         want = least_margin(&m, &n);
         unit = a.options.relative ? 1 : mean_size(&both);
-        if (fabs((double)o.margin - want) >
-                4 * unit * fmax(law_tolerance(&a), law_tolerance(&b))
+        if (fabs((double)o.margin - want)
+                > 4 * unit * fmax(law_tolerance(&a), law_tolerance(&b))
             && !open_question(&both, ((double)o.margin + want) / 2))
             CHECK_NEAR(o.margin, want, 0);
         passed++;
@@ -8732,8 +8884,8 @@ static long compare_many(long first, long many, int most, int deep_every)
     long k, kinds[KINDS] = {0}, stand = 0;
     const long before = undecided;
     for (k = 0; k < many; k++) {
-        const int kind =
-            random_world(&w, 1000000u + (unsigned long long)(first + k), most);
+        const int kind = random_world(
+            &w, 1000000u + (unsigned long long)(first + k), most);
         kinds[kind]++;
         compare_with_twin(&w, deep_every > 0 && k % deep_every == 0);
         stand += twin_shortfall(&w, 0, FORCE_BOUND) <= NEAR_LO;
@@ -8750,8 +8902,8 @@ static long compare_many(long first, long many, int most, int deep_every)
 
 static void twin_random(void)
 {
-    const long none = compare_many(0, some(3000), 12, 6) +
-                      compare_many(500000, some(250), 40, 25);
+    const long none = compare_many(0, some(3000), 12, 6)
+                    + compare_many(500000, some(250), 40, 25);
     CHECK(SINGLE || none == 0);
     /* near the edge the twin leaves the question open: must be rare */
     CHECK(twin_near * 50 < twin_asked);
@@ -8796,8 +8948,8 @@ static void random_tips(world *w, int storeys)
         angle = atan2(tip[1][1] - tip[0][1], tip[1][0] - tip[0][0]);
         {
             const double back = uniform(0.2, 1), thick = uniform(0.2, 0.4);
-            const double beam[8] = {-back, 0,     4 - back, 0,
-                                    4 - back, thick, -back, thick};
+            const double beam[8] = {-back,    0,     4 - back, 0,
+                                    4 - back, thick, -back,    thick};
             lay_along(w, 1, tip[0][0], tip[0][1], angle, beam, 4);
             x = tip[0][0] - back * cos(angle) - thick * sin(angle);
             y = tip[0][1] - back * sin(angle) + thick * cos(angle);
@@ -8847,14 +8999,14 @@ static void all_say(const kern_structure *s, const kern_options *o,
         int got;
         if (work)
             work->fault.block = work->fault.index = -77;
-        got = k == 0   ? kern_verdict(task_of(s, o, work), 0, NULL)
-              : k == 1 ? kern_measure(task_of(s, o, work), &m, NULL)
-              : k == 2 ? kern_deficit(task_of(s, o, work), &out)
-              : k == 3 ? kern_load_factor(task_of(s, o, work), 0, KERN_RIGHT,
-                                          &out, NULL)
-              : k == 4
-                  ? kern_tilt(task_of(s, o, work), 0, KERN_RIGHT, &out, NULL)
-                  : kern_profile(task_of(s, o, work), KERN_SHRINK, value, &all);
+        got = k == 0 ? kern_verdict(task_of(s, o, work), 0, NULL)
+            : k == 1 ? kern_measure(task_of(s, o, work), &m, NULL)
+            : k == 2 ? kern_deficit(task_of(s, o, work), &out)
+            : k == 3 ? kern_load_factor(task_of(s, o, work), 0, KERN_RIGHT,
+                                        &out, NULL)
+            : k == 4
+                ? kern_tilt(task_of(s, o, work), 0, KERN_RIGHT, &out, NULL)
+                : kern_profile(task_of(s, o, work), KERN_SHRINK, value, &all);
         check_near(got, want, 0, line, "status of a bad structure");
         /* nothing but the fault is touched */
         check_report(!memcmp(&keep, &m, sizeof m), line, "margin untouched", 0,
@@ -8880,10 +9032,14 @@ typedef struct spoilt {
     int want, block, index;
 } spoilt;
 
-#define REAL(field, value, want, block, index)                                 \
-    {__LINE__, offsetof(world, field), 0, value, want, block, index}
-#define WHOLE(field, value, want, block, index)                                \
-    {__LINE__, offsetof(world, field), 1, value, want, block, index}
+#define REAL(field, value, want, block, index)                         \
+    {                                                                  \
+        __LINE__, offsetof(world, field), 0, value, want, block, index \
+    }
+#define WHOLE(field, value, want, block, index)                        \
+    {                                                                  \
+        __LINE__, offsetof(world, field), 1, value, want, block, index \
+    }
 
 static const spoilt bad_values[] = {
     WHOLE(blocks, -1, KERN_BAD_COUNT, -2, -2),
@@ -8904,17 +9060,17 @@ static const spoilt bad_values[] = {
     WHOLE(options.limit, 2000000001, KERN_BAD_OPTION, -2, -2),
 };
 
-#define NUMBER(field, block, index)                                            \
+#define NUMBER(field, block, index) \
     REAL(field, 0, KERN_BAD_NUMBER, block, index)
 static const spoilt numbers_of_a_structure[] = {
-    NUMBER(block[2].mass, 2, -2),        NUMBER(block[2].centre.x, 2, -2),
-    NUMBER(block[2].centre.y, 2, -2),    NUMBER(block[2].load.fx, 2, -2),
-    NUMBER(block[2].load.fy, 2, -2),     NUMBER(block[2].load.torque, 2, -2),
-    NUMBER(block[2].area, 2, -2),        NUMBER(contact[3].p.x, -2, 3),
-    NUMBER(contact[3].p.y, -2, 3),       NUMBER(contact[3].n.x, -2, 3),
-    NUMBER(contact[3].n.y, -2, 3),       NUMBER(contact[3].mu, -2, 3),
-    NUMBER(contact[3].travel, -2, 3),    NUMBER(gravity.x, -2, -2),
-    NUMBER(gravity.y, -2, -2),           NUMBER(options.epsilon, -2, -2),
+    NUMBER(block[2].mass, 2, -2),     NUMBER(block[2].centre.x, 2, -2),
+    NUMBER(block[2].centre.y, 2, -2), NUMBER(block[2].load.fx, 2, -2),
+    NUMBER(block[2].load.fy, 2, -2),  NUMBER(block[2].load.torque, 2, -2),
+    NUMBER(block[2].area, 2, -2),     NUMBER(contact[3].p.x, -2, 3),
+    NUMBER(contact[3].p.y, -2, 3),    NUMBER(contact[3].n.x, -2, 3),
+    NUMBER(contact[3].n.y, -2, 3),    NUMBER(contact[3].mu, -2, 3),
+    NUMBER(contact[3].travel, -2, 3), NUMBER(gravity.x, -2, -2),
+    NUMBER(gravity.y, -2, -2),        NUMBER(options.epsilon, -2, -2),
 };
 
 static void spoil(world *w, const spoilt *row, double value)
@@ -9037,18 +9193,18 @@ static void bad_arguments(void)
                   KERN_BAD_NUMBER);
         CHECK_INT(kern_tilt(world_task(&w, &work), bad, KERN_RIGHT, &out, NULL),
                   KERN_BAD_NUMBER);
-        CHECK_INT(kern_load_factor(world_task(&w, &work), bad,
-                                   KERN_RIGHT, &out, NULL),
+        CHECK_INT(kern_load_factor(world_task(&w, &work), bad, KERN_RIGHT, &out,
+                                   NULL),
                   KERN_BAD_NUMBER);
         for (i = 0; i < 6; i++) {
             kern_wrench pattern[3];
             memset(pattern, 0, sizeof pattern);
-            *(i % 3 == 0   ? &pattern[1].fx
-              : i % 3 == 1 ? &pattern[1].fy
-                           : &pattern[1].torque) =
-                i < 3 ? bad : R(SINGLE ? 1e11 : 1e61);
-            CHECK_INT(kern_load_factor_of(world_task(&w, &work), 0,
-                                          pattern, &out, NULL),
+            *(i % 3 == 0 ? &pattern[1].fx
+              : i % 3 == 1
+                  ? &pattern[1].fy
+                  : &pattern[1].torque) = i < 3 ? bad : R(SINGLE ? 1e11 : 1e61);
+            CHECK_INT(kern_load_factor_of(world_task(&w, &work), 0, pattern,
+                                          &out, NULL),
                       KERN_BAD_NUMBER);
             CHECK_INT(work.fault.block, 1);
         }
@@ -9200,8 +9356,7 @@ static void refused_blocks(void)
         CHECK_INT(kern_forces(task, 0, force_of), KERN_NO_BLOCK);
         CHECK_INT(kern_bearing(task, &value, NULL), KERN_NO_BLOCK);
         CHECK_INT(kern_critical_of(task, 0, &proof, &critical), KERN_NO_BLOCK);
-        CHECK_INT(kern_sensitivity(task, &m, &proof, rate, of),
-                  KERN_NO_BLOCK);
+        CHECK_INT(kern_sensitivity(task, &m, &proof, rate, of), KERN_NO_BLOCK);
         CHECK(isinf(kern_check_forces(task, 0, force_of)));
         CHECK_INT(kern_contacts(w.block, 3, &w.options, out, 8, &work),
                   KERN_NO_BLOCK);
@@ -9230,8 +9385,7 @@ static void bad_contact_pointers(void)
     CHECK_INT(kern_contacts(NULL, 3, &o, out, 64, &work), KERN_BAD_POINTER);
     CHECK_INT(kern_contacts(w.block, 3, NULL, out, 64, &work),
               KERN_BAD_POINTER);
-    CHECK_INT(kern_contacts(w.block, 3, &o, NULL, 64, &work),
-              KERN_BAD_POINTER);
+    CHECK_INT(kern_contacts(w.block, 3, &o, NULL, 64, &work), KERN_BAD_POINTER);
     CHECK_INT(kern_contacts(w.block, -1, &o, out, 64, &work), KERN_BAD_COUNT);
     got = kern_contacts(w.block, 3, &o, out, -1, &work);
     CHECK(got == KERN_BAD_COUNT || got == KERN_NO_SPACE);
@@ -9370,8 +9524,8 @@ static void status_of_every_kind(void)
         int count = 0;
         CHECK(text && text[0]);
         for (j = 0; j < i; j++)
-            CHECK(strcmp(text, kern_status_text(
-                                   (kern_status)statuses[j].value)) != 0);
+            CHECK(strcmp(text, kern_status_text((kern_status)statuses[j].value))
+                  != 0);
         for (j = 0; j < had_count; j++)
             count += had[j] == statuses[i].value;
         if (!count)
@@ -9417,17 +9571,13 @@ static int call_entry(int entry, const world *w, kern_work *work)
     kern_collapse all;
     kern_margin m;
     switch (entry) {
-    case 0:
-        return kern_verdict(task_of(&s, o, work), 0, NULL);
-    case 1:
-        return kern_measure(task_of(&s, o, work), &m, NULL);
-    case 2:
-        return kern_deficit(task_of(&s, o, work), &out);
+    case 0: return kern_verdict(task_of(&s, o, work), 0, NULL);
+    case 1: return kern_measure(task_of(&s, o, work), &m, NULL);
+    case 2: return kern_deficit(task_of(&s, o, work), &out);
     case 3:
         return kern_load_factor(task_of(&s, o, work), 0, KERN_RIGHT, &out,
                                 NULL);
-    case 4:
-        return kern_tilt(task_of(&s, o, work), 0, KERN_RIGHT, &out, NULL);
+    case 4: return kern_tilt(task_of(&s, o, work), 0, KERN_RIGHT, &out, NULL);
     default:
         return kern_profile(task_of(&s, o, work), KERN_SHRINK, value, &all);
     }
@@ -9573,8 +9723,8 @@ static void memory_garbage(void)
             CHECK(decided(kern_measure(world_task(&w, &work), &m[fill], NULL)));
             memset(work.real, byte, sizeof *work.real * (size_t)work.reals);
             memset(work.index, byte, sizeof *work.index * (size_t)work.indices);
-            CHECK(decided(kern_load_factor(world_task(&w, &work), 0,
-                                           KERN_RIGHT, &f[fill], NULL)));
+            CHECK(decided(kern_load_factor(world_task(&w, &work), 0, KERN_RIGHT,
+                                           &f[fill], NULL)));
             CHECK(work.pivots >= 0 && work.solves > 0);
             memset(work.real, byte, sizeof *work.real * (size_t)work.reals);
             memset(work.index, byte, sizeof *work.index * (size_t)work.indices);
@@ -9641,8 +9791,8 @@ static void profile_two_storeys(void)
     CHECK_NEAR(value[2], 1. / 6, EDGE);
     /* sizes 2 and sqrt 3; the lowest block begins half its size below its
        centre, at -1/2: heights 1 and 3, in mean sizes */
-    CHECK_NEAR(c.drop, (exp(-0.4 / 0.07) + 3 * exp(-1 / 0.42))
-                       / (2 + sqrt(3.)), 1e-4);
+    CHECK_NEAR(c.drop, (exp(-0.4 / 0.07) + 3 * exp(-1 / 0.42)) / (2 + sqrt(3.)),
+               1e-4);
     CHECK_INT(profile(&w, -1, value, &c), KERN_OK);
     CHECK_NEAR(value[1], 0.4, EDGE);
     CHECK_NEAR(value[2], 0.4, EDGE);
@@ -9771,8 +9921,8 @@ static void profile_of_two(void)
             n[0] += !a.block[i].fixed;
         for (i = 0; i < b.blocks; i++)
             n[1] += !b.block[i].fixed;
-        want = (n[0] * (double)c[0].mean + n[1] * (double)c[1].mean) /
-               (n[0] + n[1]);
+        want = (n[0] * (double)c[0].mean + n[1] * (double)c[1].mean)
+             / (n[0] + n[1]);
         same += fabs((double)c[2].mean - want) < (SINGLE ? 5e-2 : 1e-4);
         all++;
     }
@@ -9791,15 +9941,15 @@ static void profile_bad_input(void)
     work = work_of(&w);
     c.mean = R(7);
     CHECK_INT(kern_profile(world_task(&w, &work), KERN_SHRINK, NULL, &c),
-        KERN_BAD_POINTER);
+              KERN_BAD_POINTER);
     CHECK_INT(kern_profile(world_task(&w, &work), KERN_SHRINK, value, NULL),
-        KERN_BAD_POINTER);
+              KERN_BAD_POINTER);
     CHECK_INT(kern_profile(world_task(&w, &work), 2, value, &c),
               KERN_BAD_OPTION);
     w.gravity = vec(0, 0);
     w.block[1].load.fy = R(-9.81);
     CHECK_INT(kern_profile(world_task(&w, &work), KERN_RIGHT, value, &c),
-        KERN_BAD_OPTION);
+              KERN_BAD_OPTION);
     CHECK_NEAR(c.mean, 7, 0);
 }
 
@@ -9893,8 +10043,8 @@ static void overlaps_of_three(void)
         CHECK_INT(found[k].b, found[k].a + 1);
         CHECK((double)found[k].depth <= depth * (1 + GEO));
         CHECK((double)found[k].depth >= depth * 7 / 8);
-        CHECK_NEAR(found[k].allowed,
-                   1e-3 * sqrt(found[k].a == 0 ? 1.1 : 1.1), 1e-6);
+        CHECK_NEAR(found[k].allowed, 1e-3 * sqrt(found[k].a == 0 ? 1.1 : 1.1),
+                   1e-6);
     }
     w.options.overlap = R(0.25);
     CHECK_INT(kern_overlaps(w.block, 3, &w.options, found, 3, &work), 0);
@@ -9920,11 +10070,14 @@ static int certain_world(const world *w, kern_interval *in, int room)
    of place is not certain. */
 static void certain_verdicts(void)
 {
-    static const struct { double end; int verdict, certain; } row[] = {
-        {1.5, KERN_STANDS, KERN_STANDS}, {0.7, KERN_STANDS, KERN_STANDS},
-        {0.53, KERN_STANDS, KERN_OK}, {0.47, KERN_FALLS, KERN_OK},
-        {0.3, KERN_FALLS, KERN_FALLS}
-    };
+    static const struct {
+        double end;
+        int verdict, certain;
+    } row[] = {{1.5, KERN_STANDS, KERN_STANDS},
+               {0.7, KERN_STANDS, KERN_STANDS},
+               {0.53, KERN_STANDS, KERN_OK},
+               {0.47, KERN_FALLS, KERN_OK},
+               {0.3, KERN_FALLS, KERN_FALLS}};
     static world w;
     kern_interval in;
     kern_contact one;
@@ -10097,8 +10250,9 @@ static void measured_bounds(void)
     world_box(&w, 0, 0, 0, 3, 4);
     world_box(&w, 1, 0, 0, 3, 4);
     w.options = kern_measured_options(NULL, R(e), R(angle));
-    CHECK_INT(kern_contacts(w.block, 2, &w.options, w.contact, MAX_POINTS,
-                            &work), KERN_OVERLAP);
+    CHECK_INT(
+        kern_contacts(w.block, 2, &w.options, w.contact, MAX_POINTS, &work),
+        KERN_OVERLAP);
     CHECK_NEAR(work.fault.allowed, 8 * e + 3.5 * angle * (2.5 + 2.5), GEO);
 }
 
@@ -10108,8 +10262,8 @@ static void measured_bounds(void)
    corner of the ground, with its foot on the side of the stone, x + y = 0.02. */
 static void measured_corner_beyond_steps(void)
 {
-    static const double ground[] = {-2, -1,  0,  -1,    0,  0,
-                                    -1, 0, -1, 0.004, -2, 0.004};
+    static const double ground[] = {-2, -1, 0,  -1,    0,  0,
+                                    -1, 0,  -1, 0.004, -2, 0.004};
     static const double stone[] = {0.02, 0, 1.02, 1, -0.98, 1};
     static world w;
     const double square = 1 + 0.002 * 0.002, length = sqrt(square);
@@ -10123,8 +10277,8 @@ static void measured_corner_beyond_steps(void)
         CHECK_INT(world_touch(&w), 2);
         CHECK(contact_at(&w, 0, 1, 0.02 / square, -0.00004 / square,
                          up * 0.002 / length, up / length, GEO));
-        CHECK(contact_at(&w, 0, 1, 0.01, 0.01, up * sqrt(0.5),
-                         up * sqrt(0.5), GEO));
+        CHECK(contact_at(&w, 0, 1, 0.01, 0.01, up * sqrt(0.5), up * sqrt(0.5),
+                         GEO));
     }
 }
 
@@ -10159,8 +10313,9 @@ static void certain_bounds(void)
         const double by = i ? 1.1 : 0.9;
         CHECK_INT(certain_of(0.5 + 0.035 * by, 0, 0, 0, KERN_STANDS),
                   i ? KERN_STANDS : KERN_OK);
-        CHECK_INT(certain_of(2, 0, steep * (i ? 1.03 : 0.97), 0.01, KERN_STANDS),
-                  i ? KERN_OK : KERN_STANDS);
+        CHECK_INT(
+            certain_of(2, 0, steep * (i ? 1.03 : 0.97), 0.01, KERN_STANDS),
+            i ? KERN_OK : KERN_STANDS);
         CHECK_INT(certain_of(0.5 - 0.035 * by, 0, 0, 0, KERN_FALLS),
                   i ? KERN_FALLS : KERN_OK);
         CHECK_INT(certain_of(2, 0, flat * (i ? 1.03 : 0.97), 0.01, KERN_FALLS),
@@ -10223,20 +10378,18 @@ static int raised(const world *w, kern_real *reserve)
     kern_proof proof = proof_here();
     kern_raising got = KERN_NOT_SHOWN;
     kern_real error;
-    const int status =
-        kern_raised(task, 0, &got, reserve, &proof);
+    const int status = kern_raised(task, 0, &got, reserve, &proof);
     int i;
     if (status != KERN_STANDS)
         return -10 - status;
     error = kern_check_raised(task, 0, got, &proof);
     CHECK((error <= 1) == (got != KERN_NOT_SHOWN));
-    CHECK(kern_check_forces(task, 0, proof.force) <= 1
-          || got == KERN_HANGS);
+    CHECK(kern_check_forces(task, 0, proof.force) <= 1 || got == KERN_HANGS);
     if (got == KERN_NOT_SHOWN)
         return got;
-    CHECK(!(kern_check_raised(task, 0, got == KERN_RAISED ? KERN_HANGS
-                                                          : KERN_RAISED,
-                              &proof) <= 1));
+    CHECK(!(kern_check_raised(
+                task, 0, got == KERN_RAISED ? KERN_HANGS : KERN_RAISED, &proof)
+            <= 1));
     for (i = 0; i < w->blocks && got == KERN_RAISED; i++) {
         motion_of[i].vx *= -1;
         motion_of[i].vy *= -1;
@@ -10297,8 +10450,8 @@ static void leaning_plank(world *w)
 {
     const double c = cos(70 * pi / 180), s = sin(70 * pi / 180);
     const double x = 2 * c, thick = 0.05;
-    const double xy[] = {x, 0, x + thick * s, thick * c, thick * s,
-                         thick * c + 2 * s, 0, 2 * s};
+    const double xy[] = {
+        x, 0, x + thick * s, thick * c, thick * s, thick * c + 2 * s, 0, 2 * s};
     world_reset(w);
     w->options.mu = R(0.5);
     world_box(w, 0, -1, -1, 4, 0);
@@ -10312,7 +10465,7 @@ static void stone_between_leaning(world *w)
     const double t = tan(10 * pi / 180), y = 0.4, z = 0.7;
     const double west[] = {-2, 0, -1, 0, -1 + t, 1, -2 + t, 1};
     const double east[] = {1, 0, 2, 0, 2 - t, 1, 1 - t, 1};
-    const double stone[] = {-1 + t * y, y, 1 - t * y, y,
+    const double stone[] = {-1 + t * y, y, 1 - t * y,  y,
                             1 - t * z,  z, -1 + t * z, z};
     world_reset(w);
     w->options.mu = R(0.6);
@@ -10328,10 +10481,10 @@ static void raised_by_hand(void)
     static const struct {
         double left, right, mu;
         int want;
-    } walls[] = {{0, 0, 0.4, KERN_HANGS},      {5, 5, 0.4, KERN_RAISED},
-                 {-5, -5, 0.4, KERN_HANGS},    {10, 10, 0.4, KERN_RAISED},
-                 {30, 30, 0.4, KERN_RAISED},   {30, 30, 0.8, KERN_RAISED},
-                 {60, 60, 0.2, KERN_RAISED},   {0, 20, 0.4, KERN_RAISED},
+    } walls[] = {{0, 0, 0.4, KERN_HANGS},    {5, 5, 0.4, KERN_RAISED},
+                 {-5, -5, 0.4, KERN_HANGS},  {10, 10, 0.4, KERN_RAISED},
+                 {30, 30, 0.4, KERN_RAISED}, {30, 30, 0.8, KERN_RAISED},
+                 {60, 60, 0.2, KERN_RAISED}, {0, 20, 0.4, KERN_RAISED},
                  {-10, 20, 0.4, KERN_RAISED}};
     static world w;
     kern_real reserve;
@@ -10561,10 +10714,10 @@ static void raised_memory(void)
               KERN_LIMIT);
     CHECK_INT(kern_raised(world_task(&w, &work), 0, NULL, NULL, NULL),
               KERN_BAD_POINTER);
-    CHECK_INT(kern_raised(NULL, 0, &got, NULL, NULL),
-              KERN_BAD_POINTER);
-    CHECK_INT(kern_raised(world_task(&w, &work), R(not_a_number()),
-                          &got, NULL, NULL), KERN_BAD_NUMBER);
+    CHECK_INT(kern_raised(NULL, 0, &got, NULL, NULL), KERN_BAD_POINTER);
+    CHECK_INT(
+        kern_raised(world_task(&w, &work), R(not_a_number()), &got, NULL, NULL),
+        KERN_BAD_NUMBER);
     CHECK(!(kern_check_raised(NULL, 0, KERN_RAISED, NULL) <= 1));
     CHECK_INT(got, KERN_NOT_SHOWN);
 }
@@ -10596,10 +10749,11 @@ static int raised_load(const world *w, const kern_wrench *pattern, int side,
         const kern_real weight = got * b->mass * side;
         if (b->fixed)
             continue;
-        kern_block_load(b, pattern
-            ? vec(got * pattern[i].fx, got * pattern[i].fy)
-            : vec(-weight * w->gravity.y, weight * w->gravity.x), b->centre,
-            pattern ? got * pattern[i].torque : 0);
+        kern_block_load(
+            b,
+            pattern ? vec(got * pattern[i].fx, got * pattern[i].fy)
+                    : vec(-weight * w->gravity.y, weight * w->gravity.x),
+            b->centre, pattern ? got * pattern[i].torque : 0);
     }
     CHECK(kern_check_raised(world_task(&loaded, &work), 0, KERN_RAISED, &proof)
           <= 1);
@@ -10675,8 +10829,10 @@ static void raised_grown(void)
             brick_wall(&w, wall[i], 0.65, 1);
             for (b = 0; b < w.blocks; b++)
                 if (!w.block[b].fixed)
-                    kern_block_load(&w.block[b], vec(
-                        .97 * falls[i] * k / 12 * w.block[b].mass * 9.81, 0),
+                    kern_block_load(
+                        &w.block[b],
+                        vec(.97 * falls[i] * k / 12 * w.block[b].mass * 9.81,
+                            0),
                         w.block[b].centre, 0);
             work = work_of(&w);
             task = world_task(&w, &work);
@@ -10758,8 +10914,7 @@ static void plan_raised(void)
               KERN_STANDS);
     CHECK_INT(got, KERN_HANGS);
     CHECK_INT(p.plan.task.s.blocks, 4);
-    CHECK_INT(kern_plan_raised(NULL, NULL, &got, NULL, NULL),
-              KERN_BAD_POINTER);
+    CHECK_INT(kern_plan_raised(NULL, NULL, &got, NULL, NULL), KERN_BAD_POINTER);
 }
 
 /* ==== Pose error ================================================== >>pose */
@@ -10835,7 +10990,7 @@ static int check_narrowed(const world *w, double rate, double margin)
         CHECK(got == (side < 0 ? KERN_STANDS : KERN_FALLS) || !decided(got)
               || (SINGLE && side > 0
                   && share_of_motion(narrowed(w, rate, at), at, motion_of)
-                     <= 1.001));
+                         <= 1.001));
     }
     return compared;
 }
@@ -10852,8 +11007,7 @@ static void narrow_random(void)
     for (seed = 1; seed <= (quick || SINGLE ? 400 : 40000); seed++) {
         double last = HUGE_VAL, margin;
         size_t i;
-        if (!random_world(&w, (unsigned long long)seed, 12)
-            || !twin_nested(&w))
+        if (!random_world(&w, (unsigned long long)seed, 12) || !twin_nested(&w))
             continue;
         sprintf(context, "seed %d", seed);
         w.options.relative = 0;
@@ -10897,8 +11051,9 @@ static void push_by_hand(void)
         memset(push, 0, sizeof push);
         push[1].fx = R(2 * W * cos(angle[k] * pi / 180));
         push[1].fy = R(2 * W * sin(angle[k] * pi / 180));
-        CHECK_INT(kern_load_factor_of(world_task(&w, &work), 0, push,
-                                      &most, NULL), KERN_STANDS);
+        CHECK_INT(
+            kern_load_factor_of(world_task(&w, &work), 0, push, &most, NULL),
+            KERN_STANDS);
         CHECK_NEAR(most, k == 4 ? 0.4 / (sqrt(0.5) * 1.4) : want[k],
                    SINGLE ? 5e-3 : 1e-6);
     }
@@ -10918,8 +11073,9 @@ static double margin_rates(const world *w, int rates)
     kern_margin m;
     if (kern_measure(task, &m, &proof) != KERN_STANDS || m.saturated)
         return 0;
-    if (rates && kern_sensitivity(task, &m, &proof, contact_rate, block_rate)
-                     != KERN_OK)
+    if (rates
+        && kern_sensitivity(task, &m, &proof, contact_rate, block_rate)
+               != KERN_OK)
         return 0;
     return (double)m.margin;
 }
@@ -10940,7 +11096,8 @@ static void sensitivity_by_hand(void)
     CHECK_NEAR(block_rate[1].place.x, 0, SINGLE ? 0.02 : 1e-3);
     CHECK_NEAR(block_rate[1].turn, 0.5, SINGLE ? 0.02 : 1e-3);
     for (k = 0; k < 2; k++)
-        CHECK_NEAR(contact_rate[k].p.x, w.contact[k].p.x > R(0.5), SINGLE ? 0.02 : 1e-3);
+        CHECK_NEAR(contact_rate[k].p.x, w.contact[k].p.x > R(0.5),
+                   SINGLE ? 0.02 : 1e-3);
 }
 
 /* Lines of which an end lost its travel, its sign or its partner, the last one
@@ -10972,8 +11129,9 @@ static void sensitivity_of_odd_lines(void)
         /* an array of its own size: nothing behind it is read or written */
         rate = malloc(sizeof *rate * (size_t)w.contacts);
         CHECK(rate != NULL);
-        if (rate && kern_sensitivity(task, &m, &proof, rate, block_rate)
-                    == KERN_OK) {
+        if (rate
+            && kern_sensitivity(task, &m, &proof, rate, block_rate)
+                   == KERN_OK) {
             cases++;
             for (k = 0; k < w.blocks; k++)
                 CHECK(isfinite((double)block_rate[k].place.x)
@@ -11071,7 +11229,7 @@ static void sensitivity_random(void)
                 rate = nudge(&now, kind, k, b, size, &step) * step;
                 change[side > 0] = margin_rates(&now, 0) - margin;
                 close |= fabs(change[side > 0] - rate)
-                        <= 0.01 * fabs(rate) + 1e-8 * size;
+                      <= 0.01 * fabs(rate) + 1e-8 * size;
             }
             if (fabs(change[0] + change[1])
                 > 0.01 * fabs(change[1]) + 1e-8 * size)
@@ -11113,7 +11271,7 @@ static double displace(world *w, int kind, int b, double size, double *step)
     block->centre.x += R(kind == 0) * R(h);
     block->centre.y += R(kind == 1) * R(h);
     block->load.torque -= R(kind == 0) * R(h) * was.load.fy
-                          - R(kind == 1) * R(h) * was.load.fx;
+                        - R(kind == 1) * R(h) * was.load.fx;
     world_touch(w);
     return (double)(kind == 0   ? block_rate[b].place.x
                     : kind == 1 ? block_rate[b].place.y
@@ -11126,7 +11284,7 @@ static int kern_closes(const world *w, double margin, double size)
     int k, closes = 0;
     for (k = 0; k < w->contacts; k++)
         closes |= fabs(fabs((double)w->contact[k].travel) - margin)
-                  < 1e-3 * size;
+                < 1e-3 * size;
     return closes;
 }
 
@@ -11156,8 +11314,8 @@ static int moves_as_said(const world *w, double margin, int kind, int b,
     by = margin_rates(&now, 0) - margin;
     alike = fabs(by - said) <= 0.01 * fabs(said) + 1e-9 * size;
     return now.contacts != w->contacts || (alike && fabs(said) < 1e-9 * size)
-               ? -1
-               : alike;
+             ? -1
+             : alike;
 }
 
 static void sensitivity_of_poses(void)
@@ -11180,8 +11338,8 @@ static void sensitivity_of_poses(void)
             continue;
         for (i = 0; i < 12; i++) {
             const int b = random_int(0, w.blocks - 1);
-            const int good_now =
-                moves_as_said(&w, margin, i % 3, b, i < 6 ? 1e-6 : -1e-6);
+            const int good_now = moves_as_said(&w, margin, i % 3, b,
+                                               i < 6 ? 1e-6 : -1e-6);
             good[i % 3] += good_now > 0;
             all[i % 3] += good_now >= 0;
         }
@@ -11200,8 +11358,9 @@ static void sensitivity_cost(void)
     const kern_proof proof = proof_here();
     double least[2] = {HUGE_VAL, HUGE_VAL};
     int run, k;
-    for (run = 0; run < (SINGLE ? 0 : 30)
-         && (run == 0 || least[1] > 0.05 * least[0]); run++) {
+    for (run = 0;
+         run < (SINGLE ? 0 : 30) && (run == 0 || least[1] > 0.05 * least[0]);
+         run++) {
         clock_t spent[2] = {0, 0};
         unsigned long long seed;
         for (seed = 1; seed < 400; seed++) {
@@ -11211,12 +11370,11 @@ static void sensitivity_cost(void)
             random_world(&w, seed, 40);
             work = work_of(&w);
             at[0] = clock();
-            if (kern_measure(world_task(&w, &work), &m, &proof)
-                != KERN_STANDS)
+            if (kern_measure(world_task(&w, &work), &m, &proof) != KERN_STANDS)
                 continue;
             at[1] = clock();
-            kern_sensitivity(world_task(&w, &work), &m, &proof,
-                             contact_rate, block_rate);
+            kern_sensitivity(world_task(&w, &work), &m, &proof, contact_rate,
+                             block_rate);
             at[2] = clock();
             for (k = 0; k < 2; k++)
                 spent[k] += at[k + 1] - at[k];
@@ -11284,7 +11442,8 @@ static double force_product(const world *w, const kern_force *a,
         const double mu = (double)w->contact[k].mu;
         sum += (double)a[k].normal * (double)b[k].normal;
         if (mu > 0)
-            sum += (double)a[k].tangential * (double)b[k].tangential / (mu * mu);
+            sum += (double)a[k].tangential * (double)b[k].tangential
+                 / (mu * mu);
     }
     return sum;
 }
@@ -11311,7 +11470,8 @@ static const kern_force *force_at(const world *w, int k, const world *t,
 }
 
 /* The forces of w, changed by c, are least_of[] within tol; mirrored with it. */
-static void forces_changed(const world *w, const change *c, double d, double tol)
+static void forces_changed(const world *w, const change *c, double d,
+                           double tol)
 {
     static world t;
     static kern_force image[MAX_POINTS];
@@ -11324,8 +11484,8 @@ static void forces_changed(const world *w, const change *c, double d, double tol
         return;
     }
     for (k = 0; k < w->contacts; k++) {
-        const kern_force *f =
-            c->shuffle ? force_at(w, k, &t, order, image) : &image[k];
+        const kern_force *f = c->shuffle ? force_at(w, k, &t, order, image)
+                                         : &image[k];
         CHECK(f != NULL);
         if (!f)
             continue;
@@ -11396,8 +11556,8 @@ static void forces_refused(void)
     w.options.limit = 0;
     CHECK_INT(kern_forces(world_task(&w, &work), 0, NULL), KERN_BAD_POINTER);
     CHECK_INT(kern_forces(NULL, 0, least_of), KERN_BAD_POINTER);
-    CHECK_INT(kern_forces(world_task(&w, &work), R(not_a_number()),
-                          least_of), KERN_BAD_NUMBER);
+    CHECK_INT(kern_forces(world_task(&w, &work), R(not_a_number()), least_of),
+              KERN_BAD_NUMBER);
     world_reset(&w);
     world_box(&w, 0, -1, -1, 2, 0);
     world_box(&w, 1, 1.6, 0, 2.6, 1);
@@ -11412,7 +11572,10 @@ typedef struct test {
     void (*run)(void);
 } test;
 
-#define TEST(name) {#name, name}
+#define TEST(name)  \
+    {               \
+#name, name \
+    }
 static const test tests[] = {
     TEST(polygon_area_and_centre),
     TEST(polygon_far_away),
@@ -11692,10 +11855,12 @@ int main(int argc, char **argv)
     if (argc > 2 && strcmp(argv[1], "--random") == 0) {
         run_random(atol(argv[2]), argc > 3 ? atol(argv[3]) : 10000000);
     } else if (argc > 2 && strcmp(argv[1], "--plans") == 0) {
-        plan_fuzz_calls(atol(argv[2]), argc > 3 ? (unsigned long long)atol(argv[3])
-                                                : 7400000u);
-        printf("%ld calls on plans, %ld ended by a limit or for want of memory\n",
-               plan_calls, plan_ends);
+        plan_fuzz_calls(atol(argv[2]), argc > 3
+                                           ? (unsigned long long)atol(argv[3])
+                                           : 7400000u);
+        printf(
+            "%ld calls on plans, %ld ended by a limit or for want of memory\n",
+            plan_calls, plan_ends);
     } else if (argc > 1 && argv[1][0] == '-') {
         fputs(help, stderr);
         return 2;

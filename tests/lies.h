@@ -15,16 +15,31 @@
 #include <stdint.h>
 
 /* What is done to a number. */
-enum { SCALED, SHIFTED, NEGATED, ZEROED, SWAPPED, NOT_A_NUMBER, INFINITE,
-       FALSIFICATIONS };
+enum {
+    SCALED,
+    SHIFTED,
+    NEGATED,
+    ZEROED,
+    SWAPPED,
+    NOT_A_NUMBER,
+    INFINITE,
+    FALSIFICATIONS
+};
 
 /* The lies: FALSIFICATIONS of the solution, then of the prices, then: */
-enum { HONEST = -1,
-       OF_SOLUTION = 0,
-       OF_PRICES = FALSIFICATIONS,
-       ALWAYS_FEASIBLE = 2 * FALSIFICATIONS,
-       NEVER_FEASIBLE, ALWAYS_OPTIMAL, ALWAYS_UNBOUNDED, NEVER_DONE,
-       WRONG_RAY, ANY_OF_THEM, LIES };
+enum {
+    HONEST = -1,
+    OF_SOLUTION = 0,
+    OF_PRICES = FALSIFICATIONS,
+    ALWAYS_FEASIBLE = 2 * FALSIFICATIONS,
+    NEVER_FEASIBLE,
+    ALWAYS_OPTIMAL,
+    ALWAYS_UNBOUNDED,
+    NEVER_DONE,
+    WRONG_RAY,
+    ANY_OF_THEM,
+    LIES
+};
 
 static int lie = HONEST;
 static long lies_told;

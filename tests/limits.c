@@ -21,10 +21,9 @@
 enum { QUESTIONS = 14, LIMITS = 6, POINTS = 20000, STONES = 1000 };
 
 static const char *const question[QUESTIONS] = {
-    "verdict", "measure", "load", "tilt", "raised", "reserve", "bearing",
-    "deficit", "profile", "profile_load", "forces", "raised_load",
-    "stays", "stays_known"
-};
+    "verdict", "measure",     "load",    "tilt",       "raised",
+    "reserve", "bearing",     "deficit", "profile",    "profile_load",
+    "forces",  "raised_load", "stays",   "stays_known"};
 
 static kern_contact contact[POINTS];
 static kern_force force[POINTS];
@@ -88,7 +87,8 @@ int main(int argc, char **argv)
             fprintf(stderr, "%s: %s\n", argv[file], t.message);
             return 2;
         }
-        n = kern_contacts(t.block, t.blocks, &t.options, contact, POINTS, &work);
+        n = kern_contacts(t.block, t.blocks, &t.options, contact, POINTS,
+                          &work);
         if (n < 0)
             return 2;
         work = room_work(t.blocks, n);

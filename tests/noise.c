@@ -31,8 +31,12 @@
 #include "../examples/lab/random.h"
 #include "../examples/parts/text.h"
 
-enum { MOST_FILES = 1000, MOST_VERTICES = 20000, MOST_BLOCKS = 500,
-       MOST_CONTACTS = 20000 };
+enum {
+    MOST_FILES = 1000,
+    MOST_VERTICES = 20000,
+    MOST_BLOCKS = 500,
+    MOST_CONTACTS = 20000
+};
 
 struct sample {
     struct text_file file;
@@ -84,15 +88,16 @@ static int disturb(const struct sample *s, double e)
             const double u = (double)b->vertex[k].x - x;
             const double v = (double)b->vertex[k].y - y;
             kern_vec *to = &vertex[n + k];
-            to->x = (kern_real)(dx + u * cos(angle) - v * sin(angle) +
-                                e / 2 * gauss());
-            to->y = (kern_real)(dy + u * sin(angle) + v * cos(angle) +
-                                e / 2 * gauss());
+            to->x = (kern_real)(dx + u * cos(angle) - v * sin(angle)
+                                + e / 2 * gauss());
+            to->y = (kern_real)(dy + u * sin(angle) + v * cos(angle)
+                                + e / 2 * gauss());
         }
         status = b->fixed
-            ? kern_ground_init(&block[i], vertex + n, b->vertices, NULL)
-            : kern_block_init(&block[i], vertex + n, b->vertices,
-                              b->mass / (kern_real)fabs((double)b->area), NULL);
+                   ? kern_ground_init(&block[i], vertex + n, b->vertices, NULL)
+                   : kern_block_init(&block[i], vertex + n, b->vertices,
+                                     b->mass / (kern_real)fabs((double)b->area),
+                                     NULL);
         if (status < 0)
             return 0;
         n += b->vertices;
@@ -119,7 +124,9 @@ static kern_status ask(const struct sample *s, const kern_block *blocks,
 }
 
 static double percent(long part, long whole)
-{ return whole ? 100.0 * (double)part / (double)whole : 0; }
+{
+    return whole ? 100.0 * (double)part / (double)whole : 0;
+}
 
 /* An answer about what stands, beside the exact margin. */
 static void score_margin(const struct sample *s, double e, double margin,
@@ -190,14 +197,17 @@ static void open_miss(struct sample *s, int kind, double gap)
     static kern_block blocks[8];
     /* density, lower left and upper right corner */
     const double box[MISSES][4][5] = {
-        {{0, -2, -1, 0, 2}, {0, 1 + gap, -1, 3, 2},
-         {1, gap / 2, 0, 1 + gap / 2, 1}, {-1}},
-        {{0, -2, -1, 6, 0}, {1, 0, 0, 1, 1}, {1, 3, 0, 4, 1 - gap},
+        {{0, -2, -1, 0, 2},
+         {0, 1 + gap, -1, 3, 2},
+         {1, gap / 2, 0, 1 + gap / 2, 1},
+         {-1}},
+        {{0, -2, -1, 6, 0},
+         {1, 0, 0, 1, 1},
+         {1, 3, 0, 4, 1 - gap},
          {1, 0, 1, 4, 1.25}},
         {{0, -2, -1, 0.3, 0}, {0, 1 + gap, -1, 4, 0}, {1, 0, 0, 1, 1}, {-1}},
         {{0, -2, -1, 0, 0}, {1, -0.5 + gap, 0, 0.5 + gap, 1}, {-1}, {-1}},
-        {{0, -4, -1, 4, 0}, {1, -0.5, 0, 0.5, 1}, {-1}, {-1}}
-    };
+        {{0, -4, -1, 4, 0}, {1, -0.5, 0, 0.5, 1}, {-1}, {-1}}};
     int i;
     memset(s, 0, sizeof *s);
     s->file.block = blocks;
@@ -230,8 +240,8 @@ static int near_misses(int seeds)
                 open_miss(&s, kind, gap[g] * e);
                 if (kind == SLOPE)
                     open_miss(&s, kind, gap[g] * e / s.size);
-                state = 88172645463325252u + (uint64_t)k * 7919 +
-                        (uint64_t)(kind * GAPS + g) * 104729;
+                state = 88172645463325252u + (uint64_t)k * 7919
+                      + (uint64_t)(kind * GAPS + g) * 104729;
                 uniform(), uniform(), uniform();
                 ask_disturbed(&s, e, &score);
             }
@@ -309,7 +319,8 @@ static void print_needs(void)
         other += sample[i].needs > 1;
     }
     printf("of %d that stand %d fall without one of several supports, %d "
-           "without one that is not the widest\n", stand, one, other);
+           "without one that is not the widest\n",
+           stand, one, other);
 }
 
 /* ---- files ---- */
@@ -330,8 +341,10 @@ static int open_sample(const char *folder, const char *part, const char *name,
     }
     s->stands = stands;
     s->size = (double)kern_mean_size(s->file.block, s->file.blocks);
-    s->margin = ask(s, s->file.block, s->file.options, &work, &task,
-                    &margin) == KERN_STANDS ? (double)margin.margin : 0;
+    s->margin = ask(s, s->file.block, s->file.options, &work, &task, &margin)
+                     == KERN_STANDS
+                  ? (double)margin.margin
+                  : 0;
     s->needs = stands && s->margin > 0 ? needs_support(&task) : 0;
     samples++;
     return 1;
@@ -352,7 +365,8 @@ static int open_table(const char *folder, const char *table, const char *part,
     while (fgets(line, sizeof line, in)) {
         strcpy(verdict, "stands");
         if (sscanf(line, labelled ? "%199[^,],%*[^,],%99[^,\n]" : "%199[^,]",
-                   name, verdict) < 1 + labelled
+                   name, verdict)
+                < 1 + labelled
             || strcmp(name, "name") == 0 || strcmp(verdict, "unclear") == 0)
             continue;
         if (!open_sample(folder, part, name, strcmp(verdict, "stands") == 0)) {
@@ -377,16 +391,16 @@ static void row(double share, int seeds)
     int i, k;
     for (i = 0; i < samples; i++)
         for (k = 0; k < seeds; k++) {
-            state = 88172645463325252u + (uint64_t)k * 7919 +
-                    (uint64_t)i * 104729 + (uint64_t)(share * 1e6) * 1299709;
+            state = 88172645463325252u + (uint64_t)k * 7919
+                  + (uint64_t)i * 104729 + (uint64_t)(share * 1e6) * 1299709;
             uniform(), uniform(), uniform();
             ask_disturbed(&sample[i], share * sample[i].size, &score);
         }
     qsort(error, (size_t)score.errors, sizeof *error, ascending);
     qsort(width, (size_t)score.errors, sizeof *width, ascending);
     printf("%5.1f %% | %6.2f | %6.2f | %7ld | %5.1f | %5.1f | %5.2f | %5.2f | "
-           "%6.1f | %5.1f | %5.3f\n", 100 * share,
-           percent(score.right[1], score.asked[1]),
+           "%6.1f | %5.1f | %5.3f\n",
+           100 * share, percent(score.right[1], score.asked[1]),
            percent(score.right[0], score.asked[0]), score.refused,
            percent(score.certain[1], score.asked[1]),
            percent(score.certain[0], score.asked[0]),

@@ -25,8 +25,8 @@
 struct program {
     const struct scene *scene;
     int rows, cols;
-    int *first;            /* first row of each block, -1 of fixed ones       */
-    int *start;            /* of each column in row and value; start[cols]    */
+    int *first; /* first row of each block, -1 of fixed ones       */
+    int *start; /* of each column in row and value; start[cols]    */
     int *row;
     double *value;
     double *rhs;
@@ -38,12 +38,12 @@ struct program {
    zeros, and a torque of 0 may be another number at another shrinkage: such an
    entry gets a number that solvers keep, and that changes nothing. */
 static inline int program_end(const struct program *lp, int block, kern_vec f,
-                       kern_vec p, double sign, int at)
+                              kern_vec p, double sign, int at)
 {
     const kern_vec c = lp->scene->block[block].centre;
-    const double value[3] = {
-        sign * f.x, sign * f.y,
-        sign * ((p.x - c.x) * f.y - (p.y - c.y) * f.x) / lp->length};
+    const double value[3] = {sign * f.x, sign * f.y,
+                             sign * ((p.x - c.x) * f.y - (p.y - c.y) * f.x)
+                                 / lp->length};
     int i;
     if (lp->first[block] < 0)
         return at;
@@ -62,7 +62,7 @@ static inline void program_shrink(struct program *lp, double shrink)
     for (i = 0; i < scene->contacts; i++) {
         const kern_contact *c = &scene->contact[i];
         const double way = fmin(fabs(c->travel), shrink)
-            * (c->travel < 0 ? -1 : 1);
+                         * (c->travel < 0 ? -1 : 1);
         const kern_vec p = vec(c->p.x - way * c->n.y, c->p.y + way * c->n.x);
         for (side = -1; side <= 1; side += 2) {
             const kern_vec f = vec(c->n.x - side * c->mu * c->n.y,
@@ -78,7 +78,7 @@ static inline void program_shrink(struct program *lp, double shrink)
 
 /* What the contacts must bear of a block. */
 static inline void program_load(const struct program *lp, const kern_block *b,
-                         double *rhs)
+                                double *rhs)
 {
     rhs[0] = -(b->mass * lp->scene->gravity.x + b->load.fx) / lp->weight;
     rhs[1] = -(b->mass * lp->scene->gravity.y + b->load.fy) / lp->weight;
@@ -105,9 +105,9 @@ static inline void program_open(struct program *lp, const struct scene *scene)
     }
     lp->length = kern_mean_size(scene->block, scene->blocks);
     if (!(lp->length > 0))
-        lp->length = 1;    /* no block has a shape                            */
+        lp->length = 1; /* no block has a shape                            */
     lp->weight = mass * hypot(scene->gravity.x, scene->gravity.y)
-        / (lp->rows / 3);
+               / (lp->rows / 3);
     for (i = 0; i < scene->blocks; i++)
         if (lp->first[i] >= 0)
             program_load(lp, &scene->block[i], lp->rhs + lp->first[i]);
@@ -122,7 +122,6 @@ static inline void program_close(struct program *lp)
     free(lp->value);
     free(lp->rhs);
 }
-
 
 /* ---- Solvers ------------------------------------------------------------- */
 
@@ -173,10 +172,7 @@ static inline int glpk_solve(void *model)
     return status == GLP_OPT ? 1 : status == GLP_NOFEAS ? 0 : -1;
 }
 
-static inline void glpk_close(void *model)
-{
-    glp_delete_prob(model);
-}
+static inline void glpk_close(void *model) { glp_delete_prob(model); }
 
 #endif
 #ifdef BENCH_CLP
@@ -194,8 +190,8 @@ static inline void *clp_open(const struct program *lp)
 {
     Clp_Simplex *p = Clp_newModel();
     Clp_setLogLevel(p, 0);
-    Clp_loadProblem(p, lp->cols, lp->rows, lp->start, lp->row, lp->value,
-                    NULL, NULL, NULL, lp->rhs, lp->rhs);
+    Clp_loadProblem(p, lp->cols, lp->rows, lp->start, lp->row, lp->value, NULL,
+                    NULL, NULL, lp->rhs, lp->rhs);
     return p;
 }
 
@@ -208,10 +204,7 @@ static inline int clp_solve(void *model)
     return status == 0 ? 1 : status == 1 ? 0 : -1;
 }
 
-static inline void clp_close(void *model)
-{
-    Clp_deleteModel(model);
-}
+static inline void clp_close(void *model) { Clp_deleteModel(model); }
 
 #endif
 
@@ -220,16 +213,15 @@ static inline void clp_close(void *model)
    answer; and new entries in the same places. */
 static const struct peer {
     const char *name;
-    int number;            /* 0 GLPK, 1 Clp                                   */
-    int most;              /* largest structures that it is asked about       */
+    int number; /* 0 GLPK, 1 Clp                                   */
+    int most;   /* largest structures that it is asked about       */
     void *(*open)(const struct program *lp);
     void (*change)(void *model, const struct program *lp);
     int (*solve)(void *model);
     void (*close)(void *model);
 } peers[] = {
 #ifdef BENCH_GLPK
-    {"GLPK", 0, 200, glpk_open, glpk_change, glpk_solve,
-     glpk_close},
+    {"GLPK", 0, 200, glpk_open, glpk_change, glpk_solve, glpk_close},
 #endif
 #ifdef BENCH_CLP
     {"Clp", 1, 2000, clp_open, clp_change, clp_solve, clp_close},

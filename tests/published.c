@@ -28,7 +28,11 @@ static int markdown, rows, wrong;
 static char text[1 << 20];
 static size_t used;
 
-static void begin(void) { used = 0; text[0] = '\0'; }
+static void begin(void)
+{
+    used = 0;
+    text[0] = '\0';
+}
 
 static void say(const char *format, ...)
 {
@@ -36,7 +40,8 @@ static void say(const char *format, ...)
     va_start(list, format);
     used += (size_t)vsnprintf(text + used, sizeof text - used, format, list);
     va_end(list);
-    if (used >= sizeof text) exit(2);
+    if (used >= sizeof text)
+        exit(2);
 }
 
 static void box(const char *head, double x, double y, double width,
@@ -69,7 +74,8 @@ static void open_problem(struct problem *p, const char *file, double head)
     room = p->t.given ? p->t.contacts : 32 * p->t.blocks + 64;
     p->contact = malloc((size_t)room * sizeof *p->contact);
     p->work = room_work(p->t.blocks, room);
-    if (!p->contact || !p->work.real || !p->work.index) fails("no memory");
+    if (!p->contact || !p->work.real || !p->work.index)
+        fails("no memory");
     p->task = kern_task_of(p->t.block, p->t.blocks, p->contact, 0, &p->work);
     p->task.options = p->t.options;
     p->task.s.gravity = p->t.gravity;
@@ -79,10 +85,12 @@ static void open_problem(struct problem *p, const char *file, double head)
     else
         found = kern_contacts(p->t.block, p->t.blocks, &p->task.options,
                               p->contact, room, &p->work);
-    if (found < 0) fails(kern_status_text((kern_status)found));
+    if (found < 0)
+        fails(kern_status_text((kern_status)found));
     p->task.s.contacts = found;
     for (int k = 0; k < found && head >= 0; k++)
-        if (fabs(p->contact[k].n.y) < 0.5) p->contact[k].mu = head;
+        if (fabs(p->contact[k].n.y) < 0.5)
+            p->contact[k].mu = head;
 }
 
 static void close_problem(struct problem *p)
@@ -97,27 +105,29 @@ enum question { STANDS, LOAD, TILT, LIVE, MARGIN, RAISED };
 static double ask(const char *file, enum question what, double head)
 {
     struct problem p;
-    kern_margin m = { 0 };
+    kern_margin m = {0};
     kern_real value = -1;
     kern_status got;
     open_problem(&p, file, head);
     if (what == STANDS) { /* least forces first, as examples/kern.c */
         kern_force *force = malloc((size_t)p.task.s.contacts * sizeof *force);
         got = force ? kern_forces(&p.task, 0, force) : KERN_NO_SPACE;
-        if (got != KERN_STANDS) got = kern_verdict(&p.task, 0, NULL);
+        if (got != KERN_STANDS)
+            got = kern_verdict(&p.task, 0, NULL);
         free(force);
         value = got == KERN_STANDS;
-        if (got == KERN_FALLS) got = KERN_STANDS;
+        if (got == KERN_FALLS)
+            got = KERN_STANDS;
     } else if (what == MARGIN) {
         got = kern_measure(&p.task, &m, NULL);
         value = m.margin;
     } else
-        got = what == LIVE ? kern_load_factor_of(&p.task, 0, p.t.live, &value,
-                                                 NULL)
+        got = what == LIVE
+                ? kern_load_factor_of(&p.task, 0, p.t.live, &value, NULL)
             : what == TILT ? kern_tilt(&p.task, 0, KERN_RIGHT, &value, NULL)
-            : what == LOAD ? kern_load_factor(&p.task, 0, KERN_RIGHT, &value,
-                                              NULL)
-            : kern_raised_load(&p.task, 0, KERN_RIGHT, NULL, &value, NULL);
+            : what == LOAD
+                ? kern_load_factor(&p.task, 0, KERN_RIGHT, &value, NULL)
+                : kern_raised_load(&p.task, 0, KERN_RIGHT, NULL, &value, NULL);
     close_problem(&p);
     return got == KERN_STANDS ? (double)value : (double)NAN;
 }
@@ -129,8 +139,10 @@ static double threshold(void (*make)(double), double falls, double stands)
         const double middle = (falls + stands) / 2;
         begin();
         make(middle);
-        if (ask(NULL, STANDS, -1) > 0) stands = middle;
-        else falls = middle;
+        if (ask(NULL, STANDS, -1) > 0)
+            stands = middle;
+        else
+            falls = middle;
     }
     return (falls + stands) / 2;
 }
@@ -141,7 +153,8 @@ static void section(const char *title)
 {
     if (markdown)
         printf("\n## %s\n\n| what | published | ours | friction |\n"
-               "|---|---:|---:|---|\n", title);
+               "|---|---:|---:|---|\n",
+               title);
 }
 
 /* One result. `published` has its digits; ours must round to it, or differ by
@@ -162,8 +175,10 @@ static void row(const char *what, const char *published, double ours,
                named ? why : "");
     else
         printf("%-6s %-58s %12s  %14.8g  %s%s%s\n",
-               ok ? "ok" : named ? "named" : "WRONG", what, published, ours,
-               law, named ? ": " : "", named ? why : "");
+               ok      ? "ok"
+               : named ? "named"
+                       : "WRONG",
+               what, published, ours, law, named ? ": " : "", named ? why : "");
 }
 
 static const char *named(const char *format, ...)
@@ -193,9 +208,9 @@ static void ground(double mu)
 
 static void blocks(void)
 {
-    static const double mu[4] = { .1, .4, .84, 1.2 };
-    static const int n[4] = { 1, 2, 5, 10 };
-    static const double shift[3] = { .1, .25, .4 };
+    static const double mu[4] = {.1, .4, .84, 1.2};
+    static const int n[4] = {1, 2, 5, 10};
+    static const double shift[3] = {.1, .25, .4};
     section("Blocks and columns (statics)");
     for (int i = 0; i < 4; i++) {
         begin();
@@ -210,7 +225,8 @@ static void blocks(void)
         ground(.84);
         for (int k = 0; k < n[i]; k++)
             box(named("block b%d *", k), 0, k, 1, 1);
-        row(named("column of %d cubes, mu .84: load factor, min(mu, 1/n)", n[i]),
+        row(named("column of %d cubes, mu .84: load factor, min(mu, 1/n)",
+                  n[i]),
             digits(fmin(.84, 1.0 / n[i]), 6), ask(NULL, LOAD, -1), "any", 0,
             NULL);
     }
@@ -228,7 +244,8 @@ static void blocks(void)
 static void pushed(void)
 {
     const double a = 20 * pi / 180, c = cos(a), s = sin(a), mu = .6;
-    section("Block on a slope of 20 degrees, mu 0.6, pushed along it (Coulomb)");
+    section(
+        "Block on a slope of 20 degrees, mu 0.6, pushed along it (Coulomb)");
     for (int up = -1; up <= 1; up += 2) {
         begin();
         say("friction %g\ngravity %.15g %.15g\n", mu, -s, -c);
@@ -245,7 +262,7 @@ static void pushed(void)
    with a friction of the wall of delta. */
 static void retaining(void)
 {
-    static const double phi[3] = { 30, 35, 40 };
+    static const double phi[3] = {30, 35, 40};
     const double width = 2, height = 4, weight = 24 * width * height;
     section("Retaining walls (Rankine 1857, Coulomb 1776)");
     for (int i = 0; i < 3; i++) {
@@ -264,8 +281,9 @@ static void retaining(void)
             row(named("Rankine, phi %g: safety against %s", phi[i],
                       slides ? "sliding, mu .3" : "overturning"),
                 digits((slides ? .3 * weight : weight * width * 3 / 2 / height)
-                       / (rankine * thrust), 5), ask(NULL, LIVE, -1), "any", 0,
-                NULL);
+                           / (rankine * thrust),
+                       5),
+                ask(NULL, LIVE, -1), "any", 0, NULL);
         }
         begin();
         say("gravity 0 -1\n");
@@ -273,9 +291,12 @@ static void retaining(void)
         box(named("block wall %.15g", weight), 0, 0, width, height);
         say("live wall %.15g %.15g 0 %.15g\n", coulomb * thrust * cos(d),
             -coulomb * thrust * sin(d), height / 3);
-        row(named("Coulomb, phi %g, delta 2/3 phi: against overturning", phi[i]),
-            digits(weight * width / 2 / (coulomb * thrust *
-                   (cos(d) * height / 3 - width * sin(d))), 5),
+        row(named("Coulomb, phi %g, delta 2/3 phi: against overturning",
+                  phi[i]),
+            digits(weight * width / 2
+                       / (coulomb * thrust
+                          * (cos(d) * height / 3 - width * sin(d))),
+                   5),
             ask(NULL, LIVE, -1), "any", 0, NULL);
     }
 }
@@ -290,8 +311,8 @@ static void buttress(void)
         ground(10);
         box("block pier *", 0, 0, 2, h);
         say("live pier 1 0 0 %d\n", h);
-        row(named("pier 2 by %d, thrust at the top: b^2 / 2", h),
-            digits(2, 5), ask(NULL, LIVE, -1), "any", 0, NULL);
+        row(named("pier 2 by %d, thrust at the top: b^2 / 2", h), digits(2, 5),
+            ask(NULL, LIVE, -1), "any", 0, NULL);
     }
     for (int i = 1; i <= 3; i++) {
         const double lean = .2 * i;
@@ -310,7 +331,8 @@ static void ladder_mu(double angle, double mu)
     say("block rod 1 0 0 %.15g %.15g %.15g %.15g\n", c, s, c - .01 * s,
         s + .01 * c);
     say("com rod %.15g %.15g\ncontact ground rod 0 1 0 0\n"
-        "contact ground rod -1 0 %.15g %.15g\n", c / 2, s / 2, c, s);
+        "contact ground rod -1 0 %.15g %.15g\n",
+        c / 2, s / 2, c, s);
 }
 
 static double friction_of;
@@ -322,8 +344,8 @@ static void frame(double angle)
     say("friction %.15g\nfixed ground -2 -2 2 -2 2 -1 -2 -1\n", friction_of);
     for (int k = -1; k <= 1; k += 2) {
         const char *name = k < 0 ? "left" : "right";
-        say("block %s 1 %.15g 0 0 %.15g %.15g %.15g\ncom %s %.15g %.15g\n", name,
-            k * s, c, k * .01, c + .01, name, k * s / 2, c / 2);
+        say("block %s 1 %.15g 0 0 %.15g %.15g %.15g\ncom %s %.15g %.15g\n",
+            name, k * s, c, k * .01, c + .01, name, k * s / 2, c / 2);
         say("contact ground %s 0 1 %.15g 0 mu %.15g\n", name, k * s,
             friction_of);
     }
@@ -332,7 +354,7 @@ static void frame(double angle)
 
 static void rods(void)
 {
-    static const double mu[3] = { .2, .4, .5 };
+    static const double mu[3] = {.2, .4, .5};
     section("Ladder and A-frame (statics)");
     for (int i = 0; i < 3; i++) {
         friction_of = mu[i];
@@ -364,22 +386,26 @@ static void harmonic(double part)
 
 static void overhangs(void)
 {
-    static const int n[5] = { 2, 3, 4, 5, 10 };
-    static const struct { const char *file, *what; int stands; } cases[] = {
-        { "overhang-diamond-4", "diamond of 4 rows stands", 1 },
-        { "overhang-diamond-5", "diamond of 5 rows stands", 0 },
-        { "overhang-harmonic-30-stands", "30 bricks, H30 / 2 less 1e-4", 1 },
-        { "overhang-harmonic-30-falls", "30 bricks, H30 / 2 and 1e-4", 0 },
-        { "overhang-3-stands", "best of 3 bricks, 1 less 1e-4", 1 },
-        { "overhang-3-falls", "best of 3 bricks, 1 and 1e-4", 0 },
-        { "overhang-4-stands", "best of 4 bricks, just below 1.167893", 1 },
-        { "overhang-4-falls", "best of 4 bricks, just above 1.167893", 0 },
+    static const int n[5] = {2, 3, 4, 5, 10};
+    static const struct {
+        const char *file, *what;
+        int stands;
+    } cases[] = {
+        {"overhang-diamond-4", "diamond of 4 rows stands", 1},
+        {"overhang-diamond-5", "diamond of 5 rows stands", 0},
+        {"overhang-harmonic-30-stands", "30 bricks, H30 / 2 less 1e-4", 1},
+        {"overhang-harmonic-30-falls", "30 bricks, H30 / 2 and 1e-4", 0},
+        {"overhang-3-stands", "best of 3 bricks, 1 less 1e-4", 1},
+        {"overhang-3-falls", "best of 3 bricks, 1 and 1e-4", 0},
+        {"overhang-4-stands", "best of 4 bricks, just below 1.167893", 1},
+        {"overhang-4-falls", "best of 4 bricks, just above 1.167893", 0},
     };
     section("Overhangs (Paterson and Zwick, Overhang, Am. Math. Monthly 2009)");
     for (int i = 0; i < 5; i++) {
         double sum = 0;
         bricks = n[i];
-        for (int k = 1; k <= bricks; k++) sum += 1.0 / k;
+        for (int k = 1; k <= bricks; k++)
+            sum += 1.0 / k;
         row(named("harmonic stack of %d bricks: overhang, H / 2", bricks),
             digits(sum / 2, 5), threshold(harmonic, 1.5, .5) * sum / 2, "none",
             0, NULL);
@@ -394,7 +420,7 @@ static void overhangs(void)
 
 static int voussoirs;
 static double mu_of, opening = 180;
-static int on_line;          /* weights along the centre line */
+static int on_line; /* weights along the centre line */
 
 /* A circular arch of mean radius 1 between two fixed springings. */
 static void arch(double thick)
@@ -405,8 +431,10 @@ static void arch(double thick)
     for (int k = -1; k <= voussoirs; k++) {
         const double a = pi / 2 + half - k * step, b = a - step;
         const int end = k < 0 || k == voussoirs;
-        if (end) say("fixed s%d", k + 1);
-        else if (on_line) say("block v%d %.15g", k, step);
+        if (end)
+            say("fixed s%d", k + 1);
+        else if (on_line)
+            say("block v%d %.15g", k, step);
         else
             say("block v%d %.15g", k, sin(step) * (out * out - in * in) / 2);
         say(" %.15g %.15g %.15g %.15g %.15g %.15g %.15g %.15g\n", in * cos(a),
@@ -421,13 +449,18 @@ static void arch(double thick)
 
 /* ---- Four hinges, by moments --------------------------------------------- */
 
-struct vec { double x, y; };
+struct vec {
+    double x, y;
+};
 
-static double cross(struct vec r, struct vec f) { return r.x * f.y - r.y * f.x; }
+static double cross(struct vec r, struct vec f)
+{
+    return r.x * f.y - r.y * f.x;
+}
 
 static struct vec apart(struct vec a, struct vec b)
 {
-    const struct vec d = { a.x - b.x, a.y - b.y };
+    const struct vec d = {a.x - b.x, a.y - b.y};
     return d;
 }
 
@@ -435,18 +468,21 @@ static struct vec apart(struct vec a, struct vec b)
 static struct vec on_arch(double k, double radius)
 {
     const double a = pi / 2 + opening * pi / 360 * (1 - 2 * k / voussoirs);
-    const struct vec v = { radius * cos(a), radius * sin(a) };
+    const struct vec v = {radius * cos(a), radius * sin(a)};
     return v;
 }
 
 static struct vec face(double thick, int joint, int outer)
-{ return on_arch(joint, 1 + (outer ? thick : -thick) / 2); }
+{
+    return on_arch(joint, 1 + (outer ? thick : -thick) / 2);
+}
 
 static struct vec centre(double thick, int k)
 {
     const double in = 1 - thick / 2, out = 1 + thick / 2;
-    return on_arch(k + .5, cos(opening * pi / 360 / voussoirs) * 2 / 3 *
-                   (pow(out, 3) - pow(in, 3)) / (out * out - in * in));
+    return on_arch(k + .5, cos(opening * pi / 360 / voussoirs) * 2 / 3
+                               * (pow(out, 3) - pow(in, 3))
+                               / (out * out - in * in));
 }
 
 /* Voussoirs of weight 1 and pushed to the right by `share`, and a force at a
@@ -455,12 +491,12 @@ static struct vec centre(double thick, int k)
 static double moment(double thick, const int from[2], const int to[2],
                      struct vec force, double share)
 {
-    const struct vec p = face(thick, to[0], to[1]), load = { share, -1 };
+    const struct vec p = face(thick, to[0], to[1]), load = {share, -1};
     const int low = from[0] < to[0] ? from[0] : to[0];
     double sum = cross(apart(face(thick, from[0], from[1]), p), force);
     for (int k = low; k < from[0] + to[0] - low; k++)
-        sum += (to[0] > from[0] ? 1 : -1) *
-               cross(apart(centre(thick, k), p), load);
+        sum += (to[0] > from[0] ? 1 : -1)
+             * cross(apart(centre(thick, k), p), load);
     return sum;
 }
 
@@ -468,7 +504,7 @@ static double moment(double thick, const int from[2], const int to[2],
    each a joint and a face; -1 where it leaves the arch at some joint. */
 static double hinged(double thick, int hinge[4][2])
 {
-    static const struct vec unit[3] = { { 0, 0 }, { 1, 0 }, { 0, 1 } };
+    static const struct vec unit[3] = {{0, 0}, {1, 0}, {0, 1}};
     double a[3][4], d[4]; /* a[m]: of share, force.x, force.y; right side */
     struct vec force;
     for (int m = 0; m < 3; m++) {
@@ -479,17 +515,19 @@ static double hinged(double thick, int hinge[4][2])
         a[m][3] = -none;
     }
     for (int i = 0; i < 4; i++) { /* Cramer: column i - 1 is the right side */
-        int c[3] = { 0, 1, 2 };
-        if (i > 0) c[i - 1] = 3;
+        int c[3] = {0, 1, 2};
+        if (i > 0)
+            c[i - 1] = 3;
         d[i] = 0;
         for (int m = 0; m < 3; m++)
-            d[i] += a[0][c[m]] * (a[1][c[(m + 1) % 3]] * a[2][c[(m + 2) % 3]] -
-                                  a[1][c[(m + 2) % 3]] * a[2][c[(m + 1) % 3]]);
+            d[i] += a[0][c[m]]
+                  * (a[1][c[(m + 1) % 3]] * a[2][c[(m + 2) % 3]]
+                     - a[1][c[(m + 2) % 3]] * a[2][c[(m + 1) % 3]]);
     }
     force.x = d[2] / d[0];
     force.y = d[3] / d[0];
     for (int j = 0; j <= voussoirs; j++) {
-        const int in[2] = { j, 0 }, out[2] = { j, 1 };
+        const int in[2] = {j, 0}, out[2] = {j, 1};
         if (!(moment(thick, hinge[0], in, force, d[1] / d[0]) < 1e-9)
             || !(moment(thick, hinge[0], out, force, d[1] / d[0]) > -1e-9))
             return -1;
@@ -520,7 +558,7 @@ static double four_hinges(double thick)
 
 static void arches(void)
 {
-    static const double thick[4] = { .12, .15, .2, .3 };
+    static const double thick[4] = {.12, .15, .2, .3};
     section("Circular arches, t / R");
     voussoirs = 360;
     mu_of = 1;
@@ -544,8 +582,9 @@ static void arches(void)
         begin();
         arch(thick[i]);
         row(named("7 voussoirs, 157.5 deg, t/R %g: load factor, four hinges",
-                  thick[i]), digits(four_hinges(thick[i]), 6),
-            ask(NULL, LOAD, -1), "hinges", 0, NULL);
+                  thick[i]),
+            digits(four_hinges(thick[i]), 6), ask(NULL, LOAD, -1), "hinges", 0,
+            NULL);
     }
     opening = 180;
 }
@@ -554,28 +593,31 @@ static void arches(void)
 
 static void walls(void)
 {
-    static const char *const value[6] = {
-        "0.639", "0.562", "0.311", "0.264", "0.214", "0.285"
-    };
-    section("Brick walls, mu .65 (Ferris and Tin-Loi, Int. J. Mech. Sci. 2001)");
+    static const char *const value[6] = {"0.639", "0.562", "0.311",
+                                         "0.264", "0.214", "0.285"};
+    section(
+        "Brick walls, mu .65 (Ferris and Tin-Loi, Int. J. Mech. Sci. 2001)");
     for (int i = 0; i < 6; i++)
-        row(named("wall %d, load from rest, without dilatancy", i + 1), value[i],
+        row(named("wall %d, load from rest, without dilatancy", i + 1),
+            value[i],
             ask(named("tests/published/ferris-tin-loi-%d.kern", i + 1), RAISED,
-                -1), "Coulomb", .05,
-            i == 0 ? "steps of the load; a simulator falls at .640-.645"
+                -1),
+            "Coulomb", .05,
+            i == 0   ? "steps of the load; a simulator falls at .640-.645"
             : i == 2 ? "a solver's local answer; a simulator falls at .360-.365"
             : i == 5 ? "not converged; a simulator falls at .290-.295"
-            : "steps of the load");
+                     : "steps of the load");
 }
 
 static void grids(void)
 {
-    static const struct { const char *name, *rough, *smooth; } wall[8] = {
-        { "3", "11.419515", "11.305556" }, { "4", "11.227424", "10.967433" },
-        { "5", "11.251870", "11.043103" }, { "6", "11.286324", "10.967433" },
-        { "7", "11.554451", "10.544464" }, { "classical", NULL, "11.92" },
-        { "efficient", NULL, "11.58" }, { "efficientPro", NULL, "11.72" }
-    };
+    static const struct {
+        const char *name, *rough, *smooth;
+    } wall[8] = {
+        {"3", "11.419515", "11.305556"}, {"4", "11.227424", "10.967433"},
+        {"5", "11.251870", "11.043103"}, {"6", "11.286324", "10.967433"},
+        {"7", "11.554451", "10.544464"}, {"classical", NULL, "11.92"},
+        {"efficient", NULL, "11.58"},    {"efficientPro", NULL, "11.72"}};
     section("Walls of 4 by 4 units under a push (Wang, mosek_optim, 2022)");
     for (int i = 0; i < 8; i++) {
         char file[80];
@@ -592,16 +634,23 @@ static void grids(void)
 
 static void lego(void)
 {
-    static const struct { const char *name; int stands; } built[8] = {
-        { "external_weight_good", 1 }, { "external_weight_fail", 0 },
-        { "stair_19", 1 }, { "stair_20", 0 }, { "stair_20_good", 1 },
-        { "stick_light", 1 }, { "stick_heavy", 0 }, { "stick_heavy_good", 1 }
-    };
+    static const struct {
+        const char *name;
+        int stands;
+    } built[8] = {{"external_weight_good", 1},
+                  {"external_weight_fail", 0},
+                  {"stair_19", 1},
+                  {"stair_20", 0},
+                  {"stair_20_good", 1},
+                  {"stick_light", 1},
+                  {"stick_heavy", 0},
+                  {"stick_heavy_good", 1}};
     section("Bricks with knobs, as built (Liu et al., StableLego, RA-L 2024)");
     for (int i = 0; i < 8; i++)
         row(built[i].name, digits(built[i].stands, 0),
             ask(named("tests/published/stablelego-%s.kern", built[i].name),
-                STANDS, -1), "mu 10", 0, NULL);
+                STANDS, -1),
+            "mu 10", 0, NULL);
 }
 
 int main(int argc, char **argv)
@@ -622,6 +671,7 @@ int main(int argc, char **argv)
     walls();
     grids();
     lego();
-    if (!markdown) printf("%d results, %d wrong\n", rows, wrong);
+    if (!markdown)
+        printf("%d results, %d wrong\n", rows, wrong);
     return wrong > 0;
 }

@@ -9,18 +9,18 @@
 
 #include "peers.h"
 
-#define TOUCHES 32         /* contact points of a candidate                   */
-#define TOPS 3             /* stones taken off a wall and tried again         */
-#define PLACES_MOST 96     /* candidates on a wall of up to PLACES_SMALL      */
-#define PLACES_FEW 24      /* and on a larger one                             */
-#define PLACES_SMALL 50    /* [blocks]                                        */
-#define SAME 1e-9          /* mean block sizes within which lengths are one   */
+#define TOUCHES 32      /* contact points of a candidate                   */
+#define TOPS 3          /* stones taken off a wall and tried again         */
+#define PLACES_MOST 96  /* candidates on a wall of up to PLACES_SMALL      */
+#define PLACES_FEW 24   /* and on a larger one                             */
+#define PLACES_SMALL 50 /* [blocks]                                        */
+#define SAME 1e-9       /* mean block sizes within which lengths are one   */
 
 /* Places from one end of a wall's top to the other. */
 struct site {
-    double from, step;     /* of the stone's middle                           */
+    double from, step; /* of the stone's middle                           */
     int places;
-    kern_vec corner[4];    /* of the stone                                    */
+    kern_vec corner[4]; /* of the stone                                    */
 };
 
 /* A structure, what is asked, and the last answers. */
@@ -29,20 +29,20 @@ struct ask {
     kern_work work;
     kern_task task;
     kern_proof proof;
-    double shrink;         /* of a verdict                                    */
+    double shrink; /* of a verdict                                    */
     kern_status status;
-    kern_margin margin;    /* of the measure                                  */
-    double number;         /* load factor, angle, errors or count             */
-    kern_plan plan;        /* of a wall that was measured                     */
-    kern_block stone;      /* to be tried on it                               */
-    double least;          /* margin that is asked for                        */
-    kern_margin with;      /* the stone                                       */
-    struct site site;      /* where else stones are tried                     */
+    kern_margin margin; /* of the measure                                  */
+    double number;      /* load factor, angle, errors or count             */
+    kern_plan plan;     /* of a wall that was measured                     */
+    kern_block stone;   /* to be tried on it                               */
+    double least;       /* margin that is asked for                        */
+    kern_margin with;   /* the stone                                       */
+    struct site site;   /* where else stones are tried                     */
     struct program lp;
     const struct peer *peer;
-    void *model;           /* NULL: none is open                              */
-    int answer;            /* of the peer                                     */
-    struct bench *bench;   /* of bench.c                                      */
+    void *model;         /* NULL: none is open                              */
+    int answer;          /* of the peer                                     */
+    struct bench *bench; /* of bench.c                                      */
 };
 
 typedef void ask_function(struct ask *ask);
@@ -91,10 +91,14 @@ static inline kern_task *task_of(struct ask *ask)
 }
 
 static inline void run_verdict(struct ask *ask)
-{ ask->status = kern_verdict(task_of(ask), ask->shrink, NULL); }
+{
+    ask->status = kern_verdict(task_of(ask), ask->shrink, NULL);
+}
 
 static inline void run_measure(struct ask *ask)
-{ ask->status = kern_measure(task_of(ask), &ask->margin, &ask->proof); }
+{
+    ask->status = kern_measure(task_of(ask), &ask->margin, &ask->proof);
+}
 
 static inline void run_load(struct ask *ask)
 {
@@ -103,7 +107,9 @@ static inline void run_load(struct ask *ask)
 }
 
 static inline void run_tilt(struct ask *ask)
-{ ask->status = kern_tilt(task_of(ask), 0, KERN_RIGHT, &ask->number, NULL); }
+{
+    ask->status = kern_tilt(task_of(ask), 0, KERN_RIGHT, &ask->number, NULL);
+}
 
 static inline void run_raised(struct ask *ask)
 {
@@ -117,9 +123,9 @@ static inline void run_floor(struct ask *ask)
     const kern_margin *m = &ask->margin;
     ask->number = kern_check_forces(task_of(ask), m->holds, ask->proof.force);
     if (!m->saturated)
-        ask->number = fmax(ask->number,
-                           kern_check_motion(task_of(ask), m->fails,
-                                             ask->proof.motion));
+        ask->number = fmax(
+            ask->number,
+            kern_check_motion(task_of(ask), m->fails, ask->proof.motion));
 }
 
 /* It finds what is there already. */
@@ -162,7 +168,9 @@ static inline kern_status take_off(struct ask *ask, int block)
 }
 
 static inline void run_try(struct ask *ask)
-{ ask->status = kern_plan_try(&ask->plan, &ask->stone, &ask->with, NULL); }
+{
+    ask->status = kern_plan_try(&ask->plan, &ask->stone, &ask->with, NULL);
+}
 
 static inline void run_bears(struct ask *ask)
 {
@@ -178,7 +186,8 @@ static inline int site_open(struct ask *ask)
 {
     struct scene *scene = ask->scene;
     struct site *site = &ask->site;
-    const int most = scene->blocks <= PLACES_SMALL + 1 ? PLACES_MOST : PLACES_FEW;
+    const int most = scene->blocks <= PLACES_SMALL + 1 ? PLACES_MOST
+                                                       : PLACES_FEW;
     double low = INFINITY, high = -INFINITY;
     int i;
     for (i = 0; i < scene->blocks; i++)
@@ -214,7 +223,7 @@ static inline void site_lay(struct ask *ask, int place)
         const double to = fmin(right.x, x + half);
         const double slope = (right.y - left.y) / (right.x - left.x);
         const double y = left.y
-            + fmax(slope * (from - left.x), slope * (to - left.x));
+                       + fmax(slope * (from - left.x), slope * (to - left.x));
         const double away = fmax(fmax(left.x - x, x - right.x), 0);
         if (b->fixed || from >= to || y < best_y - SAME
             || (y < best_y + SAME && away >= best_away))
@@ -248,6 +257,8 @@ static inline void open_lp(struct ask *ask)
 }
 
 static inline void run_lp(struct ask *ask)
-{ ask->answer = ask->peer->solve(ask->model); }
+{
+    ask->answer = ask->peer->solve(ask->model);
+}
 
 #endif

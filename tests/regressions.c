@@ -25,7 +25,7 @@
 
 static const struct regression {
     const char *file;
-    int status;      /* of the verdict, or of the contacts; below TEXT: what
+    int status; /* of the verdict, or of the contacts; below TEXT: what
                         the file says is refused as it is read */
     double margin, load[2], length;
     double seconds;
@@ -118,8 +118,7 @@ static const struct regression {
     /* at tipping to the right, which is still to stand */
     {"polyomino_5062", KERN_STANDS, 0, {.2, 0}, 1, .1},
     /* critical to 1.5e-10 sizes, 1e7 sizes from the origin: forces pass too */
-    {"corbel_falls_and_raised", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1}
-};
+    {"corbel_falls_and_raised", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1}};
 enum { REGRESSIONS = (int)(sizeof regression / sizeof *regression) };
 
 static long checks, failures;
@@ -196,7 +195,7 @@ static int open_structure(struct text_file *t)
 /* The measure with its proofs, and the length of the shortest contact. */
 static void check_margin(const struct regression *r, int falls)
 {
-    const kern_proof proof = { a.force, a.motion };
+    const kern_proof proof = {a.force, a.motion};
     kern_margin m;
     kern_collapse c;
     kern_real length = -1;
@@ -217,7 +216,7 @@ static void check_margin(const struct regression *r, int falls)
    kerns shrink. */
 static void check_deficit(void)
 {
-    kern_real deficit[2] = { -1, -1 };
+    kern_real deficit[2] = {-1, -1};
     int i;
     for (i = 0; i < 2; i++) {
         a.task.options.narrow = (kern_real)i / 20;
@@ -232,7 +231,7 @@ static void check_deficit(void)
 /* Its first step from rest is found from nothing, or not at all. */
 static void check_raised(double load, kern_side side)
 {
-    const kern_proof proof = { a.force, a.motion };
+    const kern_proof proof = {a.force, a.motion};
     kern_real factor = -1;
     CHECK(kern_raised_load(&a.task, 0, side, NULL, &factor, &proof)
           == KERN_STANDS);
@@ -241,7 +240,7 @@ static void check_raised(double load, kern_side side)
 
 static void check_loads(const struct regression *r, int falls)
 {
-    static const kern_side side[2] = { KERN_LEFT, KERN_RIGHT };
+    static const kern_side side[2] = {KERN_LEFT, KERN_RIGHT};
     int i, loaded = 0;
     for (i = 0; i < a.task.s.blocks; i++)
         loaded |= kern_wrench_sum(&a.task.s.block[i].load) > 0;
@@ -258,8 +257,9 @@ static void check_loads(const struct regression *r, int falls)
         CHECK(is_value(r->load[i], (double)factor, 2e-4));
         if (strcmp(r->file, "raised_from_rest") == 0)
             check_raised((double)factor, side[i]);
-        CHECK(isinf(factor) || loaded || fabs(tan((double)angle) - (double)factor)
-                               < 1e-5 * (1 + (double)factor));
+        CHECK(isinf(factor) || loaded
+              || fabs(tan((double)angle) - (double)factor)
+                     < 1e-5 * (1 + (double)factor));
         CHECK(fabs((double)c.least - fmin((double)factor, 10)) < 1e-4);
     }
 }
@@ -277,7 +277,8 @@ static void check_file(const struct regression *r)
     start = clock();
     if (text_load(&t, path)) {
         CHECK(r->status == TEXT && t.line > 0);
-        if (r->status != TEXT) puts(t.message);
+        if (r->status != TEXT)
+            puts(t.message);
         text_free(&t);
         return;
     }

@@ -28,15 +28,16 @@ static int box(struct rigid_world *w, double x, double y, double width,
                double height, double mass)
 {
     double a = width / 2, b = height / 2;
-    struct rigid_pt v[4] = { { x - a, y - b }, { x + a, y - b },
-                             { x + a, y + b }, { x - a, y + b } };
+    struct rigid_pt v[4] = {
+        {x - a, y - b}, {x + a, y - b}, {x + a, y + b}, {x - a, y + b}};
     return rigid_add(w, v, 4, mass, rigid_vec(x, y));
 }
 
 static void run(struct rigid_world *w, double seconds)
 {
     int steps = (int)(seconds / w->step + 0.5);
-    for (int i = 0; i < steps; i++) rigid_step(w);
+    for (int i = 0; i < steps; i++)
+        rigid_step(w);
 }
 
 /* ---- Sliding ------------------------------------------------------------- */
@@ -60,16 +61,20 @@ static double slide(double friction, double tangent)
 
 static void test_slope(void)
 {
-    static const double mu[] = { 0.1, 0.4, 0.8 };
+    static const double mu[] = {0.1, 0.4, 0.8};
     for (int i = 0; i < 3; i++) {
         double low = 0.9, high = 1.1, tangent = 1.2 * mu[i], g;
         while (high - low > 1e-5) {
             double middle = (low + high) / 2;
-            if (slide(mu[i], middle * mu[i]) > 1e-4) high = middle;
-            else low = middle;
+            if (slide(mu[i], middle * mu[i]) > 1e-4)
+                high = middle;
+            else
+                low = middle;
         }
-        check(fabs(low - 1) < 0.01, "slope: tangent of first sliding / "
-              "friction", low, 0.01);
+        check(fabs(low - 1) < 0.01,
+              "slope: tangent of first sliding / "
+              "friction",
+              low, 0.01);
         g = 9.81 * (tangent - mu[i]) / sqrt(1 + tangent * tangent);
         check(fabs(slide(mu[i], tangent) / (2 * g) - 1) < 0.01,
               "slope: way in 2 s / exact, 1.2 times steeper",
@@ -82,25 +87,26 @@ static void test_slope(void)
    it. Returns how far it goes in 2 s. */
 static double corner_way(int with_corner)
 {
-    static const struct rigid_pt up[] = {
-        { 0.642787609686539, -0.766044443118978 },
-        { 7.53718759775734, 5.01904404405988 },
-        { 6.8943999880708, 5.78508848717885 }, { 0, 0 }
-    }, down[] = {
-        { 1.16231838594064, -2.94092093904347 },
-        { 0.642787609686539, -0.766044443118978 }, { 0, 0 },
-        { 0.412974276750846, -0.95888072602494 }
-    }, stone[] = {
-        { 0, 0 }, { 0.766044443118978, 0.642787609686539 },
-        { 0.123256833432439, 1.40883205280552 },
-        { -0.642787609686539, 0.766044443118978 }
-    };
+    static const struct rigid_pt
+        up[] = {{0.642787609686539, -0.766044443118978},
+                {7.53718759775734, 5.01904404405988},
+                {6.8943999880708, 5.78508848717885},
+                {0, 0}},
+        down[] = {{1.16231838594064, -2.94092093904347},
+                  {0.642787609686539, -0.766044443118978},
+                  {0, 0},
+                  {0.412974276750846, -0.95888072602494}},
+        stone[] = {{0, 0},
+                   {0.766044443118978, 0.642787609686539},
+                   {0.123256833432439, 1.40883205280552},
+                   {-0.642787609686539, 0.766044443118978}};
     struct rigid_world w;
-    struct rigid_pt at = { 0.061628416716219, 0.704416026402759 }, way;
+    struct rigid_pt at = {0.061628416716219, 0.704416026402759}, way;
     int block;
     rigid_init(&w);
     rigid_add(&w, up, 4, 0, at);
-    if (with_corner) rigid_add(&w, down, 4, 0, at);
+    if (with_corner)
+        rigid_add(&w, down, 4, 0, at);
     block = rigid_add(&w, stone, 4, 1, at);
     rigid_settle(&w);
     run(&w, 2);
@@ -126,16 +132,19 @@ static double creep(struct rigid_world *w, const double *size, double *late)
     double most = 0;
     *late = 0;
     rigid_settle(w);
-    for (int i = 0; i < w->blocks; i++) at[i] = w->block[i].at;
+    for (int i = 0; i < w->blocks; i++)
+        at[i] = w->block[i].at;
     for (int part = 0; part < 20 && at; part++) {
         run(w, 1);
         for (int i = 0; i < w->blocks; i++) {
             struct rigid_pt d = rigid_sub(w->block[i].at, at[i]);
-            double dist = sqrt(rigid_dot(d, d)) +
-                         fabs(w->block[i].angle) * w->block[i].reach;
-            if (!(w->block[i].inv_mass > 0)) continue;
+            double dist = sqrt(rigid_dot(d, d))
+                        + fabs(w->block[i].angle) * w->block[i].reach;
+            if (!(w->block[i].inv_mass > 0))
+                continue;
             most = fmax(most, dist / size[i]);
-            if (part == 0) *late = fmax(*late, dist / size[i]);
+            if (part == 0)
+                *late = fmax(*late, dist / size[i]);
         }
     }
     *late = most - *late;
@@ -185,7 +194,8 @@ static double *load(struct rigid_world *w, const char *file)
     for (int i = 0; size && i < t.blocks; i++) {
         const kern_block *b = &t.block[i];
         struct rigid_pt v[256];
-        if (b->vertices > 256) continue;
+        if (b->vertices > 256)
+            continue;
         for (int k = 0; k < b->vertices; k++)
             v[k] = rigid_vec(b->vertex[k].x, b->vertex[k].y);
         size[i] = sqrt(fabs(b->area));
@@ -204,7 +214,8 @@ static void test_file(const char *file)
     double *size = load(&w, file), most = HUGE_VAL, late = HUGE_VAL;
     const char *name = strrchr(file, '/') ? strrchr(file, '/') + 1 : file;
     char text[100];
-    if (size) most = creep(&w, size, &late);
+    if (size)
+        most = creep(&w, size, &late);
     snprintf(text, sizeof text, "%.20s, %d blocks: creep in 20 s", name,
              w.blocks);
     check(most < 1e-3, text, most, 1e-3);
@@ -219,7 +230,7 @@ static void test_file(const char *file)
 /* Numbers from 0 to 1, irregular enough to throw stones with. */
 static double scatter(int i, int k)
 {
-    static const double step[] = { 0.14159265, 0.71828182, 0.41421356 };
+    static const double step[] = {0.14159265, 0.71828182, 0.41421356};
     double x = (i + 1) * step[k];
     return x - floor(x);
 }
@@ -259,13 +270,16 @@ static void test_energy(void)
 
 enum { HALF_SINE = 1, FULL_SINE = 2 };
 
-struct pulse { int kind; double amplitude, seconds; };
+struct pulse {
+    int kind;
+    double amplitude, seconds;
+};
 
 /* Acceleration of the base at a time, and its way by then. */
 static double pulse_at(const struct pulse *p, double t)
 {
-    return t < p->seconds ? p->amplitude *
-                            sin(p->kind * pi * t / p->seconds) : 0;
+    return t < p->seconds ? p->amplitude * sin(p->kind * pi * t / p->seconds)
+                          : 0;
 }
 
 static double pulse_way(const struct pulse *p, double t)
@@ -294,7 +308,8 @@ static int rock_exact(const struct pulse *p, double alpha, double pp)
     for (int i = 0; i < (int)(8 / h); i++) {
         double t = i * h, a = pulse_at(p, t);
         if (side > -0.5 && side < 0.5) {
-            if (fabs(a) <= 9.81 * tan(alpha)) continue;
+            if (fabs(a) <= 9.81 * tan(alpha))
+                continue;
             side = a > 0 ? 1 : -1;
         }
         double k1 = rock_rate(x, side, a, alpha, pp);
@@ -305,12 +320,14 @@ static int rock_exact(const struct pulse *p, double alpha, double pp)
         double k4 = rock_rate(x + h * v + h * h / 2 * k2, side, ae, alpha, pp);
         x += h * v + h * h / 6 * (k1 + k2 + k3);
         v += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-        if (fabs(x) > pi / 2) return 1;
+        if (fabs(x) > pi / 2)
+            return 1;
         if (side * x < 0) {
             x = 0;
             v *= kept;
             side = fabs(v) < 1e-6 ? 0 : v > 0 ? 1 : -1;
-            if (fabs(v) < 1e-6) v = 0;
+            if (fabs(v) < 1e-6)
+                v = 0;
         }
     }
     return 0;
@@ -332,7 +349,8 @@ static int rock_simulated(const struct pulse *p, double width, double height)
         double next = -pulse_way(p, (i + 1) * w.step);
         w.block[0].v.x = (next - w.block[0].at.x) / w.step;
         rigid_step(&w);
-        if (fabs(w.block[block].angle) > pi / 2 - 0.1) break;
+        if (fabs(w.block[block].angle) > pi / 2 - 0.1)
+            break;
     }
     fell = fabs(w.block[block].angle) > pi / 4;
     rigid_free(&w);
@@ -353,16 +371,20 @@ static void test_pulse(int kind, double seconds)
     double a = 0.3 * 9.81, first = 0, found = 0;
     char text[100];
     for (int i = 0; i < STEPS; i++, a *= 1.02) {
-        struct pulse p = { kind, a, seconds };
+        struct pulse p = {kind, a, seconds};
         exact[i] = rock_exact(&p, alpha, pp);
         falls[i] = rock_simulated(&p, width, height);
-        if (exact[i] && first <= 0) first = a;
-        if (falls[i] && found <= 0) found = a;
+        if (exact[i] && first <= 0)
+            first = a;
+        if (falls[i] && found <= 0)
+            found = a;
     }
     for (int i = TENTH; i + TENTH < STEPS; i++) {
         int sum = 0;
-        for (int k = -TENTH; k <= TENTH; k++) sum += exact[i + k];
-        if (sum > 0 && sum <= 2 * TENTH) continue;
+        for (int k = -TENTH; k <= TENTH; k++)
+            sum += exact[i + k];
+        if (sum > 0 && sum <= 2 * TENTH)
+            continue;
         clear++;
         wrong += falls[i] != exact[i];
     }
@@ -387,26 +409,30 @@ static void test_impact(void)
     box(&w, 0, -0.5, 10, 1, 0);
     block = box(&w, 0, 1, 0.5, 2, 1);
     base = rigid_energy(&w);
-    rigid_put(&w, block, rigid_vec(0.25 - 0.25 * q.x - q.y,
-                                   q.x - 0.25 * q.y), start);
+    rigid_put(&w, block, rigid_vec(0.25 - 0.25 * q.x - q.y, q.x - 0.25 * q.y),
+              start);
     while (w.block[block].angle < 0.02) {
         rigid_step(&w);
-        if (w.block[block].angle < -0.01) before = rigid_energy(&w) - base;
+        if (w.block[block].angle < -0.01)
+            before = rigid_energy(&w) - base;
         after = rigid_energy(&w) - base;
     }
     after = sqrt(after / before);
     before = 1 - 1.5 * sin(alpha) * sin(alpha);
-    check(fabs(after / before - 1) < 0.02, "rocking: speed kept at an impact / "
-          "exact", after / before, 0.02);
+    check(fabs(after / before - 1) < 0.02,
+          "rocking: speed kept at an impact / "
+          "exact",
+          after / before, 0.02);
     rigid_free(&w);
 }
 
 static void test_rocking(void)
 {
-    static const double seconds[] = { 0.4, 0.6, 1.2 };
+    static const double seconds[] = {0.4, 0.6, 1.2};
     test_impact();
     for (int kind = HALF_SINE; kind <= FULL_SINE; kind++)
-        for (int i = 0; i < 3; i++) test_pulse(kind, seconds[i]);
+        for (int i = 0; i < 3; i++)
+            test_pulse(kind, seconds[i]);
 }
 
 /* ---- Bits ---------------------------------------------------------------- */
@@ -418,8 +444,8 @@ static unsigned long heap_hash(void)
     rigid_init(&w);
     box(&w, 0, -0.5, 100, 1, 0);
     for (int i = 0; i < 20; i++)
-        rigid_put(&w, box(&w, 0, 0, 1, 0.5, 1),
-                  rigid_vec(scatter(i, 0), 1 + i), 3 * scatter(i, 1));
+        rigid_put(&w, box(&w, 0, 0, 1, 0.5, 1), rigid_vec(scatter(i, 0), 1 + i),
+                  3 * scatter(i, 1));
     run(&w, 5);
     for (int i = 0; i < w.blocks; i++) {
         unsigned char byte[sizeof w.block[i].at];
@@ -480,9 +506,11 @@ static int wedges(unsigned seed, struct rigid_pt *v, double *mu)
     uint64_t state = seed;
     double draw[8], x = 0, lean[5];
     int many = 1 + (int)(seed % 4), n = 0;
-    for (int i = 0; i < 8; i++) draw[i] = random_share(random_mixed(&state));
+    for (int i = 0; i < 8; i++)
+        draw[i] = random_share(random_mixed(&state));
     *mu = 0.1 + 0.7 * draw[0];
-    for (int i = 0; i <= many; i++) lean[i] = 0.6 * (draw[i + 1] - 0.5);
+    for (int i = 0; i <= many; i++)
+        lean[i] = 0.6 * (draw[i + 1] - 0.5);
     for (int i = 0; i < many; i++) {
         double wide = 0.7 + 0.6 * draw[6 + i % 2];
         v[n++] = rigid_vec(x, 0);
@@ -530,13 +558,14 @@ static double wedges_move(const struct rigid_pt *v, int n, double mu, int *said)
             kern_block_init(block + i, corner + 4 * i, 4, 1, NULL);
         else
             kern_ground_init(block + i, corner + 4 * i, 4, NULL);
-        rigid_add(&w, v + 4 * i, 4, block[i].mass, rigid_vec(block[i].centre.x,
-                                                        block[i].centre.y));
+        rigid_add(&w, v + 4 * i, 4, block[i].mass,
+                  rigid_vec(block[i].centre.x, block[i].centre.y));
     }
     task.s.contacts = kern_contacts(block, n / 4, &task.options, contact, 40,
                                     &work);
     *said = kern_raised(&task, 0, &raising, NULL, NULL) == KERN_STANDS
-            ? (int)raising : -1;
+              ? (int)raising
+              : -1;
     run(&w, 2);
     for (int i = 0; i < n / 4 - 2; i++)
         moved = fmax(moved, hypot(w.block[i].at.x - block[i].centre.x,
@@ -574,7 +603,8 @@ int main(int argc, char **argv)
     test_tower();
     test_wall();
     test_wedges();
-    for (int i = 1; i < argc; i++) test_file(argv[i]);
+    for (int i = 1; i < argc; i++)
+        test_file(argv[i]);
     test_energy();
     test_rocking();
     test_bits();

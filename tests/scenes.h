@@ -21,11 +21,11 @@
 #include "../examples/lab/random.h"
 #include "../examples/parts/text.h"
 
-#define MU 0.4             /* of the families                                 */
-#define LENGTH 0.4         /* of a brick [m]; it is half as high              */
-#define DENSITY 2000.0     /* [kg/m^2]                                        */
-#define CORNERS 16         /* most vertices of a block                        */
-#define COURSE 256         /* most bricks of a course                         */
+#define MU 0.4         /* of the families                                 */
+#define LENGTH 0.4     /* of a brick [m]; it is half as high              */
+#define DENSITY 2000.0 /* [kg/m^2]                                        */
+#define CORNERS 16     /* most vertices of a block                        */
+#define COURSE 256     /* most bricks of a course                         */
 
 static inline void give_up(const char *why)
 {
@@ -42,15 +42,15 @@ static inline void *room_for(size_t count, size_t size)
 }
 
 struct scene {
-    char name[80];         /* set/file, or family/blocks/number               */
-    int size;              /* free blocks                                     */
-    int is_wall;           /* of a family: stones can be laid on its top      */
+    char name[80]; /* set/file, or family/blocks/number               */
+    int size;      /* free blocks                                     */
+    int is_wall;   /* of a family: stones can be laid on its top      */
     int is_file;
     kern_vec *vertex;
     kern_block *block;
     kern_contact *contact;
     int blocks, vertices, contacts;
-    int room;              /* for contacts                                    */
+    int room; /* for contacts                                    */
     uint64_t random;
     kern_vec gravity;
     kern_options options;
@@ -72,20 +72,21 @@ static inline kern_vec vec(double x, double y)
     return v;
 }
 
-static inline void scene_block(struct scene *scene, const kern_vec *vertex, int n,
-                        double density)
+static inline void scene_block(struct scene *scene, const kern_vec *vertex,
+                               int n, double density)
 {
     kern_vec *copy = scene->vertex + scene->vertices;
     kern_block *b = &scene->block[scene->blocks++];
     memcpy(copy, vertex, (size_t)n * sizeof *vertex);
     scene->vertices += n;
     if ((density > 0 ? kern_block_init(b, copy, n, density, NULL)
-                     : kern_ground_init(b, copy, n, NULL)) != KERN_OK)
+                     : kern_ground_init(b, copy, n, NULL))
+        != KERN_OK)
         give_up("a bad block");
 }
 
 static inline void scene_box(struct scene *scene, double left, double low,
-                      double right, double high, double density)
+                             double right, double high, double density)
 {
     kern_vec v[4];
     v[0] = vec(left, low);
@@ -97,14 +98,14 @@ static inline void scene_box(struct scene *scene, double left, double low,
 
 /* What distinguishes the walls from each other; lengths in bricks. */
 struct wall {
-    double first[2];       /* bounds of the first brick of odd courses; that of
+    double first[2]; /* bounds of the first brick of odd courses; that of
                               even ones is half a brick longer                */
-    double ragged;         /* lengths differ by this share                    */
-    double gap[2];         /* bounds of the gap between neighbours            */
-    double batter;         /* each course is that much shorter at its ends    */
-    double loose;          /* its ends lie somewhere within that              */
-    double slope;          /* heights of the joints differ by this share      */
-    double uneven;         /* densities differ by this share                  */
+    double ragged;   /* lengths differ by this share                    */
+    double gap[2];   /* bounds of the gap between neighbours            */
+    double batter;   /* each course is that much shorter at its ends    */
+    double loose;    /* its ends lie somewhere within that              */
+    double slope;    /* heights of the joints differ by this share      */
+    double uneven;   /* densities differ by this share                  */
 };
 
 /* The upper side of a course: a line that bends in the middle of each joint
@@ -123,8 +124,9 @@ static inline double bed_at(const struct bed *bed, double x)
         i++;
     if (i == bed->knots)
         return bed->y[i - 1];
-    return bed->y[i - 1] + (bed->y[i] - bed->y[i - 1])
-        * (x - bed->x[i - 1]) / (bed->x[i] - bed->x[i - 1]);
+    return bed->y[i - 1]
+         + (bed->y[i] - bed->y[i - 1]) * (x - bed->x[i - 1])
+               / (bed->x[i] - bed->x[i - 1]);
 }
 
 static inline void bed_knot(struct bed *bed, double x, double y)
@@ -136,8 +138,8 @@ static inline void bed_knot(struct bed *bed, double x, double y)
 }
 
 static inline void wall_brick_add(struct scene *scene, const struct bed *under,
-                           const struct bed *over, double left, double right,
-                           int bends, double density)
+                                  const struct bed *over, double left,
+                                  double right, int bends, double density)
 {
     kern_vec v[CORNERS];
     int n = 0, i;
@@ -153,27 +155,29 @@ static inline void wall_brick_add(struct scene *scene, const struct bed *under,
 
 /* One course, from `x` to `end`, of `most` bricks at the most. What is left at
    the end and too short for a brick goes to the last one. */
-static inline void wall_course(struct scene *scene, const struct wall *wall, int odd,
-                        double x, double end, double top,
-                        const struct bed *under, struct bed *over, int most)
+static inline void wall_course(struct scene *scene, const struct wall *wall,
+                               int odd, double x, double end, double top,
+                               const struct bed *under, struct bed *over,
+                               int most)
 {
     double share = scene_random(scene, wall->first[0], wall->first[1])
-        + (odd ? 0.0 : 0.5);
-    double half = 0;       /* of the gap at x: none before the first brick    */
+                 + (odd ? 0.0 : 0.5);
+    double half = 0; /* of the gap at x: none before the first brick    */
     over->knots = 0;
-    bed_knot(over, x, top + LENGTH * wall->slope
-        * scene_random(scene, -0.5, 0.5));
+    bed_knot(over, x,
+             top + LENGTH * wall->slope * scene_random(scene, -0.5, 0.5));
     while (x < end && most > 0) {
         double next = x + share * LENGTH, gap;
         if (next > end - 0.4 * LENGTH)
             next = end;
         gap = next < end
-            ? LENGTH * scene_random(scene, wall->gap[0], wall->gap[1]) : 0;
-        bed_knot(over, next, top + LENGTH * wall->slope
-            * scene_random(scene, -0.5, 0.5));
-        wall_brick_add(scene, under, over, x + half, next - gap / 2,
-                       wall->slope > 0, DENSITY
-            * (1 + wall->uneven * scene_random(scene, -1, 1)));
+                ? LENGTH * scene_random(scene, wall->gap[0], wall->gap[1])
+                : 0;
+        bed_knot(over, next,
+                 top + LENGTH * wall->slope * scene_random(scene, -0.5, 0.5));
+        wall_brick_add(
+            scene, under, over, x + half, next - gap / 2, wall->slope > 0,
+            DENSITY * (1 + wall->uneven * scene_random(scene, -1, 1)));
         half = gap / 2;
         x = next;
         share = 1 + wall->ragged * scene_random(scene, -1, 1);
@@ -182,7 +186,8 @@ static inline void wall_course(struct scene *scene, const struct wall *wall, int
 }
 
 /* About twice as long as high, give or take a third. */
-static inline void make_wall(struct scene *scene, int n, const struct wall *wall)
+static inline void make_wall(struct scene *scene, int n,
+                             const struct wall *wall)
 {
     const int courses = (int)(sqrt(n * scene_random(scene, 0.67, 1.5)) + 0.5);
     const double inset = wall->batter * LENGTH;
@@ -195,14 +200,15 @@ static inline void make_wall(struct scene *scene, int n, const struct wall *wall
     bed_knot(&bed[0], 0, 0);
     for (k = 0; scene->blocks < n + 1; k++) {
         const double right = length - inset * k
-            + loose * scene_random(scene, -0.5, 0.5);
+                           + loose * scene_random(scene, -0.5, 0.5);
         const double left = inset * k + loose * scene_random(scene, -0.5, 0.5);
         wall_course(scene, wall, k % 2, left, right, LENGTH / 2 * (k + 1),
                     &bed[k % 2], &bed[(k + 1) % 2], n + 1 - scene->blocks);
     }
 }
 
-static inline void make_tower(struct scene *scene, int n, const struct wall *wall)
+static inline void make_tower(struct scene *scene, int n,
+                              const struct wall *wall)
 {
     double low = 0;
     int i;
@@ -219,7 +225,7 @@ static inline void make_tower(struct scene *scene, int n, const struct wall *wal
 
 /* A piece of a ring, from one angle to another, counted from upright. */
 static inline void arch_piece(struct scene *scene, double inner, double outer,
-                       double from, double to, double density)
+                              double from, double to, double density)
 {
     kern_vec v[4];
     v[0] = vec(inner * sin(from), inner * cos(from));
@@ -229,7 +235,8 @@ static inline void arch_piece(struct scene *scene, double inner, double outer,
     scene_block(scene, v, 4, density);
 }
 
-static inline void make_arch(struct scene *scene, int n, const struct wall *wall)
+static inline void make_arch(struct scene *scene, int n,
+                             const struct wall *wall)
 {
     const double inner = LENGTH * n / 4 + LENGTH;
     const double outer = inner * scene_random(scene, 1.2, 1.4);
@@ -250,12 +257,9 @@ static const struct family {
     int is_wall;
     struct wall wall;
 } families[] = {
-    {"bond", make_wall, 1,
-     {{0.25, 0.75}, 0.15, {0.02, 0.02}, 0, 0.3, 0, 0}},
-    {"rag", make_wall, 1,
-     {{0.4, 0.9}, 0.4, {0.03, 0.2}, 0.12, 0.12, 0, 0.2}},
-    {"irr", make_wall, 1,
-     {{0.4, 0.7}, 0.3, {0.02, 0.02}, 0.1, 0.1, 0.12, 0.2}},
+    {"bond", make_wall, 1, {{0.25, 0.75}, 0.15, {0.02, 0.02}, 0, 0.3, 0, 0}},
+    {"rag", make_wall, 1, {{0.4, 0.9}, 0.4, {0.03, 0.2}, 0.12, 0.12, 0, 0.2}},
+    {"irr", make_wall, 1, {{0.4, 0.7}, 0.3, {0.02, 0.02}, 0.1, 0.1, 0.12, 0.2}},
     {"tower", make_tower, 0, {{0, 0}, 0, {0, 0}, 0, 0, 0, 0}},
     {"arch", make_arch, 0, {{0, 0}, 0, {0, 0}, 0, 0, 0, 0}},
     {"brick", make_wall, 1, {{0.5, 0.5}, 0, {0, 0}, 0, 0, 0, 0}},
@@ -267,9 +271,9 @@ enum { FAMILIES = sizeof families / sizeof families[0] };
 /* Finds the contacts, as any program does. */
 static inline void scene_touch(struct scene *scene)
 {
-    kern_work work = kern_work_of(NULL, 0,
-                                  room_for(2 * (size_t)scene->blocks,
-                                           sizeof(int)), 2 * scene->blocks);
+    kern_work work = kern_work_of(
+        NULL, 0, room_for(2 * (size_t)scene->blocks, sizeof(int)),
+        2 * scene->blocks);
     scene->room = 32 * (scene->blocks + 1);
     scene->contact = room_for((size_t)scene->room, sizeof(kern_contact));
     scene->contacts = kern_contacts(scene->block, scene->blocks,
@@ -282,11 +286,12 @@ static inline void scene_touch(struct scene *scene)
     }
 }
 
-static inline void scene_make(struct scene *scene, int family, int n, int number)
+static inline void scene_make(struct scene *scene, int family, int n,
+                              int number)
 {
     memset(scene, 0, sizeof *scene);
-    snprintf(scene->name, sizeof scene->name, "%s/%d/%d",
-             families[family].name, n, number);
+    snprintf(scene->name, sizeof scene->name, "%s/%d/%d", families[family].name,
+             n, number);
     scene->random = (uint64_t)(1000003 * family + 101 * n + number);
     scene->is_wall = families[family].is_wall;
     scene->vertex = room_for((size_t)(n + 2) * CORNERS, sizeof(kern_vec));
@@ -306,8 +311,7 @@ static inline void scene_name(struct scene *scene, const char *path)
     char *dot;
     while (from && from > path && from[-1] != '/')
         from--;
-    snprintf(scene->name, sizeof scene->name, "%.79s",
-             from ? from : path);
+    snprintf(scene->name, sizeof scene->name, "%.79s", from ? from : path);
     dot = strrchr(scene->name, '.');
     if (dot && dot > scene->name)
         *dot = 0;
@@ -377,8 +381,9 @@ static inline int scene_tops(const struct scene *scene, int *top, int most)
             for (k = 0; k < n && top[k] != i; k++)
                 ;
             if (k == n && scene_is_top(scene, i)
-                && (top[n] < 0 || scene->block[i].centre.y
-                    > scene->block[top[n]].centre.y))
+                && (top[n] < 0
+                    || scene->block[i].centre.y
+                           > scene->block[top[n]].centre.y))
                 top[n] = i;
         }
         if (top[n] < 0)

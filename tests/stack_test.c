@@ -23,7 +23,8 @@ static int failures;
 
 static void check(int good, const char *what, double found, double wanted)
 {
-    if (good) return;
+    if (good)
+        return;
     printf("FAILED  %s: %.9g, wanted %.9g\n", what, found, wanted);
     failures++;
 }
@@ -53,8 +54,8 @@ static void smallest_box(const struct stone *s, double *area, double *aspect)
     *area = HUGE_VAL;
     for (int i = 0; i < s->n; i++) {
         kern_vec n = rest_edge_at(s, i).n, t = stones_vec(-n.y, n.x);
-        double low[2] = { HUGE_VAL, HUGE_VAL };
-        double high[2] = { -HUGE_VAL, -HUGE_VAL }, a, b;
+        double low[2] = {HUGE_VAL, HUGE_VAL};
+        double high[2] = {-HUGE_VAL, -HUGE_VAL}, a, b;
         for (int k = 0; k < s->n; k++) {
             double along = stones_dot(t, s->v[k]), out = stones_dot(n, s->v[k]);
             low[0] = fmin(low[0], along);
@@ -64,7 +65,8 @@ static void smallest_box(const struct stone *s, double *area, double *aspect)
         }
         a = high[0] - low[0];
         b = high[1] - low[1];
-        if (a * b >= *area) continue;
+        if (a * b >= *area)
+            continue;
         *area = a * b;
         *aspect = fmax(a, b) / fmin(a, b);
     }
@@ -90,14 +92,15 @@ static void angles(const struct stone *s, double *corner, double *least)
 
 static struct shape statistics(const struct stones *all)
 {
-    struct shape mean = { 0, 0, 0, 0, 0, 0 };
+    struct shape mean = {0, 0, 0, 0, 0, 0};
     double *aspect = malloc((size_t)all->stones * sizeof *aspect);
     double sum = 0, squares = 0;
     int n = 0;
     for (int i = 0; i < all->stones && aspect; i++) {
         const struct stone *s = &all->stone[i];
         double box = 1, corner, least;
-        if (s->area < 0.25) continue;
+        if (s->area < 0.25)
+            continue;
         smallest_box(s, &box, &aspect[n++]);
         angles(s, &corner, &least);
         mean.corners += s->n;
@@ -122,10 +125,9 @@ static struct shape statistics(const struct stones *all)
 static void test_generator(void)
 {
     static const struct shape wanted[] = {
-        { 4.4, 0.92, 1.52, 0.18, 5.5, 84 }, { 4.7, 0.85, 1.53, 0.22, 11.5, 79 },
-        { 5.1, 0.81, 1.55, 0.27, 16.3, 77 },
-        { 5.1, 0.76, 1.62, 0.31, 19.5, 73 },
-        { 5.0, 0.73, 1.64, 0.36, 22.1, 68 },
+        {4.4, 0.92, 1.52, 0.18, 5.5, 84},  {4.7, 0.85, 1.53, 0.22, 11.5, 79},
+        {5.1, 0.81, 1.55, 0.27, 16.3, 77}, {5.1, 0.76, 1.62, 0.31, 19.5, 73},
+        {5.0, 0.73, 1.64, 0.36, 22.1, 68},
     };
     for (int l = 0; l < 5; l++) {
         struct stones all;
@@ -148,8 +150,8 @@ static void test_generator(void)
 
 static struct stone box(double left, double low, double right, double high)
 {
-    const kern_vec v[4] = { { left, low }, { right, low }, { right, high },
-                            { left, high } };
+    const kern_vec v[4] = {
+        {left, low}, {right, low}, {right, high}, {left, high}};
     struct stone s;
     stone_of(&s, v, 4);
     stone_move(&s, stones_vec((left + right) / 2, (low + high) / 2));
@@ -159,7 +161,7 @@ static struct stone box(double left, double low, double right, double high)
 static void put(struct stack_wall *w, double left, double low, double right,
                 double high)
 {
-    struct stack_place place = { 0, { 0, 0 }, { 1, 0 } };
+    struct stack_place place = {0, {0, 0}, {1, 0}};
     struct stones *stock = (struct stones *)(size_t)w->stock;
     place.stone = w->laid;
     place.at = stones_vec((left + right) / 2, (low + high) / 2);
@@ -176,7 +178,8 @@ static int two_boxes(struct stack_wall *w, struct stones *stock)
     o.height = 3;
     stones_make(stock, 0, 4, 0, 1);
     stock->size = stock->area = 1;
-    if (stack_open(w, stock, &o)) return -1;
+    if (stack_open(w, stock, &o))
+        return -1;
     put(w, 0, 0, 1, 1);
     put(w, 1.5, 0, 2.5, 1);
     stack_look(w, -1, 5, -1);
@@ -190,12 +193,13 @@ static void test_features(void)
     struct stack_wall w;
     struct stone slab = box(0.25, 1, 2.25, 1.5), low = box(1, 0, 1.5, 0.5);
     struct stone roof;
-    const kern_vec gable[5] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1.5 },
-                                { 0, 1 } };
-    if (two_boxes(&w, &stock)) return;
+    const kern_vec gable[5] = {{0, 0}, {2, 0}, {2, 1}, {1, 1.5}, {0, 1}};
+    if (two_boxes(&w, &stock))
+        return;
     stone_of(&roof, gable, 5);
     /* the slab lies on 0.75 + 0.75 of its perimeter of 5 */
-    near_to("common edges of a slab", stack_edges(&w.around, &slab), 0.3, 1e-12);
+    near_to("common edges of a slab", stack_edges(&w.around, &slab), 0.3,
+            1e-12);
     /* a box in the gap: 0.5 below and 0.5 on either side of 2 */
     near_to("common edges in a gap", stack_edges(&w.around, &low), 0.75, 1e-12);
     near_to("hole below a slab", stack_hole(&w, &slab), 0.5, 2 * column);
@@ -221,9 +225,9 @@ static void test_features(void)
 /* A closed sky: notches of less than k columns are filled. */
 static void test_sky(void)
 {
-    const double sky[8] = { 1, 0, 2, 0, 0, 0, 3, 0 };
-    const double wanted[8] = { 1, 1, 2, 0, 0, 0, 3, 3 };
-    const double wide[8] = { 2, 2, 2, 2, 2, 2, 3, 3 };
+    const double sky[8] = {1, 0, 2, 0, 0, 0, 3, 0};
+    const double wanted[8] = {1, 1, 2, 0, 0, 0, 3, 3};
+    const double wide[8] = {2, 2, 2, 2, 2, 2, 3, 3};
     double room[20], out[20];
     stack_close(sky, 8, 2, room, out);
     for (int i = 0; i < 8; i++)
@@ -244,7 +248,8 @@ static int bricks(struct stack_wall *w, struct stones *stock, double shift)
     stones_make(stock, 0, LONG * COURSES, 0, 1);
     stock->size = sqrt(2);
     stock->area = 2;
-    if (stack_open(w, stock, &o)) return -1;
+    if (stack_open(w, stock, &o))
+        return -1;
     for (int c = 0; c < COURSES; c++)
         for (int i = 0; i < LONG; i++) {
             double left = 2 * i + (c % 2) * shift;
@@ -256,28 +261,29 @@ static int bricks(struct stack_wall *w, struct stones *stock, double shift)
 /* Up to 4 of 5 courses a way passes 3 beds, each along half a brick. */
 static void test_masonry(void)
 {
-    const double shift[3] = { 0, 0.5, 0.9 };
+    const double shift[3] = {0, 0.5, 0.9};
     struct stone s = box(-1, -0.5, 1, 0.5);
     double aspect;
     for (int k = 0; k < 3; k++) {
         struct stones stock;
         struct stack_wall w;
         struct masonry m;
-        if (bricks(&w, &stock, shift[k])) return;
+        if (bricks(&w, &stock, shift[k]))
+            return;
         check(masonry_of(&w.plan.task.s, stock.size, &m) == 0, "masonry", 0, 0);
         near_to("way through the joints", m.joint, (4 + 3 * shift[k]) / 4,
                 0.03);
         near_to("no brick on end", m.upright, 0, 0);
         near_to("bricks without bed", m.bedless, 0, 0);
         /* of the upper courses one brick in ten hangs over by the shift */
-        near_to("bed of a brick", m.bed,
-                (2 - 4 * shift[k] / 25) / sqrt(2), 1e-9);
+        near_to("bed of a brick", m.bed, (2 - 4 * shift[k] / 25) / sqrt(2),
+                1e-9);
         /* of each upper course all bricks but one at an end */
         near_to("bricks on two", m.on_two, shift[k] > 0 ? 0.8 : 0, 1e-12);
         near_to("ends that are columns", m.end_columns, shift[k] > 0 ? 0 : 1,
                 0);
-        near_to("joints through three courses", m.running,
-                shift[k] > 0 ? 0 : 4, 0);
+        near_to("joints through three courses", m.running, shift[k] > 0 ? 0 : 4,
+                0);
         stack_free(&w);
         stones_free(&stock);
     }
@@ -296,7 +302,8 @@ static void test_courses(void)
     struct stack_wall w;
     struct stone slab = box(0.25, 1, 2.25, 1.5), post = box(2.6, 0, 3, 2);
     struct stone low = box(1, 0, 1.5, 0.5);
-    if (two_boxes(&w, &stock)) return;
+    if (two_boxes(&w, &stock))
+        return;
     near_to("bed of a slab", stack_bed(&w.around, &slab), 1.5, 1e-12);
     near_to("nothing beside a slab", stack_step_up(&w, &slab), 0.25, 0);
     near_to("half a box below both", stack_step_up(&w, &low), 0.5, 1e-12);
@@ -314,7 +321,8 @@ static void test_rest(void)
     struct stones stock;
     struct stack_wall w;
     struct stone s = box(-0.5, -0.5, 0.5, 0.5), t;
-    if (two_boxes(&w, &stock)) return;
+    if (two_boxes(&w, &stock))
+        return;
     stone_turn(&s, s.centre, stones_vec(sqrt(3) / 2, 0.5));
     t = s;
     stone_move(&t, stones_vec(3.4, 5));
@@ -357,7 +365,8 @@ static void test_worth_of_filling(void)
 {
     struct stones stock;
     struct stack_wall w;
-    if (two_boxes(&w, &stock)) return;
+    if (two_boxes(&w, &stock))
+        return;
     near_to("by what the stock can fill", stack_worth_of_filling(&w),
             stack_worth(stack_enough - 1.0 / 6 - stack_more), 1e-12);
     w.options.height = 1;
@@ -371,12 +380,13 @@ static void test_worth_of_filling(void)
    carries it moves in all. */
 static void test_steps(void)
 {
-    const double left[2] = { 0.2, 2.1 };
+    const double left[2] = {0.2, 2.1};
     for (int k = 0; k < 2; k++) {
         struct stones stock;
         struct stack_wall w;
         int moves;
-        if (two_boxes(&w, &stock)) return;
+        if (two_boxes(&w, &stock))
+            return;
         moves = stack_moves(&w, 2);
         check(moves == 0, "boxes on the ground stay", moves, 0);
         w.stone[w.laid++] = box(left[k], 1, left[k] + 1, 2);
@@ -392,11 +402,12 @@ static void test_steps(void)
    less than the errors away from the end of what carries it. */
 static void test_finish(void)
 {
-    const double left[2] = { 1.6, 1.9999 };
+    const double left[2] = {1.6, 1.9999};
     for (int k = 0; k < 2; k++) {
         struct stones stock;
         struct stack_wall w;
-        if (two_boxes(&w, &stock)) return;
+        if (two_boxes(&w, &stock))
+            return;
         put(&w, left[k], 1, left[k] + 1, 2);
         check(stack_finish(&w) == 0, "memory for the last look", k, 0);
         check(w.laid == 3 - k, "boxes that stay", w.laid, 3 - k);
@@ -410,16 +421,16 @@ static void test_finish(void)
 /* A wedge sticks between the rims of a notch, a slab lies on them. */
 static void test_sticks(void)
 {
-    const kern_vec notch[7] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1.5, 1 },
-                                { 1, 0.2 }, { 0.5, 1 }, { 0, 1 } };
-    const kern_vec wedge[3] = { { 1, 0.6 }, { 2, 1.4 }, { 0, 1.4 } };
-    const kern_vec slab[4] = { { 0.2, 1 }, { 1.8, 1 }, { 1.8, 1.4 },
-                               { 0.2, 1.4 } };
-    struct stack_place place = { 0, { 0, 0 }, { 1, 0 } };
+    const kern_vec notch[7] = {{0, 0},   {2, 0},   {2, 1}, {1.5, 1},
+                               {1, 0.2}, {0.5, 1}, {0, 1}};
+    const kern_vec wedge[3] = {{1, 0.6}, {2, 1.4}, {0, 1.4}};
+    const kern_vec slab[4] = {{0.2, 1}, {1.8, 1}, {1.8, 1.4}, {0.2, 1.4}};
+    struct stack_place place = {0, {0, 0}, {1, 0}};
     struct stones stock;
     struct stack_wall w;
     kern_block b;
-    if (two_boxes(&w, &stock)) return;
+    if (two_boxes(&w, &stock))
+        return;
     stack_cut(&w, 0);
     kern_block_init(&b, notch, 7, 1, NULL);
     place.at = b.centre;
@@ -438,12 +449,13 @@ static void test_limit(void)
 {
     struct stones stock;
     struct stack_wall w;
-    if (two_boxes(&w, &stock)) return;
-    near_to("boxes slide", stack_limit(&w.plan.task, w.plan.contact),
-            0.58, 1e-5);
+    if (two_boxes(&w, &stock))
+        return;
+    near_to("boxes slide", stack_limit(&w.plan.task, w.plan.contact), 0.58,
+            1e-5);
     put(&w, 1.75, 1, 2.25, 3);
-    near_to("a post tips", stack_limit(&w.plan.task, w.plan.contact),
-            0.25, 1e-5);
+    near_to("a post tips", stack_limit(&w.plan.task, w.plan.contact), 0.25,
+            1e-5);
     stack_free(&w);
     stones_free(&stock);
 }
@@ -455,7 +467,7 @@ static void test_limit(void)
 static void replay(struct stack_wall *w, const struct stack_wall *built)
 {
     const double most = 0.05;
-    const struct stack_run run = { 240, 4, 0, 0, 0, 2 };
+    const struct stack_run run = {240, 4, 0, 0, 0, 2};
     for (int i = 0; i < built->laid; i++) {
         kern_contact contact[4000];
         if (stack_lay(w, &built->place[i])) {
@@ -463,8 +475,8 @@ static void replay(struct stack_wall *w, const struct stack_wall *built)
             return;
         }
         check(kern_contacts(w->plan.block, w->plan.task.s.blocks,
-                            &w->plan.task.options, contact, 4000, &w->work) >=
-                  0,
+                            &w->plan.task.options, contact, 4000, &w->work)
+                  >= 0,
               "nothing overlaps", i, built->laid);
         check(stack_sway(w, NULL, &run, 1, most) <= most, "a wall stays", i,
               most);
@@ -486,8 +498,8 @@ static void test_walls(int seeds)
                 o.walls = 8;
                 o.seed = (uint64_t)seed;
                 stones_make(&stock, level, 36, 0, (uint64_t)(500 + seed));
-                if (stack_open(&w, &stock, &o) ||
-                    stack_open(&again, &stock, &o) || stack_plan(&w)) {
+                if (stack_open(&w, &stock, &o) || stack_open(&again, &stock, &o)
+                    || stack_plan(&w)) {
                     check(0, "memory for a wall", level, seed);
                     return;
                 }
@@ -512,7 +524,8 @@ static void test_bond(void)
         struct stack_wall w;
         struct stone on_top = box(0, 5, 2, 6), middle = box(4, 5, 6, 6);
         int course[26];
-        if (bricks(&w, &stock, k)) return;
+        if (bricks(&w, &stock, k))
+            return;
         check(stack_column_of(&w, &on_top, 21) == (k ? 0 : 4), "column",
               stack_column_of(&w, &on_top, 21), k ? 0 : 4);
         check(stack_column_of(&w, &middle, 23) == 0, "not at an end",
@@ -552,11 +565,13 @@ static void test_foundation(void)
             mean += s->area / 30;
         }
         stones_sum_up(&stock);
-        if (stack_open(&w, &stock, &o) || stack_plan(&w)) return;
+        if (stack_open(&w, &stock, &o) || stack_plan(&w))
+            return;
         for (int i = 0; i < w.laid; i++) {
             const struct stone *s = &w.stone[i];
             small += s->area < mean / 3;
-            if (s->low.y > 0.05) continue;
+            if (s->low.y > 0.05)
+                continue;
             founded++;
             check(s->area >= mean / 3, "a stone of the foundation", s->area,
                   mean / 3);
@@ -572,13 +587,14 @@ static void test_foundation(void)
    thinner does nothing. Neither is a stone of the masonry figures. */
 static void test_pins(void)
 {
-    const double thick[2] = { 0.3, 0.15 };
+    const double thick[2] = {0.3, 0.15};
     for (int k = 0; k < 2; k++) {
-        const kern_vec wedge[3] = { { 0, 0 }, { 0.6, 0 }, { 0.6, thick[k] } };
+        const kern_vec wedge[3] = {{0, 0}, {0.6, 0}, {0.6, thick[k]}};
         struct stones stock;
         struct stack_wall w;
         struct masonry m;
-        if (two_boxes(&w, &stock)) return;
+        if (two_boxes(&w, &stock))
+            return;
         stack_cut(&w, 1);
         put(&w, 1, 0, 2.5, 0.8);
         put(&w, 0.2, 1, 1.4, 2);
@@ -592,8 +608,8 @@ static void test_pins(void)
               4 - k);
         check(masonry_of(&w.plan.task.s, 1, &m) == 0, "masonry", k, 0);
         near_to("on two", m.on_two, 1 - k, 0);
-        near_to("a pin has no bed", m.bed, (1 + 1.5 / sqrt(1.2) + 0.8 / sqrt(1.2))
-                / 3, 1e-9);
+        near_to("a pin has no bed", m.bed,
+                (1 + 1.5 / sqrt(1.2) + 0.8 / sqrt(1.2)) / 3, 1e-9);
         stack_cut(&w, 3);
         check(w.pins == 0, "pins", w.pins, 0);
         stack_free(&w);
@@ -627,7 +643,8 @@ static void test_notches(void)
     struct stones stock;
     struct stack_wall w;
     struct stone end = box(3, 0, 4, 1.5), inner = box(2.6, 0, 3.6, 1.5);
-    if (two_boxes(&w, &stock)) return;
+    if (two_boxes(&w, &stock))
+        return;
     check(stack_notches(&w, a) == 2, "notches", stack_notches(&w, a), 2);
     near_to("middle between two boxes", a[0].x, 1.25, 1e-12);
     near_to("middle up to the side", a[1].x, 3.25, 1e-12);
@@ -644,7 +661,8 @@ static void test_endured_level(void)
     struct stones stock;
     struct stack_wall w;
     double low, high;
-    if (two_boxes(&w, &stock)) return;
+    if (two_boxes(&w, &stock))
+        return;
     low = stack_endured_level(&w, 0);
     put(&w, 3, 0, 3.5, 2.4);
     high = stack_endured_level(&w, 0);
@@ -667,34 +685,38 @@ static void test_same(void)
     o.walls = 3;
     stones_make(&stock, 40, 20, 0, 3);
     for (int k = 0; k < 2; k++)
-        if (stack_open(&w[k], &stock, &o) || stack_plan(&w[k])) return;
+        if (stack_open(&w[k], &stock, &o) || stack_plan(&w[k]))
+            return;
     check(w[0].laid == w[1].laid, "the same wall", w[0].laid, w[1].laid);
     for (int i = 0; i < w[0].laid && i < w[1].laid; i++)
-        check(stack_same(&w[0].place[i], &w[1].place[i], 1e-300) ||
-              w[0].place[i].at.x - w[1].place[i].at.x == 0,
+        check(stack_same(&w[0].place[i], &w[1].place[i], 1e-300)
+                  || w[0].place[i].at.x - w[1].place[i].at.x == 0,
               "the same place", w[0].place[i].at.x, w[1].place[i].at.x);
-    for (int k = 0; k < 2; k++) stack_free(&w[k]);
+    for (int k = 0; k < 2; k++)
+        stack_free(&w[k]);
     stones_free(&stock);
 }
 
 /* Equal bricks: `best` lays level courses, and no joint runs through. */
 static void test_bricks(void)
 {
-    const kern_vec v[4] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 0, 1 } };
+    const kern_vec v[4] = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
     for (int seed = 1; seed <= 3; seed++) {
         struct stack_options o = stack_defaults();
         struct stones stock;
         struct stack_wall w;
-        struct masonry m = { 0, 0, 0, 0, 0, 0, 0 };
+        struct masonry m = {0, 0, 0, 0, 0, 0, 0};
         o.width = 8.5;
         o.height = 3;
         o.walls = 16;
         o.seed = (uint64_t)seed;
         stones_make(&stock, 0, 30, 0, 1);
-        for (int i = 0; i < stock.stones; i++) stone_of(&stock.stone[i], v, 4);
+        for (int i = 0; i < stock.stones; i++)
+            stone_of(&stock.stone[i], v, 4);
         stock.size = sqrt(2);
         stock.area = 2;
-        if (stack_open(&w, &stock, &o) || stack_plan(&w)) return;
+        if (stack_open(&w, &stock, &o) || stack_plan(&w))
+            return;
         masonry_of(&w.plan.task.s, stock.size, &m);
         check(w.laid == 12, "bricks that fill the frame", w.laid, 12);
         for (int i = 0; i < w.laid; i++)
@@ -713,16 +735,18 @@ static void test_filters(void)
     struct stack_options o = stack_defaults();
     struct stones stock;
     struct stack_wall w;
-    struct stack_list list = { NULL, 0, 0 };
+    struct stack_list list = {NULL, 0, 0};
     int kept = 0;
-    for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = 0;
+    for (int k = 0; k < STACK_FILTERS; k++)
+        o.threshold[k] = 0;
     stones_make(&stock, 30, 10, 0, 5);
-    if (stack_open(&w, &stock, &o) ||
-        stack_propose(&w, &list, 1, NULL, 0))
+    if (stack_open(&w, &stock, &o) || stack_propose(&w, &list, 1, NULL, 0))
         return;
     check(list.count > 20, "candidates on the ground", list.count, 20);
-    for (int k = 0; k < STACK_FILTERS; k++) stack_sift(&w, &list, k);
-    for (int i = 0; i < list.count; i++) kept += !list.one[i].out;
+    for (int k = 0; k < STACK_FILTERS; k++)
+        stack_sift(&w, &list, k);
+    for (int i = 0; i < list.count; i++)
+        kept += !list.one[i].out;
     check(kept >= 1 && kept < list.count, "what filters keep", kept, 1);
     free(list.one);
     stack_free(&w);
@@ -744,16 +768,18 @@ static struct stone released(const struct stack_wall *w, double angle)
    diagonal, 26.6 degrees off the long face, it could do either. */
 static void test_release(void)
 {
-    static const kern_vec brick[4] = { { -1, -0.5 }, { 1, -0.5 },
-                                       { 1, 0.5 }, { -1, 0.5 } };
+    static const kern_vec brick[4] = {
+        {-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}};
     struct stack_options o = stack_defaults();
     struct stones stock;
     struct stack_wall w;
     stones_make(&stock, 0, 2, 0, 1);
-    for (int i = 0; i < 2; i++) stone_of(&stock.stone[i], brick, 4);
+    for (int i = 0; i < 2; i++)
+        stone_of(&stock.stone[i], brick, 4);
     stock.size = sqrt(2);
     stock.area = 2;
-    if (stack_open(&w, &stock, &o)) return;
+    if (stack_open(&w, &stock, &o))
+        return;
     near_to("lies", released(&w, 0.9).centre.y, 0.5, 2e-3);
     near_to("lies on its other face", released(&w, 0.9 + pi).centre.y, 0.5,
             2e-3);
@@ -771,7 +797,8 @@ static void test_settle(void)
     struct stack_place place[2];
     struct stack_candidate c;
     memset(&c, 0, sizeof c);
-    if (two_boxes(&w, &stock)) return;
+    if (two_boxes(&w, &stock))
+        return;
     stack_cut(&w, 1);
     c.place.stone = 1;
     c.place.turn = stones_vec(1, 0);
@@ -790,8 +817,8 @@ static void test_settle(void)
    stays when it is released, and is the same once more. */
 static void test_dropped(void)
 {
-    const struct drop_options drop = { 60, 8, 0.1 };
-    const struct stack_run run = { 240, 4, 0, 0, 0, 2 };
+    const struct drop_options drop = {60, 8, 0.1};
+    const struct stack_run run = {240, 4, 0, 0, 0, 2};
     for (int p = STACK_HEURISTIC; p <= STACK_COMBINED; p++) {
         struct stack_options o = stack_defaults();
         struct stones stock;
@@ -799,8 +826,8 @@ static void test_dropped(void)
         o.planner = (enum stack_planner)p;
         o.width = 5;
         stones_make(&stock, 30, 10, 0, 77);
-        if (stack_open(&w, &stock, &o) || stack_open(&again, &stock, &o) ||
-            drop_build(&w, &drop) || drop_build(&again, &drop))
+        if (stack_open(&w, &stock, &o) || stack_open(&again, &stock, &o)
+            || drop_build(&w, &drop) || drop_build(&again, &drop))
             return;
         check(w.laid >= 8, "stones that are laid", w.laid, 8);
         check(stack_sway(&w, NULL, &run, 1, 0.05) <= 0.05, "a wall stays", 0,
@@ -809,8 +836,8 @@ static void test_dropped(void)
         for (int i = 0; i < w.laid; i++) {
             near_to("the same place", again.stone[i].centre.x,
                     w.stone[i].centre.x, 0);
-            check(w.stone[i].low.x > -0.01 && w.stone[i].high.x < 5.01 &&
-                      w.stone[i].low.y > -2e-3,
+            check(w.stone[i].low.x > -0.01 && w.stone[i].high.x < 5.01
+                      && w.stone[i].low.y > -2e-3,
                   "a stone in the frame", w.stone[i].low.x, 0);
         }
         stack_free(&w);

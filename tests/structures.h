@@ -57,7 +57,9 @@ static uint32_t random_word(void)
 }
 
 static int random_below(int end)
-{ return (int)(random_word() % (uint32_t)end); }
+{
+    return (int)(random_word() % (uint32_t)end);
+}
 
 static kern_real uniform(double low, double high)
 { /* 24 bits, which a float holds */
@@ -112,7 +114,8 @@ static void make_tower(int blocks, kern_real slope)
 static void make_wall(int blocks)
 {
     const int row = 2 + random_below(4);
-    const kern_real joint = random_below(2) ? (kern_real)(0) : (kern_real)(0.03);
+    const kern_real joint = random_below(2) ? (kern_real)(0)
+                                            : (kern_real)(0.03);
     kern_real y = 0;
     add_box(-9, -1, 9, 0, 0);
     while (blocks > 0) {
@@ -136,7 +139,7 @@ static kern_vec on_circle(kern_real half_tangent, kern_real radius)
 {
     const kern_real q = half_tangent * half_tangent;
     return vec_of(radius * 2 * half_tangent / (1 + q),
-                         radius * (1 - q) / (1 + q));
+                  radius * (1 - q) / (1 + q));
 }
 
 /* Voussoirs between two fixed ones. */
@@ -146,7 +149,7 @@ static void make_arch(int blocks)
     const kern_real step = 2 * end / (kern_real)(blocks);
     int i;
     for (i = -1; i <= blocks; i++) {
-        const kern_real from = -end + (kern_real)(i) * step;
+        const kern_real from = -end + (kern_real)(i)*step;
         const kern_real to = -end + (kern_real)(i + 1) * step;
         kern_vec c[4];
         c[0] = on_circle(from, 1);
@@ -225,8 +228,7 @@ static void load_some(void)
             const kern_real fx = uniform(-0.2, 0.2) * weight;
             const kern_real fy = uniform(-0.4, 0.2) * weight;
             const kern_real torque = uniform(-0.04, 0.04) * weight;
-            kern_block_load(&block[i], vec_of(fx, fy), block[i].centre,
-                            torque);
+            kern_block_load(&block[i], vec_of(fx, fy), block[i].centre, torque);
         }
 }
 
@@ -267,8 +269,8 @@ static void random_structure(int seed, int most, kern_work *work)
     default: make_points(random_count(1, most)); break;
     }
     if (s.contacts == 0)
-        s.contacts = kern_contacts(block, s.blocks, &options, contact,
-                                   CONTACTS, work);
+        s.contacts = kern_contacts(block, s.blocks, &options, contact, CONTACTS,
+                                   work);
     if (random_below(3) == 0)
         load_some();
 }

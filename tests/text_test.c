@@ -47,25 +47,33 @@ static int failed;
 
 static void check(int good, const char *what)
 {
-    if (!good) printf("FAILED: %s\n", what);
+    if (!good)
+        printf("FAILED: %s\n", what);
     failed += !good;
 }
 
 static void numbers(void)
 {
-    static const struct { const char *word; double value; } good[] = {
-        { "0.5", 0.5 }, { "-.25e3", -250 }, { "1.", 1 }, { "+12", 12 },
-        { "3e2", 300 },
-        { "0.12345678901234567890123456789012345678901234567890123456789012345"
-          "6789012345678901234567890", 0.12345678901234568 }
-    };
-    static const char *const bad[] = { "0,5", ".", "1.5x", "1e400", "", "inf",
-                                       "0x1p3", "1.2.3", "e5" };
+    static const struct {
+        const char *word;
+        double value;
+    } good[] = {
+        {"0.5", 0.5},
+        {"-.25e3", -250},
+        {"1.", 1},
+        {"+12", 12},
+        {"3e2", 300},
+        {"0.12345678901234567890123456789012345678901234567890123456789012345"
+         "6789012345678901234567890",
+         0.12345678901234568}};
+    static const char *const bad[] = {"0,5", ".",     "1.5x",  "1e400", "",
+                                      "inf", "0x1p3", "1.2.3", "e5"};
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
         kern_real got = -1;
         check(text_number(good[i].word, &got)
-              && fabs((double)got - good[i].value) <=
-                  4 * (double)KERN_EPS * fabs(good[i].value), good[i].word);
+                  && fabs((double)got - good[i].value)
+                         <= 4 * (double)KERN_EPS * fabs(good[i].value),
+              good[i].word);
     }
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         kern_real got;
@@ -79,7 +87,8 @@ static void refused(const char *text, size_t length, int line,
 {
     struct text_file t;
     check(text_read(&t, text, length) == -1 && t.line == line
-          && strstr(t.message, words), words);
+              && strstr(t.message, words),
+          words);
     text_free(&t);
 }
 
@@ -93,11 +102,12 @@ static void last_wins(void)
         "friction 0.25\ngravity 0 -8\nepsilon 0.5\ntolerance 0.125\n";
     struct text_file t;
     check(text_read(&t, text, sizeof text - 1) == 0
-          && t.options.mu == (kern_real)0.25
-          && t.options.gap == (kern_real)0.125
-          && t.options.epsilon == (kern_real)0.5
-          && t.options.angle == kern_defaults().angle
-          && t.gravity.x == 0 && t.gravity.y == -8, "the last one wins");
+              && t.options.mu == (kern_real)0.25
+              && t.options.gap == (kern_real)0.125
+              && t.options.epsilon == (kern_real)0.5
+              && t.options.angle == kern_defaults().angle && t.gravity.x == 0
+              && t.gravity.y == -8,
+          "the last one wins");
     text_free(&t);
 }
 

@@ -25,18 +25,23 @@
 #include "../examples/parts/room.h"
 #include "../examples/parts/text.h"
 
-enum { MANY = 20000, POINTS = 4000, LABELS = 3, GROUPS = 10,
-       RECOMMENDED = 6 /* of the reserves in main() */ };
+enum {
+    MANY = 20000,
+    POINTS = 4000,
+    LABELS = 3,
+    GROUPS = 10,
+    RECOMMENDED = 6 /* of the reserves in main() */
+};
 
-static const char *label_name[LABELS] = { "stays", "moves", "unclear" };
+static const char *label_name[LABELS] = {"stays", "moves", "unclear"};
 static kern_contact contact[POINTS];
 static struct found {
     int label;
     int wall; /* its number; -1: none */
     kern_raising raised;
     double reserve, load, stays;
-    double odds;          /* what the law scales and squares */
-    double fitted;        /* the chance by the law of the other half */
+    double odds;   /* what the law scales and squares */
+    double fitted; /* the chance by the law of the other half */
 } found[MANY];
 static int count, unproven;
 static double seconds[3]; /* margin, raised, with the reserve */
@@ -51,37 +56,41 @@ static kern_real measure(struct text_file *t, struct found *f, kern_work *work)
     kern_real load[2], reserve, stays, sag = 0;
     kern_force force[POINTS];
     kern_motion *motion = malloc(sizeof *motion * (size_t)t->blocks);
-    kern_proof proof = { force, motion };
+    kern_proof proof = {force, motion};
     double at;
     task.s.gravity = t->gravity;
     task.options = t->options;
     task.s.contacts = t->given ? t->contacts
                                : kern_contacts(t->block, t->blocks, &t->options,
                                                contact, POINTS, work);
-    if (t->given) task.s.contact = t->contact;
+    if (t->given)
+        task.s.contact = t->contact;
     at = now();
-    if (kern_measure(&task, &m, NULL) != KERN_STANDS) return -1;
+    if (kern_measure(&task, &m, NULL) != KERN_STANDS)
+        return -1;
     seconds[0] += now() - at;
     at = now();
-    if (kern_raised(&task, 0, &f->raised, NULL, &proof) !=
-        KERN_STANDS) return -1;
+    if (kern_raised(&task, 0, &f->raised, NULL, &proof) != KERN_STANDS)
+        return -1;
     seconds[1] += now() - at;
-    if (f->raised != KERN_NOT_SHOWN &&
-        !(kern_check_raised(&task, 0, f->raised, &proof) <= 1))
+    if (f->raised != KERN_NOT_SHOWN
+        && !(kern_check_raised(&task, 0, f->raised, &proof) <= 1))
         unproven++;
     at = now();
     kern_raised(&task, 0, &f->raised, &reserve, NULL);
     seconds[2] += now() - at;
     for (int side = -1; side <= 1; side += 2)
         if (kern_load_factor(&task, 0, side > 0 ? KERN_RIGHT : KERN_LEFT,
-                             &load[side > 0], NULL) != KERN_STANDS)
+                             &load[side > 0], NULL)
+            != KERN_STANDS)
             return -1;
-    if (kern_stays(&task, t->blocks - 1, &stays) != KERN_STANDS) return -1;
+    if (kern_stays(&task, t->blocks - 1, &stays) != KERN_STANDS)
+        return -1;
     f->reserve = (double)reserve;
     kern_raise_task(&task, 0, &shown, &reserve, NULL, t->blocks - 1, &sag);
     f->stays = (double)stays;
-    f->odds = pow((double)(reserve + KERN_STAYS_ADD), 3) /
-              (double)kern_max(sag, 1);
+    f->odds = pow((double)(reserve + KERN_STAYS_ADD), 3)
+            / (double)kern_max(sag, 1);
     f->load = (double)(load[0] < load[1] ? load[0] : load[1]);
     free(motion);
     return 0;
@@ -99,7 +108,8 @@ static void read_one(const char *folder, const char *name, int label)
     }
     work = room_work(t.blocks, 800);
     found[count].label = label;
-    if (sscanf(name, "w%d-", &found[count].wall) != 1) found[count].wall = -1;
+    if (sscanf(name, "w%d-", &found[count].wall) != 1)
+        found[count].wall = -1;
     if (measure(&t, &found[count], &work) >= 0) {
         if (getenv("TRUTH_EACH"))
             printf("%s %s %d %g %g\n", name, label_name[label],
@@ -112,10 +122,14 @@ static void read_one(const char *folder, const char *name, int label)
 }
 
 static double by_reserve(const struct found *f)
-{ return f->reserve + 1e-3 * (f->raised == KERN_RAISED); }
+{
+    return f->reserve + 1e-3 * (f->raised == KERN_RAISED);
+}
 
 static double by_load(const struct found *f)
-{ return by_reserve(f) + 1e-6 * f->load; }
+{
+    return by_reserve(f) + 1e-6 * f->load;
+}
 
 static double by_stays(const struct found *f) { return f->stays; }
 
@@ -126,7 +140,9 @@ static double by_raised(const struct found *f) { return f->reserve; }
 static int half; /* what is looked at: 0, 1 walls of this parity, 2 all */
 
 static int is_seen(const struct found *f)
-{ return half == 2 || (f->wall >= 0 && f->wall % 2 == half); }
+{
+    return half == 2 || (f->wall >= 0 && f->wall % 2 == half);
+}
 
 /* Share of the pairs of one that stays and one that moves in which the first
    has the greater score. */
@@ -137,7 +153,8 @@ static double area(double (*score)(const struct found *))
         for (int j = 0; j < count; j++) {
             double a, b;
             if (found[i].label != 0 || found[j].label != 1
-                || !is_seen(&found[i]) || !is_seen(&found[j])) continue;
+                || !is_seen(&found[i]) || !is_seen(&found[j]))
+                continue;
             a = score(&found[i]);
             b = score(&found[j]);
             sum += a > b ? 1 : a < b ? 0 : 0.5;
@@ -150,30 +167,33 @@ static double area(double (*score)(const struct found *))
 static void shares(double (*score)(const struct found *), double least,
                    double *share)
 {
-    double all[LABELS] = { 0 };
-    for (int k = 0; k < LABELS; k++) share[k] = 0;
+    double all[LABELS] = {0};
+    for (int k = 0; k < LABELS; k++)
+        share[k] = 0;
     for (int i = 0; i < count; i++) {
-        if (!is_seen(&found[i])) continue;
+        if (!is_seen(&found[i]))
+            continue;
         all[found[i].label]++;
         share[found[i].label] += score(&found[i]) >= least;
     }
-    for (int k = 0; k < LABELS; k++) share[k] /= all[k] > 0 ? all[k] : 1;
+    for (int k = 0; k < LABELS; k++)
+        share[k] /= all[k] > 0 ? all[k] : 1;
 }
 
 /* What the highest chance rejects that keeps 95 % of what stays. */
-static void print_stays(const char *name,
-                        double (*score)(const struct found *))
+static void print_stays(const char *name, double (*score)(const struct found *))
 {
     double best = 0, share[LABELS];
     for (int i = 0; i < count; i++) {
-        if (!is_seen(&found[i])) continue;
+        if (!is_seen(&found[i]))
+            continue;
         shares(score, score(&found[i]), share);
         if (share[0] >= 0.95 && score(&found[i]) > best)
             best = score(&found[i]);
     }
     shares(score, best, share);
-    printf("%s: area %.4f; from %.3f on kept %.3f, rejected %.3f, %.3f\n",
-           name, area(score), best, share[0], 1 - share[1], 1 - share[2]);
+    printf("%s: area %.4f; from %.3f on kept %.3f, rejected %.3f, %.3f\n", name,
+           area(score), best, share[0], 1 - share[1], 1 - share[2]);
 }
 
 /* The law of kern_stays(), of any scale. */
@@ -190,15 +210,17 @@ static double fit(void)
     const double part = 0.6180339887;
     double low = log(1e4), high = log(1e12);
     for (int step = 0; step < 60; step++) {
-        double at[2] = { high - part * (high - low), low + part * (high - low) };
-        double likely[2] = { 0, 0 };
+        double at[2] = {high - part * (high - low), low + part * (high - low)};
+        double likely[2] = {0, 0};
         for (int i = 0; i < count; i++)
             for (int k = 0; k < 2 && is_seen(&found[i]); k++) {
                 const double p = chance_of(exp(at[k]), &found[i]);
                 likely[k] += log(found[i].label == 0 ? p : 1 - p);
             }
-        if (likely[0] < likely[1]) low = at[0];
-        else high = at[1];
+        if (likely[0] < likely[1])
+            low = at[0];
+        else
+            high = at[1];
     }
     return exp((low + high) / 2);
 }
@@ -218,14 +240,16 @@ static double off(void)
     double most = 0;
     int n = 0;
     for (int i = 0; i < count; i++)
-        if (is_seen(&found[i])) seen[n++] = found[i];
+        if (is_seen(&found[i]))
+            seen[n++] = found[i];
     qsort(seen, (size_t)n, sizeof *seen, by_fit);
     for (int g = 0; g < GROUPS; g++) {
         const int first = n * g / GROUPS, end = n * (g + 1) / GROUPS;
         double sum = 0;
         for (int i = first; i < end; i++)
             sum += seen[i].fitted - (seen[i].label == 0);
-        if (end > first) most = fmax(most, fabs(sum / (end - first)));
+        if (end > first)
+            most = fmax(most, fabs(sum / (end - first)));
     }
     return most;
 }
@@ -244,8 +268,8 @@ static void print_chances(double (*score)(const struct found *))
 /* Each half by the law of the other. */
 static void print_halves(void)
 {
-    static const char *const name[] = { "even walls by the law of the odd",
-                                        "odd walls by the law of the even" };
+    static const char *const name[] = {"even walls by the law of the odd",
+                                       "odd walls by the law of the even"};
     for (int k = 0; k < 2; k++) {
         double scale;
         half = 1 - k;
@@ -267,11 +291,11 @@ static void print_halves(void)
    that are wanted. */
 static int row(double least, double kept, double rejected)
 {
-    double in[LABELS] = { 0 }, all[LABELS] = { 0 };
+    double in[LABELS] = {0}, all[LABELS] = {0};
     for (int i = 0; i < count; i++) {
         all[found[i].label]++;
-        in[found[i].label] += found[i].raised == KERN_RAISED &&
-                              found[i].reserve >= least;
+        in[found[i].label] += found[i].raised == KERN_RAISED
+                           && found[i].reserve >= least;
     }
     printf("%8.4f %9.3f %9.3f %9.3f\n", least, in[0] / all[0],
            all[1] > 0 ? 1 - in[1] / all[1] : 0,
@@ -283,7 +307,8 @@ static int row(double least, double kept, double rejected)
 static int label_of(const char *word)
 {
     for (int i = 0; i < LABELS; i++)
-        if (strcmp(word, label_name[i]) == 0) return i;
+        if (strcmp(word, label_name[i]) == 0)
+            return i;
     return 0;
 }
 
@@ -296,15 +321,19 @@ static int read_all(const char *folder)
     FILE *in;
     snprintf(path, sizeof path, "%s/labels.csv", folder);
     in = fopen(path, "r");
-    if (!in) return -1;
+    if (!in)
+        return -1;
     for (int n = 0; fgets(line, sizeof line, in) && count < MANY; n++) {
         char *name = strtok(line, ",\n");
         int label = 0, k = 1;
         for (char *s; (s = strtok(NULL, ",\n")) != NULL; k++) {
-            if (n == 0 && strcmp(s, "label") == 0) column = k;
-            if (k == column) label = label_of(s);
+            if (n == 0 && strcmp(s, "label") == 0)
+                column = k;
+            if (k == column)
+                label = label_of(s);
         }
-        if (n > 0 && name) read_one(folder, name, label);
+        if (n > 0 && name)
+            read_one(folder, name, label);
     }
     fclose(in);
     return 0;
@@ -312,19 +341,23 @@ static int read_all(const char *folder)
 
 int main(int argc, char **argv)
 {
-    static const double least[] = { 0, .001, .002, .003, .004, .005, .0055, .006, .007,
-                                    .008, .01, .015, .02, .03, .05, .1 };
+    static const double least[] = {0,     .001, .002, .003, .004, .005,
+                                   .0055, .006, .007, .008, .01,  .015,
+                                   .02,   .03,  .05,  .1};
     const double kept = argc > 3 ? atof(argv[2]) : 0;
     const double rejected = argc > 3 ? atof(argv[3]) : 0;
     double share[LABELS];
     int good = 1;
     half = 2;
-    if ((argc != 2 && argc != 4) || read_all(argv[1])) return 2;
+    if ((argc != 2 && argc != 4) || read_all(argv[1]))
+        return 2;
     printf("%d stand\n reserve     stays     moves   unclear\n"
-           "            kept  rejected  rejected\n", count);
+           "            kept  rejected  rejected\n",
+           count);
     for (int i = 0; i < (int)(sizeof least / sizeof least[0]); i++) {
         const int enough = row(least[i], kept, rejected);
-        if (i == RECOMMENDED) good = enough;
+        if (i == RECOMMENDED)
+            good = enough;
     }
     printf("area under the curve: %.4f, ties by load factor %.4f\n"
            "time in margins: raised %.2f, with the reserve %.2f\n",
@@ -335,12 +368,14 @@ int main(int argc, char **argv)
     shares(by_stays, 0.5, share);
     good = good && share[0] >= kept && 1 - share[1] >= rejected;
     if (count >= 200) { /* of fewer a law means nothing */
-        for (int i = 0; i < count; i++) found[i].fitted = found[i].stays;
+        for (int i = 0; i < count; i++)
+            found[i].fitted = found[i].stays;
         printf("of all, off by %.3f; the likeliest scale is %.3g\n", off(),
                fit());
         good = good && off() <= 0.05;
         print_halves();
     }
-    if (unproven > 0) printf("%d proofs that are none\n", unproven);
+    if (unproven > 0)
+        printf("%d proofs that are none\n", unproven);
     return count == 0 || unproven > 0 || !good;
 }

@@ -48,20 +48,20 @@
 #define FORGET(array, count) ((void)0)
 #endif
 
-#define ALLOWED 0.03       /* share by which a sum may be off the table       */
+#define ALLOWED 0.03 /* share by which a sum may be off the table       */
 #define SUMS_MOST 400
 #define TABLE "tests/work.csv"
 #define HEADING "set,question,asked,undecided,units,solves,pivots"
 
 /* Sums over one set and question. */
 struct sum {
-    char name[80];         /* set,question                                    */
+    char name[80]; /* set,question                                    */
     long asked, undecided, units, solves, pivots;
 };
 
 static struct sum sums[SUMS_MOST];
 static int count;
-static int each;           /* a line a question is printed                    */
+static int each; /* a line a question is printed                    */
 
 static struct sum *sum_of(const char *name)
 {
@@ -98,9 +98,9 @@ static void put(struct ask *ask, const char *set, const char *question,
     run(ask);
     CALLGRIND_DUMP_STATS_AT(name);
     if (each)
-        printf("%s,%s,%d,%d,%d,%d,%d,%.9g\n", set, name,
-               ask->scene->size, ask->status, ask->work.units,
-               ask->work.solves, ask->work.pivots, (double)ask->number);
+        printf("%s,%s,%d,%d,%d,%d,%d,%.9g\n", set, name, ask->scene->size,
+               ask->status, ask->work.units, ask->work.solves, ask->work.pivots,
+               (double)ask->number);
     snprintf(name, sizeof name, "%s,%s", set, question);
     sum = sum_of(name);
     sum->asked++;
@@ -222,14 +222,17 @@ static void print_table(void)
 static int compare_one(const struct sum *got, const struct sum *want)
 {
     const double ratio = want->units > 0
-        ? (double)got->units / (double)want->units : got->units > 0 ? 99 : 1;
+                           ? (double)got->units / (double)want->units
+                       : got->units > 0 ? 99
+                                        : 1;
     const int same = got->asked == want->asked
-                     && got->undecided == want->undecided
-                     && fabs(ratio - 1) <= ALLOWED;
+                  && got->undecided == want->undecided
+                  && fabs(ratio - 1) <= ALLOWED;
     if (!same)
         printf("%-24s %9ld units for %9ld: %6.3f; %ld asked for %ld; %ld "
-               "undecided for %ld\n", got->name, got->units, want->units, ratio,
-               got->asked, want->asked, got->undecided, want->undecided);
+               "undecided for %ld\n",
+               got->name, got->units, want->units, ratio, got->asked,
+               want->asked, got->undecided, want->undecided);
     return same;
 }
 
@@ -248,10 +251,12 @@ static int compare(void)
             give_up("a bad row in " TABLE);
         snprintf(want.name, sizeof want.name, "%.*s",
                  (int)(strcspn(line, ",") + 1
-                       + strcspn(line + strcspn(line, ",") + 1, ",")), line);
+                       + strcspn(line + strcspn(line, ",") + 1, ",")),
+                 line);
         if (sscanf(line + strlen(want.name), ",%ld,%ld,%ld,%ld,%ld",
                    &want.asked, &want.undecided, &want.units, &want.solves,
-                   &want.pivots) != 5)
+                   &want.pivots)
+            != 5)
             give_up("a bad row in " TABLE);
         rows++;
         same += compare_one(sum_of(want.name), &want);

@@ -17,24 +17,28 @@
 
 #define PAGE(name) __attribute__((export_name(#name)))
 
-enum { BLOCKS = 400, CONTACTS = 6000, VERTICES = 40000,
-       PAIRS = 50,
-       LIMIT = 1000000 }; /* units of work, before a page seems to hang */
+enum {
+    BLOCKS = 400,
+    CONTACTS = 6000,
+    VERTICES = 40000,
+    PAIRS = 50,
+    LIMIT = 1000000
+}; /* units of work, before a page seems to hang */
 
 /* Exported by build.sh: the page finds them by name. */
-kern_vec vertex[VERTICES];     /* of all blocks, written by the page         */
-kern_force force[CONTACTS];    /* of the last call that found KERN_STANDS    */
-kern_motion motion[BLOCKS];    /* of the last one that found KERN_FALLS, and
+kern_vec vertex[VERTICES];  /* of all blocks, written by the page         */
+kern_force force[CONTACTS]; /* of the last call that found KERN_STANDS    */
+kern_motion motion[BLOCKS]; /* of the last one that found KERN_FALLS, and
                                   of measure()                               */
-int meeting[CONTACTS];         /* of contact points, by critical(): hinges 1 */
-int group[BLOCKS];             /* of blocks that move as one, by critical();
+int meeting[CONTACTS];      /* of contact points, by critical(): hinges 1 */
+int group[BLOCKS];          /* of blocks that move as one, by critical();
                                   -1: rests                                  */
 double centre[BLOCKS][2];
-double point[CONTACTS][8];     /* a, b, line, x, y, normal, travel           */
-double overlap[PAIRS][3];      /* a, b, depth                                */
-double fault[4], answer[6];    /* answer: of the last call                   */
-const int constant[7] = { BLOCKS, VERTICES, KERN_STANDS, KERN_FALLS,
-                          KERN_OVERLAP, KERN_RAISED, KERN_HANGS };
+double point[CONTACTS][8];  /* a, b, line, x, y, normal, travel           */
+double overlap[PAIRS][3];   /* a, b, depth                                */
+double fault[4], answer[6]; /* answer: of the last call                   */
+const int constant[7] = {BLOCKS,       VERTICES,    KERN_STANDS, KERN_FALLS,
+                         KERN_OVERLAP, KERN_RAISED, KERN_HANGS};
 
 static kern_block block[BLOCKS];
 static kern_wrench live[BLOCKS]; /* the live load, about the centres          */
@@ -68,8 +72,8 @@ PAGE(begin) void page_begin(double gravity_x, double gravity_y)
     task.s.gravity.y = gravity_y;
 }
 
-PAGE(options) void page_options(double mu, double gap, double angle,
-                                double epsilon)
+PAGE(options)
+void page_options(double mu, double gap, double angle, double epsilon)
 {
     task.options.mu = mu;
     task.options.gap = gap;
@@ -88,15 +92,17 @@ static void put_centre(int i)
    0: fixed. */
 PAGE(block) int page_block(int i, int first, int vertices, double density)
 {
-    kern_fault f = { .block = i, .other = -1, .index = -1 };
+    kern_fault f = {.block = i, .other = -1, .index = -1};
     int status = density > 0
-        ? kern_block_init(&block[i], vertex + first, vertices, density, &f)
-        : kern_ground_init(&block[i], vertex + first, vertices, &f);
-    const kern_wrench none = { 0, 0, 0 };
+                   ? kern_block_init(&block[i], vertex + first, vertices,
+                                     density, &f)
+                   : kern_ground_init(&block[i], vertex + first, vertices, &f);
+    const kern_wrench none = {0, 0, 0};
     f.block = i;
     live[i] = none;
     put_centre(i);
-    if (i >= task.s.blocks) task.s.blocks = i + 1;
+    if (i >= task.s.blocks)
+        task.s.blocks = i + 1;
     return report(status, &f);
 }
 
@@ -109,10 +115,10 @@ PAGE(move_centre) void page_move_centre(int i, double x, double y)
     put_centre(i);
 }
 
-PAGE(load) void page_load(int i, double fx, double fy, double x, double y,
-                          double torque)
+PAGE(load)
+void page_load(int i, double fx, double fy, double x, double y, double torque)
 {
-    kern_vec f = { fx, fy }, at = { x, y };
+    kern_vec f = {fx, fy}, at = {x, y};
     kern_block_load(&block[i], f, at, torque);
 }
 
@@ -128,7 +134,7 @@ PAGE(weight) void page_weight(int i, double mass, double x, double y)
 
 PAGE(live) void page_live(int i, double fx, double fy, double x, double y)
 {
-    kern_vec f = { fx, fy }, at = { x, y };
+    kern_vec f = {fx, fy}, at = {x, y};
     kern_block alone = block[i];
     alone.load = live[i];
     kern_block_load(&alone, f, at, 0);
@@ -169,7 +175,8 @@ PAGE(overlaps) int page_overlaps(void)
     kern_overlap pair[PAIRS];
     int i, found = kern_overlaps(block, task.s.blocks, &task.options, pair,
                                  PAIRS, &work);
-    if (found > PAIRS) found = PAIRS;
+    if (found > PAIRS)
+        found = PAIRS;
     for (i = 0; i < found; i++) {
         overlap[i][0] = pair[i].a;
         overlap[i][1] = pair[i].b;
@@ -184,10 +191,12 @@ PAGE(rests) int page_rests(int i)
 {
     int other, k, upright = 0;
     for (other = 0; other < task.s.blocks; other++) {
-        const kern_block pair[2] = { block[other], block[i] };
+        const kern_block pair[2] = {block[other], block[i]};
         int found = other == i ? 0
-            : kern_touch(pair, 1, &task.options, contact, CONTACTS, &work);
-        if (found < 0) return found;
+                               : kern_touch(pair, 1, &task.options, contact,
+                                            CONTACTS, &work);
+        if (found < 0)
+            return found;
         for (k = 0; k < found; k++)
             upright += contact[k].n.y * contact[k].n.y > 0.5;
     }
@@ -195,17 +204,19 @@ PAGE(rests) int page_rests(int i)
 }
 
 /* A contact that is given, from p to q; after the last one, given(). */
-PAGE(contact) int page_contact(int a, int b, double nx, double ny, double px,
-                               double py, double qx, double qy, double mu)
+PAGE(contact)
+int page_contact(int a, int b, double nx, double ny, double px, double py,
+                 double qx, double qy, double mu)
 {
-    kern_contact c = { .a = a, .b = b, .p = { px, py }, .n = { nx, ny },
-                       .mu = mu };
-    kern_vec q = { qx, qy };
+    kern_contact c = {.a = a, .b = b, .p = {px, py}, .n = {nx, ny}, .mu = mu};
+    kern_vec q = {qx, qy};
     int made;
-    if (task.s.contacts + 2 > CONTACTS) return KERN_NO_SPACE;
+    if (task.s.contacts + 2 > CONTACTS)
+        return KERN_NO_SPACE;
     contact[task.s.contacts] = c;
     made = kern_contact_make(&contact[task.s.contacts], q, &task.options);
-    if (made > 0) task.s.contacts += made;
+    if (made > 0)
+        task.s.contacts += made;
     return made;
 }
 
@@ -217,7 +228,7 @@ PAGE(given) int page_given(void)
 
 PAGE(verdict) int page_verdict(double shrink)
 {
-    kern_proof proof = { force, motion };
+    kern_proof proof = {force, motion};
     return report(kern_verdict(&task, shrink, &proof), &work.fault);
 }
 
@@ -230,8 +241,8 @@ PAGE(forces) int page_forces(double shrink)
 /* Answer: margin, level, saturated, most, fails, mean block size. */
 PAGE(measure) int page_measure(void)
 {
-    kern_proof proof = { force, motion };
-    kern_margin m = { .margin = 0 };
+    kern_proof proof = {force, motion};
+    kern_margin m = {.margin = 0};
     int status = kern_measure(&task, &m, &proof);
     answer[0] = m.margin;
     answer[1] = m.level;
@@ -249,16 +260,16 @@ PAGE(falls) void page_falls(double shrink)
     static kern_contact touch[CONTACTS];
     static kern_motion moved[BLOCKS];
     static int place[BLOCKS];
-    struct falls_part left = { rest, touch, moved, place };
+    struct falls_part left = {rest, touch, moved, place};
     falls_all(&task, shrink, motion, &left);
 }
 
 /* After a verdict or a measure: the contact point that limits most, or -1. */
 PAGE(critical) int page_critical(double shrink, int stands)
 {
-    kern_proof proof = { stands ? force : NULL, motion };
-    kern_critical out = { .meeting = (kern_meeting *)meeting, .group = group,
-                          .contact = -1 };
+    kern_proof proof = {stands ? force : NULL, motion};
+    kern_critical out = {
+        .meeting = (kern_meeting *)meeting, .group = group, .contact = -1};
     kern_critical_of(&task, shrink, &proof, &out);
     return out.contact;
 }
@@ -269,7 +280,7 @@ PAGE(measured) int page_measured(double e)
 {
     static kern_contact measured[CONTACTS], scratch[CONTACTS];
     kern_task other = task;
-    kern_margin m = { .margin = 0 };
+    kern_margin m = {.margin = 0};
     kern_interval in;
     int status;
     other.known = kern_known_of(NULL, NULL);
@@ -278,17 +289,19 @@ PAGE(measured) int page_measured(double e)
     other.s.contact = measured;
     other.s.contacts = kern_contacts(block, task.s.blocks, &other.options,
                                      measured, CONTACTS, &work);
-    if (other.s.contacts < 0) return report(other.s.contacts, &work.fault);
+    if (other.s.contacts < 0)
+        return report(other.s.contacts, &work.fault);
     status = kern_measure(&other, &m, NULL);
-    answer[0] = status < 0 ? 0 : kern_certain(&other, m.margin, &in, scratch,
-                                              CONTACTS) > 0;
+    answer[0] = status < 0
+                  ? 0
+                  : kern_certain(&other, m.margin, &in, scratch, CONTACTS) > 0;
     return report(status, &work.fault);
 }
 
 /* Answer: the margin where friction narrows as well (kern_options). */
 PAGE(narrowed) int page_narrowed(double narrow)
 {
-    kern_margin m = { .margin = 0 };
+    kern_margin m = {.margin = 0};
     int status;
     task.options.narrow = narrow;
     status = kern_measure(&task, &m, NULL);

@@ -21,10 +21,12 @@
 #include "../../kern.h"
 
 enum { POINTS = 10000, CONTACTS = 4000, BLOCKS = 2 };
-enum { REALS = KERN_REALS(BLOCKS, CONTACTS),
-       INTS = KERN_INTS(BLOCKS, CONTACTS) }; /* of work memory */
+enum {
+    REALS = KERN_REALS(BLOCKS, CONTACTS),
+    INTS = KERN_INTS(BLOCKS, CONTACTS)
+}; /* of work memory */
 
-static const kern_vec ground[] = { { -3, -4 }, { 3, -4 }, { 3, -1 }, { -3, -1 } };
+static const kern_vec ground[] = {{-3, -4}, {3, -4}, {3, -1}, {-3, -1}};
 static const double pixel = 0.002, thickness = 0.3, density = 2400;
 
 static kern_vec outline[POINTS], simple[POINTS];
@@ -69,16 +71,21 @@ static int farthest(int n, int first, int last, double tolerance)
 static int simplify(int n, double tolerance)
 {
     int to = 0;
-    for (int i = 0; i < n; i++) kept[i] = i == 0;
+    for (int i = 0; i < n; i++)
+        kept[i] = i == 0;
     for (int first = 0; first < n;) { /* the next point that stays */
         int last = first + 1, at;
-        while (last < n && !kept[last]) last++;
+        while (last < n && !kept[last])
+            last++;
         at = farthest(n, first, last, tolerance);
-        if (at >= 0) kept[at] = 1;
-        else first = last;
+        if (at >= 0)
+            kept[at] = 1;
+        else
+            first = last;
     }
     for (int i = 0; i < n; i++)
-        if (kept[i]) simple[to++] = outline[i];
+        if (kept[i])
+            simple[to++] = outline[i];
     return to;
 }
 
@@ -105,7 +112,7 @@ static void row(const char *what, const kern_vec *vertex, int n, double e)
 {
     kern_work work = kern_work_of(reals, REALS, ints, INTS);
     kern_task task = kern_task_of(block, BLOCKS, contact, 0, &work);
-    kern_margin m = { 0, 0, 0, 0, 0, 0, 0 };
+    kern_margin m = {0, 0, 0, 0, 0, 0, 0};
     kern_interval within;
     kern_status status = kern_ground_init(&block[0], ground, 4, NULL);
     if (status == KERN_OK)
@@ -121,18 +128,21 @@ static void row(const char *what, const kern_vec *vertex, int n, double e)
         status = kern_measure(&task, &m, NULL);
     }
     if (status == KERN_STANDS)
-        printf(" %8.1f %9.4f %9.4f%s\n", block[1].mass, e, m.margin,
-               e > 0 && kern_certain(&task, m.margin, &within, contact,
-                                     CONTACTS) == KERN_STANDS
-                   ? "  certain" : "");
+        printf(
+            " %8.1f %9.4f %9.4f%s\n", block[1].mass, e, m.margin,
+            e > 0
+                    && kern_certain(&task, m.margin, &within, contact, CONTACTS)
+                           == KERN_STANDS
+                ? "  certain"
+                : "");
     else
         printf("   %s\n", kern_status_text(status));
 }
 
 int main(void)
 {
-    static const double tolerance[] = { 0.003, 0.006, 0.012, 0.024, 0.048 };
-    static const int vertices[] = { 40, 200, 1000 };
+    static const double tolerance[] = {0.003, 0.006, 0.012, 0.024, 0.048};
+    static const int vertices[] = {40, 200, 1000};
     char what[40];
     look(POINTS, pixel);
     printf("%-16s %8s %8s %9s %9s\n", "outline", "vertices", "mass", "error",

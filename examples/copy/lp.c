@@ -21,19 +21,19 @@ int main(void)
 {
     /* Rubble at 3 and ashlar at 5 a ton: at least 10 tons in all, and at least
        4 of ashlar.    x0 + x1 - x2 = 10,   x1 - x3 = 4 */
-    static const kern_real a[COLS * ROWS] = { 1, 0, 1, 1, -1, 0, 0, -1 };
-    static const kern_real rhs[ROWS] = { 10, 4 };
-    static const kern_real cost[COLS] = { 3, 5, 0, 0 };
+    static const kern_real a[COLS * ROWS] = {1, 0, 1, 1, -1, 0, 0, -1};
+    static const kern_real rhs[ROWS] = {10, 4};
+    static const kern_real cost[COLS] = {3, 5, 0, 0};
 
     /* Two numbers whose difference is 1, and is 2. */
-    static const kern_real b[2 * ROWS] = { 1, 1, -1, -1 };
-    static const kern_real difference[ROWS] = { 1, 2 };
+    static const kern_real b[2 * ROWS] = {1, 1, -1, -1};
+    static const kern_real difference[ROWS] = {1, 2};
 
-    kern_work work = kern_work_of(reals, KERN_LP_REALS(ROWS, COLS),
-                                  ints, KERN_LP_INTS(ROWS, COLS));
+    kern_work work = kern_work_of(reals, KERN_LP_REALS(ROWS, COLS), ints,
+                                  KERN_LP_INTS(ROWS, COLS));
     kern_real x[COLS], y[ROWS];
-    kern_lp lp = { ROWS, COLS, a, rhs, cost, 0 };
-    kern_lp impossible = { ROWS, 2, b, difference, NULL, 0 };
+    kern_lp lp = {ROWS, COLS, a, rhs, cost, 0};
+    kern_lp impossible = {ROWS, 2, b, difference, NULL, 0};
 
     if (kern_lp_solve(&lp, x, y, &work) == KERN_LP_OPTIMAL) {
         printf("rubble %g t, ashlar %g t, cost %g\n", x[0], x[1],

@@ -16,11 +16,11 @@
 enum { BLOCKS = 3, CONTACTS = 12 };
 
 static const kern_vec corner[BLOCKS][4] = {
-    { { 0, 0 }, { 1, 0 }, { 1, 2 }, { 0, 2 } },                 /* pier  */
-    { { 0, 2 }, { 4, 2 }, { 4, 2.5 }, { 0, 2.5 } },             /* beam  */
-    { { 0, 2.5 }, { 0.8, 2.5 }, { 0.8, 3.5 }, { 0, 3.5 } },     /* stone */
+    {{0, 0}, {1, 0}, {1, 2}, {0, 2}},             /* pier  */
+    {{0, 2}, {4, 2}, {4, 2.5}, {0, 2.5}},         /* beam  */
+    {{0, 2.5}, {0.8, 2.5}, {0.8, 3.5}, {0, 3.5}}, /* stone */
 };
-static const char *const name[BLOCKS] = { "pier", "beam", "stone" };
+static const char *const name[BLOCKS] = {"pier", "beam", "stone"};
 
 static kern_block block[BLOCKS];
 static kern_contact contact[CONTACTS];
@@ -30,7 +30,7 @@ static kern_motion motion[BLOCKS];
 static kern_status explain(kern_work *work)
 {
     kern_task task = kern_task_of(block, BLOCKS, contact, 0, work);
-    kern_proof proof = { NULL, motion };
+    kern_proof proof = {NULL, motion};
     kern_real deficit;
     kern_status status;
     int i;

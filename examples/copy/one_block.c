@@ -12,11 +12,13 @@
 #include "../../kern.h"
 
 enum { BLOCKS = 2, CONTACTS = 8 }; /* with room for a few more than needed */
-enum { REALS = KERN_REALS(BLOCKS, CONTACTS),
-       INTS = KERN_INTS(BLOCKS, CONTACTS) }; /* of work memory */
+enum {
+    REALS = KERN_REALS(BLOCKS, CONTACTS),
+    INTS = KERN_INTS(BLOCKS, CONTACTS)
+}; /* of work memory */
 
-static const kern_vec ground[] = { { -5, -1 }, { 5, -1 }, { 5, 0 }, { -5, 0 } };
-static const kern_vec stone[] = { { 0, 0 }, { 2, 0 }, { 3, 1.5 }, { 1, 1.5 } };
+static const kern_vec ground[] = {{-5, -1}, {5, -1}, {5, 0}, {-5, 0}};
+static const kern_vec stone[] = {{0, 0}, {2, 0}, {3, 1.5}, {1, 1.5}};
 
 static kern_block block[BLOCKS];
 static kern_contact contact[CONTACTS];

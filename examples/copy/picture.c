@@ -15,18 +15,20 @@
 #include <string.h>
 
 enum { BLOCKS = 4, CONTACTS = KERN_CONTACTS(BLOCKS) };
-enum { REALS = KERN_REALS(BLOCKS, CONTACTS),
-       INTS = KERN_INTS(BLOCKS, CONTACTS) }; /* of work memory */
+enum {
+    REALS = KERN_REALS(BLOCKS, CONTACTS),
+    INTS = KERN_INTS(BLOCKS, CONTACTS)
+}; /* of work memory */
 
 static const kern_vec corner[BLOCKS][4] = {
-    { { -3, -1 }, { 3, -1 }, { 3, 0 }, { -3, 0 } },
-    { { -2, 0 }, { -1, 0 }, { -1, 1 }, { -2, 1 } },
-    { { 1, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 } },
-    { { -2, 1 }, { 5.2, 1 }, { 5.2, 1.5 }, { -2, 1.5 } },
+    {{-3, -1}, {3, -1}, {3, 0}, {-3, 0}},
+    {{-2, 0}, {-1, 0}, {-1, 1}, {-2, 1}},
+    {{1, 0}, {2, 0}, {2, 1}, {1, 1}},
+    {{-2, 1}, {5.2, 1}, {5.2, 1.5}, {-2, 1.5}},
 };
 static char ground[] = "ground", left[] = "left", right[] = "right",
             beam[] = "beam";
-static char *const name[BLOCKS] = { ground, left, right, beam };
+static char *const name[BLOCKS] = {ground, left, right, beam};
 
 static kern_force force[CONTACTS];
 static kern_motion motion[BLOCKS];
@@ -54,7 +56,7 @@ static kern_task stones_task(void)
 
 static int draw(const kern_task *task, kern_status verdict, const char *path)
 {
-    struct draw_scene scene = { 0 };
+    struct draw_scene scene = {0};
 
     scene.s = &task->s;
     scene.names = name;
@@ -68,7 +70,7 @@ static int draw(const kern_task *task, kern_status verdict, const char *path)
 int main(int argc, char **argv)
 {
     kern_task task = stones_task();
-    kern_proof proof = { force, motion };
+    kern_proof proof = {force, motion};
     kern_status verdict;
     kern_margin m;
 

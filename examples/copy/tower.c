@@ -13,10 +13,12 @@
 #include "../../kern.h"
 
 enum { STONES = 5, BLOCKS = STONES + 1, CONTACTS = 2 * STONES + 8 };
-enum { REALS = KERN_REALS(BLOCKS, CONTACTS),
-       INTS = KERN_INTS(BLOCKS, CONTACTS) }; /* of work memory */
+enum {
+    REALS = KERN_REALS(BLOCKS, CONTACTS),
+    INTS = KERN_INTS(BLOCKS, CONTACTS)
+}; /* of work memory */
 
-static const double offset[] = { 0, 0.05, 0.15, 0.25, 0.35, 0.45, 0.55 };
+static const double offset[] = {0, 0.05, 0.15, 0.25, 0.35, 0.45, 0.55};
 
 static kern_vec corner[BLOCKS][4];
 static kern_block block[BLOCKS];

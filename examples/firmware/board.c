@@ -13,9 +13,9 @@ int main(void);
 
 #define REGISTER(address) (*(volatile uint32_t *)(address))
 #define SYSTICK_CONTROL REGISTER(0xE000E010u)
-#define SYSTICK_RELOAD  REGISTER(0xE000E014u)
-#define SYSTICK_VALUE   REGISTER(0xE000E018u)
-#define FPU_ACCESS      REGISTER(0xE000ED88u)
+#define SYSTICK_RELOAD REGISTER(0xE000E014u)
+#define SYSTICK_VALUE REGISTER(0xE000E018u)
+#define FPU_ACCESS REGISTER(0xE000ED88u)
 
 #define SYSTICK_BITS 24
 #define SYSTICK_MOST ((1u << SYSTICK_BITS) - 1)
@@ -110,7 +110,9 @@ uint32_t board_ticks(void)
 /* ---- memory ---- */
 
 static int32_t bytes(const uint32_t *from, const uint32_t *to)
-{ return (int32_t)((uintptr_t)to - (uintptr_t)from); }
+{
+    return (int32_t)((uintptr_t)to - (uintptr_t)from);
+}
 
 int32_t board_stack_used(void)
 {
@@ -120,16 +122,14 @@ int32_t board_stack_used(void)
     return bytes(at, board_stack_top);
 }
 
-int32_t board_stack_size(void)
-{ return bytes(board_bss_end, board_stack_top); }
+int32_t board_stack_size(void) { return bytes(board_bss_end, board_stack_top); }
 
-int32_t board_variables(void)
-{ return bytes(board_data_start, board_bss_end); }
+int32_t board_variables(void) { return bytes(board_data_start, board_bss_end); }
 
 int32_t board_flash(void)
 {
     return bytes(board_flash_start, board_data_load)
-           + bytes(board_data_start, board_data_end);
+         + bytes(board_data_start, board_data_end);
 }
 
 /* ---- start ---- */
@@ -164,7 +164,20 @@ static void fault(void)
 /* The first sixteen entries of the vector table; no interrupts are used. */
 static void (*const vector[])(void)
     __attribute__((used, section(".vectors"))) = {
-    (void (*)(void))(uintptr_t)board_stack_top, /* initial stack pointer */
-    reset, fault, fault, fault, fault, fault,
-    0, 0, 0, 0, fault, fault, 0, fault, systick_handler,
+        (void (*)(void))(uintptr_t)board_stack_top, /* initial stack pointer */
+        reset,
+        fault,
+        fault,
+        fault,
+        fault,
+        fault,
+        0,
+        0,
+        0,
+        0,
+        fault,
+        fault,
+        0,
+        fault,
+        systick_handler,
 };

@@ -103,8 +103,7 @@ static void print_memory(void)
     board_print_int((int32_t)(sizeof reals + sizeof ints));
     board_print(" bytes of work memory, ");
     board_print_int((int32_t)(sizeof block + sizeof contact + sizeof motion
-                              + sizeof force
-                              + sizeof placed));
+                              + sizeof force + sizeof placed));
     board_print(" of blocks and contacts,\n        ");
     board_print_int(board_variables());
     board_print(" of variables in all, ");
@@ -118,9 +117,9 @@ static void print_memory(void)
 
 int main(void)
 {
-    static const float place[] = { 0, 0.2f, 0.4f, -0.3f };
-    kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS),
-                                  ints, KERN_INTS(BLOCKS, CONTACTS));
+    static const float place[] = {0, 0.2f, 0.4f, -0.3f};
+    kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS), ints,
+                                  KERN_INTS(BLOCKS, CONTACTS));
     kern_plan plan = kern_plan_of(block, BLOCKS, contact, CONTACTS,
                                   kern_known_of(motion, force), &work);
     kern_margin m;

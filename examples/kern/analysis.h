@@ -30,7 +30,8 @@ static inline int find_contacts(struct analysis *a)
         a->contact = t->contact;
         a->task.s.contacts = t->contacts;
         for (int k = 0; k < t->contacts; k++)
-            if (!t->own_mu[k]) t->contact[k].mu = a->task.options.mu;
+            if (!t->own_mu[k])
+                t->contact[k].mu = a->task.options.mu;
         return 0;
     }
     int found = KERN_NO_SPACE, ints = 2 * t->blocks;
@@ -39,7 +40,8 @@ static inline int find_contacts(struct analysis *a)
     for (int room = 16 * t->blocks + 64;
          index && found == KERN_NO_SPACE && room < INT_MAX / 4; room *= 2) {
         kern_contact *more = realloc(a->contact, (size_t)room * sizeof *more);
-        if (!more) break;
+        if (!more)
+            break;
         a->contact = more;
         found = kern_contacts(t->block, t->blocks, &a->task.options, a->contact,
                               room, &work);
@@ -48,7 +50,8 @@ static inline int find_contacts(struct analysis *a)
     if (found == KERN_NO_SPACE)
         return fail(a, 0, "not enough memory for the contacts of %d blocks",
                     t->blocks);
-    if (found < 0) return fail_blocks(a, (kern_status)found, &work.fault);
+    if (found < 0)
+        return fail_blocks(a, (kern_status)found, &work.fault);
     a->task.s.contacts = found;
     return 0;
 }
@@ -56,7 +59,8 @@ static inline int find_contacts(struct analysis *a)
 /* The stage that a large structure is at, shown on a terminal. */
 static inline void show_stage(const struct analysis *a, const char *what)
 {
-    if (a->task.s.blocks < 200 || !ARGS_TERMINAL(2)) return;
+    if (a->task.s.blocks < 200 || !ARGS_TERMINAL(2))
+        return;
     fprintf(stderr, "\r%-20s%s", what, *what ? "" : "\r");
     fflush(stderr);
 }
@@ -64,7 +68,8 @@ static inline void show_stage(const struct analysis *a, const char *what)
 static inline int take_memory(struct analysis *a)
 {
     int blocks = a->task.s.blocks, contacts = a->task.s.contacts;
-    if (contacts > MOST_CONTACTS) return fail_memory(a);
+    if (contacts > MOST_CONTACTS)
+        return fail_memory(a);
     a->work = room_work(blocks, contacts);
     a->force = array(contacts, sizeof *a->force);
     a->last_force = array(contacts, sizeof *a->last_force);
@@ -80,7 +85,9 @@ static inline int take_memory(struct analysis *a)
     }
     bad |= !a->critical.limit || !a->critical.meeting;
     return a->work.real && a->work.index && a->force && a->last_force
-           && a->motion && a->fall && a->collapse && !bad ? 0 : fail_memory(a);
+                && a->motion && a->fall && a->collapse && !bad
+             ? 0
+             : fail_memory(a);
 }
 
 static inline void free_work(struct analysis *a)
@@ -93,12 +100,14 @@ static inline void free_work(struct analysis *a)
     free(a->motion);
     free(a->fall);
     free(a->collapse);
-    for (int k = 0; k < PROFILES; k++) free(a->fate[k]);
+    for (int k = 0; k < PROFILES; k++)
+        free(a->fate[k]);
 }
 
 static inline void free_analysis(struct analysis *a)
 {
-    if (a->contact != a->text.contact) free(a->contact);
+    if (a->contact != a->text.contact)
+        free(a->contact);
     free(a->sequence);
     free(a->stays);
     free(a->swept);
@@ -111,9 +120,10 @@ static inline void free_analysis(struct analysis *a)
 static inline void find_limit(struct analysis *a)
 {
     int falls = a->measured == KERN_FALLS;
-    kern_proof proof = { falls ? NULL : a->last_force, a->collapse };
+    kern_proof proof = {falls ? NULL : a->last_force, a->collapse};
     a->critical.contact = -1;
-    if (a->measured < 0 || (!falls && a->m.saturated)) return;
+    if (a->measured < 0 || (!falls && a->m.saturated))
+        return;
     kern_critical_of(&a->task, a->m.margin, &proof, &a->critical);
 }
 
@@ -128,7 +138,8 @@ static inline void find_stress(struct analysis *a)
         if (kern_forces(&a->task, a->m.holds, least) != KERN_STANDS)
             force = a->last_force;
         for (int k = 0; k < s->contacts; k++) {
-            if (!draw_is_line(s, k)) continue;
+            if (!draw_is_line(s, k))
+                continue;
             kern_vec p = s->contact[k].p;
             kern_vec q = kern_contact_at(&s->contact[k], a->m.margin,
                                          a->set->relative);
@@ -146,7 +157,8 @@ static inline void find_loads(struct analysis *a)
 {
     for (int side = LEFT; side <= RIGHT; side++) {
         a->load[side] = a->tilt[side] = (double)NAN;
-        if (a->shown != KERN_STANDS || !(gravity_of(a) > 0)) continue;
+        if (a->shown != KERN_STANDS || !(gravity_of(a) > 0))
+            continue;
         kern_real value = 0;
         kern_side sign = side == LEFT ? KERN_LEFT : KERN_RIGHT;
         kern_status status;
@@ -160,12 +172,14 @@ static inline void find_loads(struct analysis *a)
 /* The contacts with these options, and the verdict with them. */
 static inline int decide(struct analysis *a, const kern_options *options)
 {
-    kern_proof proof = { NULL, NULL };
+    kern_proof proof = {NULL, NULL};
     a->task.options = *options;
-    if (find_contacts(a)) return -1;
+    if (find_contacts(a))
+        return -1;
     a->task.s.contact = a->contact;
     free_work(a);
-    if (take_memory(a)) return -1;
+    if (take_memory(a))
+        return -1;
     proof.force = a->force;
     proof.motion = a->motion;
     /* The least forces prove it as well, and of thousands of blocks sooner. */
@@ -178,7 +192,8 @@ static inline int decide(struct analysis *a, const kern_options *options)
         room_falls(&a->task, shrinkage(a), a->fall);
     }
     return a->shown < 0 && !is_open(a->shown)
-         ? fail_blocks(a, a->shown, &a->work.fault) : 0;
+             ? fail_blocks(a, a->shown, &a->work.fault)
+             : 0;
 }
 
 /* The deficit of what falls, the bearing length of what stands. */
@@ -198,11 +213,13 @@ static inline void find_lengths(struct analysis *a)
 /* What follows the verdict. */
 static inline int measure(struct analysis *a)
 {
-    kern_proof limit = { a->last_force, a->collapse };
+    kern_proof limit = {a->last_force, a->collapse};
     const kern_options near_too = kern_near(&a->task.options,
                                             (kern_real)mean_size(a));
-    if (find_what_is_asked(a)) return -1;
-    if (is_near(a) && decide(a, &near_too)) return -1;
+    if (find_what_is_asked(a))
+        return -1;
+    if (is_near(a) && decide(a, &near_too))
+        return -1;
     limit.force = a->last_force;
     limit.motion = a->collapse;
     show_stage(a, "  margin ...");
@@ -220,16 +237,19 @@ static inline int measure(struct analysis *a)
     show_stage(a, "  load factors ...");
     find_loads(a);
     find_live(a);
-    if (a->set->sweep > 0 && find_sweep(a)) return -1;
+    if (a->set->sweep > 0 && find_sweep(a))
+        return -1;
     show_stage(a, "  profile ...");
-    if (a->set->profile) find_profile(a);
+    if (a->set->profile)
+        find_profile(a);
     return 0;
 }
 
 static inline int read_structure(struct analysis *a)
 {
     return (dxf_named(a->file) ? dxf_load : text_load)(&a->text, a->file)
-         ? fail(a, a->text.line, "%s", a->text.message) : 0;
+             ? fail(a, a->text.line, "%s", a->text.message)
+             : 0;
 }
 
 /* Lengths of the command line by which everything would touch everything are
@@ -238,17 +258,23 @@ static inline int check_lengths(struct analysis *a)
 {
     const struct settings *set = a->set;
     const double size = mean_size(a);
-    static const char *const share[] = { "", "a fifth of " };
-    const struct { const char *name; kern_real value; int part; } length[] = {
-        { "--gap", set->gap, 0 }, { "--overlap", set->overlap, 0 },
-        { "--error", set->own_error, 0 }, { "--measured", set->error, 1 }
-    };
+    static const char *const share[] = {"", "a fifth of "};
+    const struct {
+        const char *name;
+        kern_real value;
+        int part;
+    } length[] = {{"--gap", set->gap, 0},
+                  {"--overlap", set->overlap, 0},
+                  {"--error", set->own_error, 0},
+                  {"--measured", set->error, 1}};
     for (size_t k = 0; k < sizeof length / sizeof *length; k++) {
         const double most = length[k].part ? size / 5 : size;
         if ((double)length[k].value > most)
-            return fail(a, 0, "%s takes a length up to %sthe mean size of the "
-                        "blocks, %.4g, read %.9g", length[k].name,
-                        share[length[k].part], most, (double)length[k].value);
+            return fail(a, 0,
+                        "%s takes a length up to %sthe mean size of the "
+                        "blocks, %.4g, read %.9g",
+                        length[k].name, share[length[k].part], most,
+                        (double)length[k].value);
     }
     return 0;
 }
@@ -259,7 +285,8 @@ static inline int check_asked(struct analysis *a)
     char shown[TEXT_SHOW_ROOM];
     const char *stays = a->set->stays;
     int found = 0;
-    for (int i = 0; stays && i < a->task.s.blocks; i++) found |= is_asked(a, i);
+    for (int i = 0; stays && i < a->task.s.blocks; i++)
+        found |= is_asked(a, i);
     if (a->text.lives == 0 && (a->set->sweep > 0 || a->set->mechanism_live))
         return fail(a, 0, "%s: no live load ('live NAME FX FY X Y')",
                     a->set->sweep > 0 ? "--sweep" : "--mechanism live");
@@ -278,10 +305,12 @@ static inline int check_shrinkage(struct analysis *a, int line,
     double most = a->set->relative ? 1 : mean_size(a);
     for (int k = 0; k < a->task.s.contacts && !a->set->relative; k++)
         most = fmax(most, fabs((double)a->task.s.contact[k].travel));
-    if (!((double)value > most)) return 0;
-    return fail(a, line, "%s takes a %s up to %.4g, at which every contact is "
-                "a point, read %.9g", name,
-                a->set->relative ? "share (--relative)" : "length", most,
+    if (!((double)value > most))
+        return 0;
+    return fail(a, line,
+                "%s takes a %s up to %.4g, at which every contact is "
+                "a point, read %.9g",
+                name, a->set->relative ? "share (--relative)" : "length", most,
                 (double)value);
 }
 
@@ -301,19 +330,28 @@ static inline int analyse(struct analysis *a)
     kern_options options;
     a->task = kern_task_of(a->text.block, a->text.blocks, NULL, 0, &a->work);
     a->task.s.gravity = a->text.gravity;
-    if (check_lengths(a) || check_asked(a)) return -1;
+    if (check_lengths(a) || check_asked(a))
+        return -1;
     options = a->text.options;
     options.relative = set->relative;
-    if (set->lone) options.lone = a->text.gravity;
-    if (set->epsilon > 0) options.epsilon = set->epsilon;
-    if (set->gap > 0) options.gap = set->gap;
-    if (!(set->mu < 0)) options.mu = set->mu;
-    if (!(set->limit < 0)) options.limit = (int)set->limit;
+    if (set->lone)
+        options.lone = a->text.gravity;
+    if (set->epsilon > 0)
+        options.epsilon = set->epsilon;
+    if (set->gap > 0)
+        options.gap = set->gap;
+    if (!(set->mu < 0))
+        options.mu = set->mu;
+    if (!(set->limit < 0))
+        options.limit = (int)set->limit;
     if (set->error > 0)
-        options = kern_measured_options(&options, set->error, set->turn < 0
-            ? set->error / (kern_real)mean_size(a) : set->turn);
-    if (set->overlap > options.overlap) options.overlap = set->overlap;
-    if (decide(a, &options) || check_shrinkages(a)) return -1;
+        options = kern_measured_options(
+            &options, set->error,
+            set->turn < 0 ? set->error / (kern_real)mean_size(a) : set->turn);
+    if (set->overlap > options.overlap)
+        options.overlap = set->overlap;
+    if (decide(a, &options) || check_shrinkages(a))
+        return -1;
     a->verdict = a->shown;
     return find_certain(a);
 }

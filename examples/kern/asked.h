@@ -31,11 +31,13 @@ static inline int fail_overlaps(struct analysis *a, int block)
     free(index);
     while (shown < pairs && shown < 8 && used < sizeof list / 2) {
         const kern_overlap *p = &pair[shown++];
-        used += (size_t)snprintf(
-            list + used, sizeof list - used, "%s'%s' and '%s' overlap, %.3g "
-            "deep, %.3g is allowed", used ? "; " : "",
-            text_show(one, t->name[p->a]), text_show(two, t->name[p->b]),
-            (double)p->depth, (double)p->allowed);
+        used += (size_t)snprintf(list + used, sizeof list - used,
+                                 "%s'%s' and '%s' overlap, %.3g "
+                                 "deep, %.3g is allowed",
+                                 used ? "; " : "",
+                                 text_show(one, t->name[p->a]),
+                                 text_show(two, t->name[p->b]),
+                                 (double)p->depth, (double)p->allowed);
     }
     if (pairs < 0)
         return fail(a, 0, "%s", kern_status_text((kern_status)pairs));
@@ -63,13 +65,13 @@ static inline int fail_blocks(struct analysis *a, kern_status status,
 /* By what factor the live load may grow, and how it falls just beyond. */
 static inline void find_live(struct analysis *a)
 {
-    const kern_proof proof = {
-        NULL, a->set->mechanism_live ? a->collapse : NULL
-    };
+    const kern_proof proof = {NULL,
+                              a->set->mechanism_live ? a->collapse : NULL};
     kern_real value = 0;
     kern_status status;
     a->live = (double)NAN;
-    if (a->shown != KERN_STANDS || a->text.lives == 0) return;
+    if (a->shown != KERN_STANDS || a->text.lives == 0)
+        return;
     status = kern_load_factor_of(&a->task, shrinkage(a), a->text.live, &value,
                                  &proof);
     a->live = value_or_nan(status, value);
@@ -78,7 +80,7 @@ static inline void find_live(struct analysis *a)
 /* The same for Coulomb friction, from rest. */
 static inline void find_raised_loads(struct analysis *a)
 {
-    static const kern_side side[3] = { KERN_LEFT, KERN_RIGHT, KERN_SHRINK };
+    static const kern_side side[3] = {KERN_LEFT, KERN_RIGHT, KERN_SHRINK};
     for (int k = 0; k < 3; k++) {
         const kern_wrench *pattern = k == LIVE ? a->text.live : NULL;
         kern_real value = 0;
@@ -97,21 +99,21 @@ static inline void find_raised_loads(struct analysis *a)
 /* Margins first, then loads; without gravity there are none of those. */
 static inline void find_profile(struct analysis *a)
 {
-    static const kern_side side[PROFILES] = {
-        KERN_SHRINK, KERN_LEFT, KERN_RIGHT
-    };
+    static const kern_side side[PROFILES] = {KERN_SHRINK, KERN_LEFT,
+                                             KERN_RIGHT};
     int falls = gravity_of(a) > 0;
     a->profiled = KERN_OK;
     for (int k = 0; k < (falls ? PROFILES : 1); k++) {
         kern_status status;
         status = kern_profile(&a->task, side[k], a->fate[k], &a->all[k]);
-        if (status < 0) a->profiled = status;
+        if (status < 0)
+            a->profiled = status;
     }
     for (int k = falls ? PROFILES : 1; k < PROFILES; k++) {
         for (int i = 0; i < a->task.s.blocks; i++)
             a->fate[k][i] = (kern_real)NAN;
-        a->all[k].least = a->all[k].mean = a->all[k].weak =
-            a->all[k].drop = (kern_real)NAN;
+        a->all[k].least = a->all[k].mean = a->all[k].weak = a->all[k].drop =
+            (kern_real)NAN;
     }
 }
 
@@ -124,7 +126,8 @@ static inline int find_raised(struct analysis *a)
                             pushed ? &reserve : NULL, NULL);
     a->reserve = value_or_nan(pushed ? a->raised : KERN_UNDECIDED, reserve);
     return a->raised < 0 && !is_open(a->raised)
-         ? fail_blocks(a, a->raised, &a->work.fault) : 0;
+             ? fail_blocks(a, a->raised, &a->work.fault)
+             : 0;
 }
 
 /* The structure as it grows in the order of the file, all fixed blocks there
@@ -164,7 +167,7 @@ static inline void grow_to(const struct analysis *a, struct grown *g, int last)
    undecided. */
 static inline int find_sequence(struct analysis *a)
 {
-    struct grown g = { 0 };
+    struct grown g = {0};
     int last, there = open_grown(a, &g);
     const int blocks = a->task.s.blocks;
     a->sequence = malloc(sizeof *a->sequence * (size_t)blocks);
@@ -172,11 +175,14 @@ static inline int find_sequence(struct analysis *a)
         kern_margin m;
         kern_status status;
         a->sequence[last] = (double)NAN;
-        if (a->task.s.block[last].fixed) continue;
+        if (a->task.s.block[last].fixed)
+            continue;
         grow_to(a, &g, last);
         status = kern_measure(&g.task, &m, NULL);
-        if (status == KERN_STANDS) a->sequence[last] = (double)m.margin;
-        if (status == KERN_FALLS) a->sequence[last] = 0;
+        if (status == KERN_STANDS)
+            a->sequence[last] = (double)m.margin;
+        if (status == KERN_FALLS)
+            a->sequence[last] = 0;
     }
     close_grown(&g);
     return last < blocks ? fail_memory(a) : 0;
@@ -186,13 +192,14 @@ static inline int find_sequence(struct analysis *a)
    file, that it stays; -1 where the structure falls. */
 static inline int find_stays(struct analysis *a)
 {
-    struct grown g = { 0 };
+    struct grown g = {0};
     const int all = is_all(a->set->stays), blocks = a->task.s.blocks;
     const int there = open_grown(a, &g);
     a->stays = malloc(sizeof *a->stays * (size_t)blocks);
     for (int i = 0; i < blocks && there && a->stays; i++) {
         a->stays[i] = (double)NAN;
-        if (!is_asked(a, i)) continue;
+        if (!is_asked(a, i))
+            continue;
         grow_to(a, &g, all ? i : blocks);
         if (kern_stays(&g.task, g.part.place[i], &a->stays[i]) == KERN_FALLS)
             a->stays[i] = -1;
@@ -223,9 +230,11 @@ static inline int find_certain(struct analysis *a)
             got = kern_certain(&task, m.margin, &a->interval, out, room);
         free(out);
         room_free_work(&work);
-        if (!there) return fail_memory(a);
+        if (!there)
+            return fail_memory(a);
     }
-    if (got >= 0) a->certain = got > 0;
+    if (got >= 0)
+        a->certain = got > 0;
     return 0;
 }
 
@@ -243,11 +252,14 @@ static inline void find_error(struct analysis *a)
     a->task.options.relative = 0;
     a->task.options.epsilon = 0;
     a->task.options.narrow = set->own_turn > 0
-        ? (kern_real)tan((double)set->own_turn) / (2 * set->own_error) : 0;
+                               ? (kern_real)tan((double)set->own_turn)
+                                     / (2 * set->own_error)
+                               : 0;
     a->borne = kern_measure(&a->task, &m, NULL);
     if (a->borne == KERN_STANDS)
         a->bears = (double)(m.margin / (2 * set->own_error));
-    if (a->borne == KERN_FALLS) a->bears = 0;
+    if (a->borne == KERN_FALLS)
+        a->bears = 0;
     a->task.options.narrow = fast;
     a->slid = kern_measure(&a->task, &m, NULL);
     a->task.options = options;
@@ -259,10 +271,14 @@ static inline void find_error(struct analysis *a)
 /* What options ask for, of the real contacts. */
 static inline int find_what_is_asked(struct analysis *a)
 {
-    if (a->set->raised && find_raised(a)) return -1;
-    if (a->set->raised) find_raised_loads(a);
-    if (a->set->own_error > 0) find_error(a);
-    if (a->set->sequence && find_sequence(a)) return -1;
+    if (a->set->raised && find_raised(a))
+        return -1;
+    if (a->set->raised)
+        find_raised_loads(a);
+    if (a->set->own_error > 0)
+        find_error(a);
+    if (a->set->sequence && find_sequence(a))
+        return -1;
     return a->set->stays ? find_stays(a) : 0;
 }
 

@@ -5,6 +5,7 @@
 #ifndef PROGRAM_HELP_H
 #define PROGRAM_HELP_H
 
+/* clang-format off */
 static const char help[] =
 "usage: kern [options] FILE...\n"
 "For each structure: does it stand, and with what margin? FILE - is stdin.\n"
@@ -160,5 +161,7 @@ static const char help_json[] =
 "\n"
 "Stands means: admissible forces exist, without tension and within friction.\n"
 "Exit status: 0 all stand, 1 some fall, 2 bad use or input, 3 undecided.\n";
+
+/* clang-format on */
 
 #endif /* PROGRAM_HELP_H */

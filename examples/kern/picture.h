@@ -20,8 +20,10 @@ static inline const char *stem_of(const char *path, int *length)
 {
     const char *name = path;
     for (const char *s = path; *s; s++)
-        if (*s == '/' || *s == '\\') name = s + 1;
-    if (strcmp(name, "-") == 0) name = "stdin";
+        if (*s == '/' || *s == '\\')
+            name = s + 1;
+    if (strcmp(name, "-") == 0)
+        name = "stdin";
     const char *dot = strrchr(name, '.');
     *length = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
     return name;
@@ -42,15 +44,16 @@ static inline char *output_name(const struct analysis *a, const char *to)
     }
     size_t room = strlen(to) + (size_t)stem + 16;
     char *path = malloc(room);
-    if (!path) return NULL;
+    if (!path)
+        return NULL;
     if (set->files == 1)
         strcpy(path, to);
     else if (same == 1)
         snprintf(path, room, "%.*s-%.*s%s", folder, to, stem, name,
                  to + folder);
     else
-        snprintf(path, room, "%.*s-%.*s-%d%s", folder, to, stem, name,
-                 same, to + folder);
+        snprintf(path, room, "%.*s-%.*s-%d%s", folder, to, stem, name, same,
+                 to + folder);
     return path;
 }
 
@@ -67,9 +70,11 @@ static inline char *open_output(const struct analysis *a, const char *to,
 /* Says what went wrong; returns nonzero where something did. */
 static inline int close_output(char *path, FILE *out, int bad)
 {
-    if (out) bad |= fclose(out) != 0;
-    if (bad) fprintf(stderr, "kern: cannot write %s: %s\n",
-                     path ? path : "the file", strerror(errno));
+    if (out)
+        bad |= fclose(out) != 0;
+    if (bad)
+        fprintf(stderr, "kern: cannot write %s: %s\n", path ? path : "the file",
+                strerror(errno));
     free(path);
     return bad;
 }
@@ -89,8 +94,9 @@ static inline void write_caption(const struct analysis *a, char *out,
                  a->deficit);
     else if (a->measured == KERN_STANDS)
         snprintf(level, sizeof level, "level %d, margin %.4g%s", a->m.level,
-                 (double)a->m.margin, a->m.saturated ? " (every kern closed)"
-                                    : a->set->relative ? " of each contact"
+                 (double)a->m.margin,
+                 a->m.saturated     ? " (every kern closed)"
+                 : a->set->relative ? " of each contact"
                                     : " (a length)");
     char shrunk[40] = "";
     if (shrinkage(a) > 0)
@@ -120,15 +126,18 @@ static inline int draw(const struct analysis *a)
     struct draw_scene scene = scene_of(a);
     scene.names = a->text.name;
     scene.motion = falls || a->set->mechanism ? shown_fall(a) : NULL;
-    scene.motion_name = falls ? NULL : a->set->mechanism_live
-        ? "collapse mechanism just past the factor of the live load"
-        : "collapse mechanism just past the margin";
+    scene.motion_name =
+        falls ? NULL
+        : a->set->mechanism_live
+            ? "collapse mechanism just past the factor of the live load"
+            : "collapse mechanism just past the margin";
     scene.hinges = shown_fall(a);
     scene.hinged = falls || a->set->mechanism_live ? scene.shrink
                                                    : (double)a->m.fails;
     scene.limiting = a->critical.contact;
     scene.caption = caption;
-    if (a->set->profile && a->profiled >= 0) colour(a, &scene);
+    if (a->set->profile && a->profiled >= 0)
+        colour(a, &scene);
     FILE *out;
     char *path = open_output(a, a->set->svg, &out);
     return close_output(path, out, !out || draw_svg(out, &scene));

@@ -73,8 +73,10 @@ static inline void report_margin(const struct analysis *a)
     printf("  %-10s  ", falls ? "deficit" : "margin");
     if (a->measured == KERN_LIMIT) {
         printf("undecided by the limit of work (--limit 0 goes on): ");
-        if (a->m.holds < 0) printf("not known to stand");
-        else printf("stands at %.4g", (double)a->m.holds);
+        if (a->m.holds < 0)
+            printf("not known to stand");
+        else
+            printf("stands at %.4g", (double)a->m.holds);
         if (isfinite((double)a->m.fails))
             printf(", %s %.4g", a->m.fails < a->m.most ? "falls at" : "at most",
                    (double)a->m.fails);
@@ -98,34 +100,41 @@ static inline void report_margin(const struct analysis *a)
            a->set->relative ? "by which share of its half" : "how far",
            falls ? "must grow" : "can shrink");
     if (!a->set->relative)
-        printf(", %.3g %% of the mean block size",
-               100 * value / mean_size(a));
+        printf(", %.3g %% of the mean block size", 100 * value / mean_size(a));
     printf("\n");
 }
 
 static inline void report_bearing(const struct analysis *a)
 {
-    if (a->measured != KERN_STANDS) return;
+    if (a->measured != KERN_STANDS)
+        return;
     printf("  bearing     ");
-    if (isnan(a->bearing)) printf("undecided\n");
-    else if (isinf(a->bearing)) printf("none      it needs points alone\n");
-    else printf("%-8.4g  length of the shortest contact that it needs, %.3g %% "
-                "of the mean block size\n", a->bearing,
-                100 * a->bearing / (double)kern_mean_size(a->task.s.block,
-                                                          a->task.s.blocks));
+    if (isnan(a->bearing))
+        printf("undecided\n");
+    else if (isinf(a->bearing))
+        printf("none      it needs points alone\n");
+    else
+        printf("%-8.4g  length of the shortest contact that it needs, %.3g %% "
+               "of the mean block size\n",
+               a->bearing,
+               100 * a->bearing
+                   / (double)kern_mean_size(a->task.s.block, a->task.s.blocks));
 }
 
 static inline void report_stress(const struct analysis *a)
 {
     int most = most_stressed(a, 0, a->task.s.contacts);
     char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
-    if (most < 0) return;
+    if (most < 0)
+        return;
     const kern_contact *c = &a->task.s.contact[most];
-    if (isinf(a->stress[most])) printf("  stress      any       ");
-    else printf("  stress      %-8.4g  ", a->stress[most]);
+    if (isinf(a->stress[most]))
+        printf("  stress      any       ");
+    else
+        printf("  stress      %-8.4g  ", a->stress[most]);
     printf("mean stress if the most loaded contact, between %s and %s, were "
-           "only twice the margin long\n", name_of(a, c->a, one),
-           name_of(a, c->b, two));
+           "only twice the margin long\n",
+           name_of(a, c->a, one), name_of(a, c->b, two));
 }
 
 static inline void report_limit(const struct analysis *a)
@@ -169,8 +178,9 @@ static inline void print_move(const struct analysis *a,
         printf("%s\n", down > 0 ? "dropping" : "rising");
     else
         printf("sliding %s%s\n", right < 0 ? "left" : "right",
-               down > 0.25 * fabs(right) ? " and down"
-               : down < -0.25 * fabs(right) ? " and up" : "");
+               down > 0.25 * fabs(right)    ? " and down"
+               : down < -0.25 * fabs(right) ? " and up"
+                                            : "");
 }
 
 static inline void report_collapse(const struct analysis *a)
@@ -185,12 +195,15 @@ static inline void report_collapse(const struct analysis *a)
         printf("  %-10s  ", head);
         head = "";
         for (int i = 0; i < a->task.s.blocks; i++) {
-            if (moving.group[i] != group) continue;
-            if (lead < 0) lead = i;
+            if (moving.group[i] != group)
+                continue;
+            if (lead < 0)
+                lead = i;
             if (names++ < NAMES)
                 printf("%s%s", names > 1 ? " " : "", name_of(a, i, shown));
         }
-        if (names > NAMES) printf(" and %d more", names - NAMES);
+        if (names > NAMES)
+            printf(" and %d more", names - NAMES);
         printf(" ");
         print_move(a, shown_fall(a), lead);
     }
@@ -204,8 +217,10 @@ static inline void report_collapse(const struct analysis *a)
 static inline const char *factor_text(double value, double scale,
                                       const char *unit, char out[32])
 {
-    if (isnan(value)) return "undecided";
-    if (isinf(value)) return "any";
+    if (isnan(value))
+        return "undecided";
+    if (isinf(value))
+        return "any";
     snprintf(out, 32, "%.4g%s", fabs(value) < 1e-9 ? 0 : scale * value, unit);
     return out;
 }
@@ -215,11 +230,13 @@ static inline void report_loads(const struct analysis *a)
     static const double degrees = 57.295779513082321;
     const char *stay = a->text.loads > 0 ? " (loads stay as they are)" : "";
     char left[32], right[32];
-    if (a->shown != KERN_STANDS) return;
+    if (a->shown != KERN_STANDS)
+        return;
     if (a->text.lives > 0)
         printf("  live        %s: factor of the live load\n",
                factor_text(a->live, 1, "", left));
-    if (!(gravity_of(a) > 0)) return;
+    if (!(gravity_of(a) > 0))
+        return;
     printf("  load        %s left, %s right: horizontal load factor, in g%s\n",
            factor_text(a->load[LEFT], 1, "", left),
            factor_text(a->load[RIGHT], 1, "", right), stay);
@@ -247,7 +264,8 @@ static inline void report_forces(const struct analysis *a)
                name_of(a, c->b, two), tidy(a, p.x), tidy(a, p.y));
         double f = (double)a->force[k].normal;
         double r = (double)a->force[k].tangential;
-        if (fabs(r) < 1e-9 * f) r = 0;
+        if (fabs(r) < 1e-9 * f)
+            r = 0;
         if (f * c->mu > 0)
             printf(" %11.5g %11.5g %7.0f%%\n", f, r,
                    100 * fabs(r) / (f * c->mu));
@@ -262,7 +280,8 @@ static inline void report_resultants(const struct analysis *a)
     char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
     struct draw_pt at, f;
     double least = 0; /* below, a component is rounding */
-    if (!scene.force) return;
+    if (!scene.force)
+        return;
     for (int k = 0; k < a->task.s.contacts; k++)
         if (draw_resultant(&scene, k, &at, &f))
             least = fmax(least, 1e-9 * hypot(f.x, f.y));
@@ -287,7 +306,8 @@ static inline void report_motion(const struct analysis *a)
     }
     printf("  motion      %-10s %11s %11s %11s\n", "block", "vx", "vy", "spin");
     for (int i = 0; i < a->task.s.blocks; i++) {
-        if (a->task.s.block[i].fixed) continue;
+        if (a->task.s.block[i].fixed)
+            continue;
         printf("              %-10s %11.5f %11.5f %11.5f\n",
                name_of(a, i, shown), rate(motion[i].vx), rate(motion[i].vy),
                rate(motion[i].spin));
@@ -304,7 +324,8 @@ static inline void report_profile(const struct analysis *a)
     printf("  profile     %-10s %11s %11s %11s\n", "block", "margin",
            "load left", "load right");
     for (int i = 0; i < a->task.s.blocks; i++) {
-        if (a->task.s.block[i].fixed) continue;
+        if (a->task.s.block[i].fixed)
+            continue;
         printf("              %-10s %11.5f %11.5f %11.5f\n",
                name_of(a, i, shown), (double)a->fate[MARGIN][i],
                (double)a->fate[LOAD_LEFT][i], (double)a->fate[LOAD_RIGHT][i]);
@@ -316,7 +337,8 @@ static inline void report_profile(const struct analysis *a)
            (double)a->all[MARGIN].weak, (double)a->all[LOAD_LEFT].weak,
            (double)a->all[LOAD_RIGHT].weak);
     printf("  drop        %-10.4g expected under shaking, in mean blocks; more "
-           "is worse\n", expected_drop(a));
+           "is worse\n",
+           expected_drop(a));
 }
 
 /* Distance between two outlines that do not cross: of a corner from an edge. */
@@ -354,8 +376,9 @@ static inline void report_normals(const struct analysis *a)
             || (v.x - c->p.x) * c->n.x + (v.y - c->p.y) * c->n.y >= 0)
             continue;
         printf("  contact %s %s at (%.6g, %.6g): its normal, %.4g %.4g, leads "
-               "into %s\n", name_of(a, c->a, one), name_of(a, c->b, two),
-               (double)c->p.x, (double)c->p.y, (double)c->n.x, (double)c->n.y,
+               "into %s\n",
+               name_of(a, c->a, one), name_of(a, c->b, two), (double)c->p.x,
+               (double)c->p.y, (double)c->n.x, (double)c->n.y,
                name_of(a, c->a, one));
         shown++;
     }
@@ -367,25 +390,31 @@ static inline void report_friction(const struct analysis *a)
     const double mu = (double)a->task.options.mu;
     if (mu > 2)
         printf("  friction %g is that of %.4g degrees: MU is the tangent of "
-               "the friction angle\n", mu, 57.295779513082321 * atan(mu));
+               "the friction angle\n",
+               mu, 57.295779513082321 * atan(mu));
 }
 
 /* Options that this file, or another option, leaves without effect. */
 static inline void report_unheard(const struct analysis *a)
 {
     const struct settings *set = a->set;
-    const struct { const char *name; int asked; } option[] = {
-        { "--near", set->touching }, { "--lone", set->lone },
-        { "--gap", set->gap > 0 }, { "--overlap", set->overlap > 0 },
-        { "--measured", set->error > 0 }
-    };
+    const struct {
+        const char *name;
+        int asked;
+    } option[] = {{"--near", set->touching},
+                  {"--lone", set->lone},
+                  {"--gap", set->gap > 0},
+                  {"--overlap", set->overlap > 0},
+                  {"--measured", set->error > 0}};
     const char *head = "  the file gives its contacts, without effect:";
     for (size_t k = 0; k < sizeof option / sizeof *option; k++) {
-        if (!a->text.given || !option[k].asked) continue;
+        if (!a->text.given || !option[k].asked)
+            continue;
         printf("%s %s", head, option[k].name);
         head = "";
     }
-    if (!*head) printf("\n");
+    if (!*head)
+        printf("\n");
     if (set->error > 0 && !a->text.given && shrinkage(a) > 0)
         printf("  whether it is certain within the error is not told with "
                "--at\n");
@@ -399,13 +428,15 @@ static inline int report_nearest(const struct analysis *a, int i)
     double least = HUGE_VAL;
     int nearest = -1;
     for (int j = 0; j < s->blocks; j++) {
-        double gap = j == i ? HUGE_VAL : gap_between(&s->block[i],
-                                                     &s->block[j]);
-        if (!(gap < least)) continue;
+        double gap = j == i ? HUGE_VAL
+                            : gap_between(&s->block[i], &s->block[j]);
+        if (!(gap < least))
+            continue;
         least = gap;
         nearest = j;
     }
-    if (nearest < 0) return 0;
+    if (nearest < 0)
+        return 0;
     printf("  %s touches nothing; nearest gap %.4g, to %s%s\n",
            name_of(a, i, one), least, name_of(a, nearest, two),
            least <= mean_size(a) ? " (--gap)" : "");
@@ -417,7 +448,8 @@ static inline void report_lack(const struct analysis *a)
 {
     const kern_structure *s = &a->task.s;
     int shown = 0;
-    if (a->verdict != KERN_FALLS) return;
+    if (a->verdict != KERN_FALLS)
+        return;
     if (a->text.fixed == 0)
         printf("  no block is fixed: name the ground with 'fixed'\n");
     if (s->gravity.y > 0)
@@ -428,7 +460,8 @@ static inline void report_lack(const struct analysis *a)
         int touches = s->block[i].fixed || a->text.given;
         for (int k = 0; k < s->contacts && !touches; k++)
             touches = s->contact[k].a == i || s->contact[k].b == i;
-        if (!touches) shown += report_nearest(a, i);
+        if (!touches)
+            shown += report_nearest(a, i);
     }
 }
 
@@ -440,8 +473,9 @@ static inline void report_verdict(const struct analysis *a)
         printf(" when shrunk by %.6g%s", (double)shrinkage(a),
                a->set->relative ? " of each contact" : "");
     if (a->certain >= 0)
-        printf(a->certain ? ", for certain" : ", not for certain: within the "
-                                              "error it may be otherwise");
+        printf(a->certain ? ", for certain"
+                          : ", not for certain: within the "
+                            "error it may be otherwise");
     printf("\n");
     if (a->certain >= 0 && a->interval.high < KERN_INFINITY)
         printf("  within the error  margin from %.4g to %.4g\n",
@@ -460,10 +494,10 @@ static inline void report_raised(const struct analysis *a)
         return;
     }
     printf("%s", a->raising == KERN_RAISED
-           ? "yes       its load raises the forces that hold it"
-           : a->raising == KERN_HANGS
-           ? "hangs     some blocks rest on nothing"
-           : "not shown  no forces were found that its load raises");
+                     ? "yes       its load raises the forces that hold it"
+                 : a->raising == KERN_HANGS
+                     ? "hangs     some blocks rest on nothing"
+                     : "not shown  no forces were found that its load raises");
     if (a->raising == KERN_RAISED && !isnan(a->reserve))
         printf("; reserve %.4g g to either side", a->reserve);
     printf("\n");
@@ -475,19 +509,20 @@ static inline const char *shown_text(const struct analysis *a, int k,
                                      char out[32])
 {
     return isnan(a->raised_load[k]) && !a->cut[k]
-           ? "not shown" : factor_text(a->raised_load[k], 1, "", out);
+             ? "not shown"
+             : factor_text(a->raised_load[k], 1, "", out);
 }
 
 /* Beside the load factor: what Coulomb friction bears, from rest. */
 static inline void report_raised_loads(const struct analysis *a)
 {
     char left[32], right[32];
-    if (a->raised != KERN_STANDS) return;
+    if (a->raised != KERN_STANDS)
+        return;
     if (gravity_of(a) > 0)
         printf("  raised load %s left, %s right: where stones slide without "
                "parting, from rest\n",
-               shown_text(a, LEFT, left),
-               shown_text(a, RIGHT, right));
+               shown_text(a, LEFT, left), shown_text(a, RIGHT, right));
     if (a->text.lives > 0)
         printf("  raised live %s: the same for the live load\n",
                shown_text(a, LIVE, left));
@@ -496,7 +531,8 @@ static inline void report_raised_loads(const struct analysis *a)
 static inline void report_error(const struct analysis *a)
 {
     printf("  bears       ");
-    if (isnan(a->bears)) printf("undecided\n");
+    if (isnan(a->bears))
+        printf("undecided\n");
     else {
         printf("%-8.4g  times an error of %.4g in place", a->bears,
                (double)a->set->own_error);
@@ -517,9 +553,11 @@ static inline void report_sequence(const struct analysis *a)
     for (int i = 0; i < a->task.s.blocks; i++)
         if (!a->task.s.block[i].fixed) {
             printf("    %-16s ", name_of(a, i, shown));
-            if (isnan(a->sequence[i])) printf("undecided\n");
-            else printf("%.4g%s\n", a->sequence[i],
-                        i == weakest ? "  weakest" : "");
+            if (isnan(a->sequence[i]))
+                printf("undecided\n");
+            else
+                printf("%.4g%s\n", a->sequence[i],
+                       i == weakest ? "  weakest" : "");
         }
 }
 
@@ -528,10 +566,14 @@ static inline void report_stays(const struct analysis *a)
 {
     char shown[TEXT_SHOW_ROOM];
     for (int i = 0; i < a->task.s.blocks; i++) {
-        if (!is_asked(a, i)) continue;
-        if (isnan(a->stays[i])) printf("  stays       undecided whether");
-        else if (a->stays[i] < 0) printf("  stays       no: it falls with");
-        else printf("  stays       %-8.3f  chance that", a->stays[i]);
+        if (!is_asked(a, i))
+            continue;
+        if (isnan(a->stays[i]))
+            printf("  stays       undecided whether");
+        else if (a->stays[i] < 0)
+            printf("  stays       no: it falls with");
+        else
+            printf("  stays       %-8.3f  chance that", a->stays[i]);
         printf(a->stays[i] < 0 ? " %s, laid last\n"
                                : " %s, laid last, stays where it is let go\n",
                name_of(a, i, shown));
@@ -542,37 +584,52 @@ static inline void report_near(const struct analysis *a)
 {
     const struct settings *set = a->set;
     const int real = set->raised || set->own_error > 0 || set->sequence
-                     || set->stays;
+                  || set->stays;
     printf("  near contacts count in what follows, but not in the verdict "
-           "above%s\n", real ? ", nor in what --raised, --error, --sequence "
-           "and --stays ask" : "");
+           "above%s\n",
+           real ? ", nor in what --raised, --error, --sequence "
+                  "and --stays ask"
+                : "");
 }
 
 static inline void report(const struct analysis *a)
 {
     report_structure(a);
-    if (is_near(a)) report_near(a);
+    if (is_near(a))
+        report_near(a);
     if (shrinkage(a) > 0)
         printf("  level, margin and bearing are those of contacts as they are, "
-               "loads and tilts at %.6g\n", (double)shrinkage(a));
+               "loads and tilts at %.6g\n",
+               (double)shrinkage(a));
     report_level(a);
     report_margin(a);
     report_bearing(a);
     report_stress(a);
     report_limit(a);
-    if (a->set->raised) report_raised(a);
-    if (a->set->own_error > 0) report_error(a);
-    if (a->set->sequence) report_sequence(a);
-    if (a->set->stays) report_stays(a);
+    if (a->set->raised)
+        report_raised(a);
+    if (a->set->own_error > 0)
+        report_error(a);
+    if (a->set->sequence)
+        report_sequence(a);
+    if (a->set->stays)
+        report_stays(a);
     report_collapse(a);
     report_loads(a);
-    if (a->set->raised) report_raised_loads(a);
-    if (a->sweeps > 0) report_sweep(a);
-    if (a->set->forces) report_forces(a);
-    if (a->set->forces) report_resultants(a);
-    if (a->set->mechanism) report_motion(a);
-    if (a->set->profile) report_profile(a);
-    if (a->set->files > 1) printf("\n");
+    if (a->set->raised)
+        report_raised_loads(a);
+    if (a->sweeps > 0)
+        report_sweep(a);
+    if (a->set->forces)
+        report_forces(a);
+    if (a->set->forces)
+        report_resultants(a);
+    if (a->set->mechanism)
+        report_motion(a);
+    if (a->set->profile)
+        report_profile(a);
+    if (a->set->files > 1)
+        printf("\n");
 }
 
 #endif /* PROGRAM_REPORT_H */

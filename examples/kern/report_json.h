@@ -19,8 +19,10 @@
 
 static inline void json_count(const char *key, int value, int exists)
 {
-    if (exists) printf(", \"%s\": %d", key, value);
-    else printf(", \"%s\": null", key);
+    if (exists)
+        printf(", \"%s\": %d", key, value);
+    else
+        printf(", \"%s\": null", key);
 }
 
 static inline void json_known(const char *key, double value, int known)
@@ -70,13 +72,14 @@ static inline void json_thrust(const struct analysis *a)
     const struct draw_scene scene = scene_of(a);
     const kern_structure *s = &a->task.s;
     struct draw_pt at, f;
-    struct draw_pt (*through)[2] = array(s->blocks, sizeof *through);
+    struct draw_pt(*through)[2] = array(s->blocks, sizeof *through);
     int *presses = scene.force && through ? draw_thrust_of(&scene, through)
                                           : NULL;
     const char *comma = "";
     printf(", \"resultants\": [");
     for (int k = 0; presses && k < s->contacts; k++) {
-        if (!draw_resultant(&scene, k, &at, &f)) continue;
+        if (!draw_resultant(&scene, k, &at, &f))
+            continue;
         json_between(a, comma, &s->contact[k], at.x, at.y);
         json_number("fx", f.x);
         json_number("fy", f.y);
@@ -88,7 +91,8 @@ static inline void json_thrust(const struct analysis *a)
     printf("], \"thrust\": [");
     comma = "";
     for (int i = 0; presses && i < s->blocks; i++) {
-        if (presses[i] != 2 || s->block[i].fixed) continue;
+        if (presses[i] != 2 || s->block[i].fixed)
+            continue;
         printf("%s{", comma);
         json_string("block", a->text.name[i]);
         json_number("x1", through[i][0].x);
@@ -113,7 +117,8 @@ static inline void json_motion(const struct analysis *a)
     printf(", \"motion\": [");
     int first = 1;
     for (int i = 0; i < a->task.s.blocks; i++) {
-        if (a->task.s.block[i].fixed) continue;
+        if (a->task.s.block[i].fixed)
+            continue;
         printf("%s{", first ? "" : ", ");
         json_string("block", a->text.name[i]);
         json_number("vx", (double)motion[i].vx);
@@ -142,13 +147,15 @@ static inline void json_limits(const struct analysis *a, int good)
         printf("}");
     }
     printf("], \"would_fall\": [");
-    kern_critical moving = { NULL, NULL, NULL, -1, 0 };
-    if (good) moving = find_groups(a);
+    kern_critical moving = {NULL, NULL, NULL, -1, 0};
+    if (good)
+        moving = find_groups(a);
     for (int group = 0; group < moving.groups; group++) {
         printf("%s[", group > 0 ? ", " : "");
         comma = "\"";
         for (int i = 0; i < a->task.s.blocks; i++) {
-            if (moving.group[i] != group) continue;
+            if (moving.group[i] != group)
+                continue;
             printf("%s", comma);
             json_text(a->text.name[i]);
             comma = "\", \"";
@@ -170,7 +177,8 @@ static inline void json_profile(const struct analysis *a, int good)
     json_known("expected_drop", expected_drop(a), known);
     printf(", \"profile\": [");
     for (int i = 0; known && i < a->task.s.blocks; i++) {
-        if (a->task.s.block[i].fixed) continue;
+        if (a->task.s.block[i].fixed)
+            continue;
         printf("%s{", first ? "" : ", ");
         json_string("block", a->text.name[i]);
         json_number("margin", (double)a->fate[MARGIN][i]);
@@ -192,7 +200,8 @@ static inline void json_error(const struct analysis *a)
     }
     printf("\"");
     json_text(a->file);
-    if (a->line > 0) printf(":%d", a->line);
+    if (a->line > 0)
+        printf(":%d", a->line);
     printf(": ");
     json_text(a->error);
     printf("\"");
@@ -220,7 +229,8 @@ static inline void json_sequence(const struct analysis *a, int good)
     int weakest = good ? weakest_step(a) : -1, first = 1;
     printf(", \"sequence\": [");
     for (int i = 0; good && i < a->task.s.blocks; i++) {
-        if (a->task.s.block[i].fixed) continue;
+        if (a->task.s.block[i].fixed)
+            continue;
         printf("%s{", first ? "" : ", ");
         json_string("block", a->text.name[i]);
         json_number("margin", a->sequence[i]);
@@ -228,20 +238,25 @@ static inline void json_sequence(const struct analysis *a, int good)
         first = 0;
     }
     printf("], ");
-    if (weakest < 0) printf("\"weakest_step\": null");
-    else json_string("weakest_step", a->text.name[weakest]);
+    if (weakest < 0)
+        printf("\"weakest_step\": null");
+    else
+        json_string("weakest_step", a->text.name[weakest]);
 }
 
 /* A chance, null where there is none. */
 static inline void json_chance(double chance)
-{ json_number("stays", chance >= 0 ? chance : (double)NAN); }
+{
+    json_number("stays", chance >= 0 ? chance : (double)NAN);
+}
 
 /* Of the block that was named. */
 static inline void json_stays(const struct analysis *a, int good)
 {
     double chance = (double)NAN;
     for (int i = 0; good && i < a->task.s.blocks; i++)
-        if (strcmp(a->text.name[i], a->set->stays) == 0) chance = a->stays[i];
+        if (strcmp(a->text.name[i], a->set->stays) == 0)
+            chance = a->stays[i];
     json_chance(chance);
 }
 
@@ -264,7 +279,8 @@ static inline void json_open(unsigned open)
     const char *comma = "";
     printf(", \"undecided\": [");
     for (int k = 0; k < OPENS_MOST; k++) {
-        if (!(open >> k & 1)) continue;
+        if (!(open >> k & 1))
+            continue;
         printf("%s\"%s\"", comma, open_name[k]);
         comma = ", ";
     }
@@ -317,9 +333,12 @@ static inline void json_loads(const struct analysis *a, int asked)
     json_known("load_right", a->load[RIGHT], asked);
     json_known("tilt_left", a->tilt[LEFT], asked);
     json_known("tilt_right", a->tilt[RIGHT], asked);
-    if (a->text.loads > 0) json_flag("loads_stay", 1, 1);
-    if (a->text.lives > 0) json_known("live", a->live, asked);
-    if (a->set->sweep > 0) json_sweep(a);
+    if (a->text.loads > 0)
+        json_flag("loads_stay", 1, 1);
+    if (a->text.lives > 0)
+        json_known("live", a->live, asked);
+    if (a->set->sweep > 0)
+        json_sweep(a);
     json_open(asked ? open_questions(a) : 0);
 }
 
@@ -334,23 +353,29 @@ static inline void report_json(const struct analysis *a)
     json_structure(a, good);
     json_measure(a, good, asked);
     json_limits(a, asked);
-    if (a->set->raised) json_raised(a, asked);
+    if (a->set->raised)
+        json_raised(a, asked);
     if (a->set->own_error > 0) {
         json_known("bears", a->bears, asked);
         json_known("least_friction", a->least_friction, asked);
     }
-    if (a->set->sequence) json_sequence(a, good && a->sequence);
+    if (a->set->sequence)
+        json_sequence(a, good && a->sequence);
     if (a->set->stays)
         (is_all(a->set->stays) ? json_each : json_stays)(a, good && a->stays);
     json_loads(a, asked);
     json_known("proof_error", (double)a->work.error, good);
     json_count("pivots", a->work.pivots, good);
     json_count("solves", a->work.solves, good);
-    if (a->set->profile) json_profile(a, good);
+    if (a->set->profile)
+        json_profile(a, good);
     json_error(a);
-    if (good && a->set->forces) json_contacts(a);
-    if (good && a->set->forces) json_thrust(a);
-    if (good && a->set->mechanism) json_motion(a);
+    if (good && a->set->forces)
+        json_contacts(a);
+    if (good && a->set->forces)
+        json_thrust(a);
+    if (good && a->set->mechanism)
+        json_motion(a);
     printf("}\n");
 }
 

@@ -20,10 +20,10 @@
 enum { LEFT, RIGHT, LIVE };
 enum { MARGIN, LOAD_LEFT, LOAD_RIGHT, PROFILES };
 
-struct settings {           /* of the command line; numbers < 0: not given */
+struct settings { /* of the command line; numbers < 0: not given */
     kern_real epsilon, mu, gap, at, limit, overlap;
-    kern_real sweep;        /* places of the live load                     */
-    kern_real error, turn;  /* of --measured                               */
+    kern_real sweep;       /* places of the live load                     */
+    kern_real error, turn; /* of --measured                               */
     kern_real own_error, own_turn; /* of --error                          */
     int relative, forces, mechanism, profile, touching, json, verdict_only;
     int raised, sequence, mechanism_live, lone;
@@ -35,21 +35,21 @@ struct settings {           /* of the command line; numbers < 0: not given */
 /* The live load at a place: where its first force stands, and its factors. */
 struct swept {
     double x, y, live, raised;
-    int block;              /* -1: beyond the structure */
-    int cut;                /* the limit of work ended `raised` */
+    int block; /* -1: beyond the structure */
+    int cut;   /* the limit of work ended `raised` */
 };
 
 /* All there is to say about one file. Numbers that do not exist are NAN. */
 struct analysis {
     const struct settings *set;
     const char *file;
-    int number;             /* of the file among all             */
+    int number; /* of the file among all             */
     struct text_file text;
-    int line;               /* of the error, 0: the whole file   */
-    char error[600];        /* "" where there is none            */
+    int line;        /* of the error, 0: the whole file   */
+    char error[600]; /* "" where there is none            */
 
     kern_task task;
-    kern_contact *contact;  /* task.s.contact                    */
+    kern_contact *contact; /* task.s.contact                    */
     kern_work work;
 
     kern_status verdict;    /* of real contacts, at the shrinkage asked for */
@@ -62,34 +62,34 @@ struct analysis {
     kern_motion *motion;    /* there, if it falls                */
     kern_motion *fall;      /* the same with all other mechanisms: falls.h */
 
-    kern_status measured;   /* from shrinkage 0                  */
+    kern_status measured; /* from shrinkage 0                  */
     kern_margin m;
     kern_force *last_force; /* at m.holds, if it stands at 0     */
     kern_motion *collapse;  /* just past the margin, or at 0; with
                                --mechanism live past its factor  */
     kern_critical critical; /* what limits the margin            */
     double deficit, bearing, load[2], tilt[2], live;
-    double raised_load[3];  /* left, right, live; NAN: none is shown */
-    int cut[3];             /* of these: the limit of work ended it  */
-    double *stress;         /* of a line contact at the margin; 0: none   */
+    double raised_load[3]; /* left, right, live; NAN: none is shown */
+    int cut[3];            /* of these: the limit of work ended it  */
+    double *stress;        /* of a line contact at the margin; 0: none   */
 
-    struct swept *swept;    /* the live load at each place       */
+    struct swept *swept; /* the live load at each place       */
     int sweeps;
 
-    kern_status raised;     /* real contacts, if asked for       */
+    kern_status raised; /* real contacts, if asked for       */
     kern_raising raising;
     double reserve;
     kern_status borne, slid; /* of the measures behind these two: */
     double bears, least_friction;
-    double *sequence;       /* the margin after each block       */
-    double *stays;          /* of a block: its chance; below 0 where it falls,
+    double *sequence; /* the margin after each block       */
+    double *stays;    /* of a block: its chance; below 0 where it falls,
                                NAN where it was not asked for, or is
                                undecided                         */
 
-    kern_status profiled;   /* both profiles, if asked for       */
-    kern_real *fate[3];     /* of each block: its margin, and its load
+    kern_status profiled; /* both profiles, if asked for       */
+    kern_real *fate[3];   /* of each block: its margin, and its load
                                factors to the left and the right */
-    kern_collapse all[3];   /* their means                       */
+    kern_collapse all[3]; /* their means                       */
 };
 
 static inline int fail(struct analysis *a, int line, const char *format, ...)
@@ -103,7 +103,9 @@ static inline int fail(struct analysis *a, int line, const char *format, ...)
 }
 
 static inline double mean_size(const struct analysis *a)
-{ return (double)kern_mean_size(a->task.s.block, a->task.s.blocks); }
+{
+    return (double)kern_mean_size(a->task.s.block, a->task.s.blocks);
+}
 
 static inline int fail_memory(struct analysis *a)
 {
@@ -114,10 +116,12 @@ static inline int fail_memory(struct analysis *a)
 /* Does the collapse motion belong to the verdict, or to the margin? */
 static inline kern_motion *shown_motion(const struct analysis *a)
 {
-    if (a->shown == KERN_FALLS) return a->motion;
+    if (a->shown == KERN_FALLS)
+        return a->motion;
     if (a->set->mechanism_live)
         return isfinite(a->live) ? a->collapse : NULL;
-    if (a->measured == KERN_STANDS && !a->m.saturated) return a->collapse;
+    if (a->measured == KERN_STANDS && !a->m.saturated)
+        return a->collapse;
     return NULL;
 }
 
@@ -145,7 +149,9 @@ static inline void *array(int count, size_t size)
 
 /* Near contacts are looked for where contacts are. */
 static inline int is_near(const struct analysis *a)
-{ return a->set->touching && !a->text.given; }
+{
+    return a->set->touching && !a->text.given;
+}
 
 /* The contact of the largest stress among n from k on; -1: there is none. */
 static inline int most_stressed(const struct analysis *a, int k, int n)
@@ -171,13 +177,13 @@ static inline double fate_load(const struct analysis *a, int i)
 static inline double mean_load(const struct analysis *a)
 {
     return ((double)a->all[LOAD_LEFT].mean + (double)a->all[LOAD_RIGHT].mean)
-           / 2;
+         / 2;
 }
 
 static inline double weak_load(const struct analysis *a)
 {
     return ((double)a->all[LOAD_LEFT].weak + (double)a->all[LOAD_RIGHT].weak)
-           / 2;
+         / 2;
 }
 
 static inline int is_open(kern_status status)
@@ -192,35 +198,40 @@ static inline int weakest_step(const struct analysis *a)
 {
     int weakest = -1;
     for (int i = 0; i < a->task.s.blocks; i++)
-        if (a->sequence[i] >= 0 && (weakest < 0 || a->sequence[i] <
-                                    a->sequence[weakest]))
+        if (a->sequence[i] >= 0
+            && (weakest < 0 || a->sequence[i] < a->sequence[weakest]))
             weakest = i;
     return weakest;
 }
 
 static inline const char *status_word(const struct analysis *a)
 {
-    if (a->error[0]) return "error";
+    if (a->error[0])
+        return "error";
     return a->verdict == KERN_STANDS ? "stands"
-         : a->verdict == KERN_FALLS ? "falls"
-         : a->verdict == KERN_LIMIT ? "limit" : "undecided";
+         : a->verdict == KERN_FALLS  ? "falls"
+         : a->verdict == KERN_LIMIT  ? "limit"
+                                     : "undecided";
 }
 
 /* What is asked for, and neither found nor without limit: bits of the names
    below. */
+/* clang-format off */
 static const char *const open_name[] = {
     "level", "margin", "deficit", "bearing", "load_left", "load_right",
     "tilt_left", "tilt_right", "profile", "live", "certain", "raised", "bears",
     "least_friction", "sequence", "stays", "sweep", "raised_load_left",
     "raised_load_right", "raised_live"
 };
+/* clang-format on */
 enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
 
 /* Is --stays about block i? */
 static inline int is_asked(const struct analysis *a, int i)
 {
-    return !a->task.s.block[i].fixed && (is_all(a->set->stays)
-           || strcmp(a->text.name[i], a->set->stays) == 0);
+    return !a->task.s.block[i].fixed
+        && (is_all(a->set->stays)
+            || strcmp(a->text.name[i], a->set->stays) == 0);
 }
 
 /* Whether one number of a list that was asked for is undecided. */
@@ -228,15 +239,17 @@ static inline int is_open_list(const struct analysis *a, const double *list,
                                int stays)
 {
     for (int i = 0; list && i < a->task.s.blocks; i++)
-        if (isnan(list[i]) && (stays ? is_asked(a, i)
-                                     : !a->task.s.block[i].fixed)) return 1;
+        if (isnan(list[i])
+            && (stays ? is_asked(a, i) : !a->task.s.block[i].fixed))
+            return 1;
     return 0;
 }
 
 static inline int is_open_sweep(const struct analysis *a)
 {
     for (int k = 0; k < a->sweeps; k++)
-        if (isnan(a->swept[k].live) || a->swept[k].cut) return 1;
+        if (isnan(a->swept[k].live) || a->swept[k].cut)
+            return 1;
     return 0;
 }
 
@@ -244,27 +257,36 @@ static inline int is_open_sweep(const struct analysis *a)
 static inline int is_open_certain(const struct analysis *a)
 {
     return a->set->error > 0 && !a->text.given && !(shrinkage(a) > 0)
-           && a->certain < 0;
+        && a->certain < 0;
 }
 
 static inline unsigned open_questions(const struct analysis *a)
 {
     int loaded = a->shown == KERN_STANDS && gravity_of(a) > 0;
-    int open[OPENS_MOST] = {
-        a->measured < 0 || a->m.level < 0, a->measured < 0,
-        a->measured == KERN_FALLS && isnan(a->deficit),
-        a->measured == KERN_STANDS && isnan(a->bearing),
-        loaded && isnan(a->load[LEFT]), loaded && isnan(a->load[RIGHT]),
-        loaded && isnan(a->tilt[LEFT]), loaded && isnan(a->tilt[RIGHT]),
-        a->set->profile && a->profiled < 0,
-        a->shown == KERN_STANDS && a->text.lives > 0 && isnan(a->live),
-        is_open_certain(a),
-        a->raised < 0, a->borne < 0, a->slid < 0,
-        is_open_list(a, a->sequence, 0), is_open_list(a, a->stays, 1),
-        is_open_sweep(a), a->cut[LEFT], a->cut[RIGHT], a->cut[LIVE]
-    };
+    int open[OPENS_MOST] = {a->measured < 0 || a->m.level < 0,
+                            a->measured < 0,
+                            a->measured == KERN_FALLS && isnan(a->deficit),
+                            a->measured == KERN_STANDS && isnan(a->bearing),
+                            loaded && isnan(a->load[LEFT]),
+                            loaded && isnan(a->load[RIGHT]),
+                            loaded && isnan(a->tilt[LEFT]),
+                            loaded && isnan(a->tilt[RIGHT]),
+                            a->set->profile && a->profiled < 0,
+                            a->shown == KERN_STANDS && a->text.lives > 0
+                                && isnan(a->live),
+                            is_open_certain(a),
+                            a->raised < 0,
+                            a->borne < 0,
+                            a->slid < 0,
+                            is_open_list(a, a->sequence, 0),
+                            is_open_list(a, a->stays, 1),
+                            is_open_sweep(a),
+                            a->cut[LEFT],
+                            a->cut[RIGHT],
+                            a->cut[LIVE]};
     unsigned bits = 0;
-    for (int k = 0; k < OPENS_MOST; k++) bits |= open[k] ? 1u << k : 0;
+    for (int k = 0; k < OPENS_MOST; k++)
+        bits |= open[k] ? 1u << k : 0;
     return bits;
 }
 
@@ -276,17 +298,19 @@ static inline int line_points(const struct analysis *a)
     return points;
 }
 
-static const char *const meeting_word[] = { "rests", "hinges", "slides",
-                                            "opens" };
+static const char *const meeting_word[] = {"rests", "hinges", "slides",
+                                           "opens"};
 
 /* A contact point that limits, each once, the strongest first; -1: no more. */
 static inline int next_limit(const struct analysis *a, double *share)
 {
     kern_real *limit = a->critical.limit;
     int best = 0;
-    if (a->critical.contact < 0) return -1;
+    if (a->critical.contact < 0)
+        return -1;
     for (int k = 1; k < a->task.s.contacts; k++)
-        if (limit[k] > limit[best]) best = k;
+        if (limit[k] > limit[best])
+            best = k;
     *share = (double)limit[best];
     limit[best] = 0;
     return *share > 0.1 ? best : -1;
@@ -296,9 +320,9 @@ static inline int next_limit(const struct analysis *a, double *share)
    the caller's to free. */
 static inline kern_critical find_groups(const struct analysis *a)
 {
-    kern_proof proof = { NULL, shown_fall(a) };
-    kern_critical moving = { NULL, NULL, array(a->task.s.blocks, sizeof(int)),
-                             -1, 0 };
+    kern_proof proof = {NULL, shown_fall(a)};
+    kern_critical moving = {NULL, NULL, array(a->task.s.blocks, sizeof(int)),
+                            -1, 0};
     if (proof.motion && moving.group)
         kern_critical_of(&a->task, 0, &proof, &moving);
     return moving;
@@ -307,7 +331,7 @@ static inline kern_critical find_groups(const struct analysis *a)
 /* The forces, as the picture has them. */
 static inline struct draw_scene scene_of(const struct analysis *a)
 {
-    struct draw_scene scene = { 0 };
+    struct draw_scene scene = {0};
     scene.s = &a->task.s;
     scene.relative = a->set->relative;
     scene.shrink = (double)shrinkage(a);
@@ -326,6 +350,6 @@ static inline double expected_drop(const struct analysis *a)
     return (double)a->all[LOAD_LEFT].drop + (double)a->all[LOAD_RIGHT].drop;
 }
 
-static const char *const raising_word[] = { "not shown", "raised", "hangs" };
+static const char *const raising_word[] = {"not shown", "raised", "hangs"};
 
 #endif /* PROGRAM_STATE_H */

@@ -34,9 +34,11 @@ static inline int sweep_top(const kern_structure *s, double x, double *y)
             const kern_vec p = b->vertex[k];
             const kern_vec q = b->vertex[k + 1 < b->vertices ? k + 1 : 0];
             double at, along = x - (double)p.x;
-            if ((p.x <= x) == (q.x <= x)) continue;
+            if ((p.x <= x) == (q.x <= x))
+                continue;
             at = p.y + along * ((double)q.y - p.y) / ((double)q.x - p.x);
-            if (top >= 0 && at <= *y) continue;
+            if (top >= 0 && at <= *y)
+                continue;
             *y = at;
             top = i;
         }
@@ -53,7 +55,8 @@ static inline int sweep_range(const struct analysis *a, double *low,
     *low = HUGE_VAL;
     *high = -HUGE_VAL;
     for (int i = 0; i < s->blocks; i++) {
-        if (s->block[i].fixed || s->block[i].vertices == 0) continue;
+        if (s->block[i].fixed || s->block[i].vertices == 0)
+            continue;
         *low = fmin(*low, (double)s->block[i].box.low.x);
         *high = fmax(*high, (double)s->block[i].box.high.x);
     }
@@ -83,7 +86,8 @@ static inline void sweep_pattern(const struct analysis *a, double x,
             at->block = i;
             at->y = i < 0 ? (double)NAN : y;
         }
-        if (i < 0) continue;
+        if (i < 0)
+            continue;
         place.x = axle->place.x + (kern_real)shift;
         place.y = (kern_real)y;
         kern_block here = s->block[i];
@@ -103,7 +107,8 @@ static inline void sweep_at(struct analysis *a, double x, kern_wrench *pattern,
     status = kern_load_factor_of(&a->task, shrinkage(a), pattern, &value, NULL);
     at->live = value_or_nan(status, value);
     at->raised = (double)NAN;
-    if (a->raising != KERN_RAISED || a->raised != KERN_STANDS) return;
+    if (a->raising != KERN_RAISED || a->raised != KERN_STANDS)
+        return;
     status = kern_raised_load(&a->task, shrinkage(a), KERN_SHRINK, pattern,
                               &value, NULL);
     at->raised = value_or_nan(status, value);
@@ -118,7 +123,8 @@ static inline int find_sweep(struct analysis *a)
     kern_wrench *pattern;
     if (!sweep_range(a, &low, &high))
         return fail(a, 0, "--sweep: the blocks have no outline");
-    if (a->shown != KERN_STANDS) return 0;
+    if (a->shown != KERN_STANDS)
+        return 0;
     pattern = array(a->task.s.blocks, sizeof *pattern);
     a->swept = array(places, sizeof *a->swept);
     for (int k = 0; k < places && pattern && a->swept; k++) {
@@ -143,9 +149,12 @@ static inline int sweep_least(const struct analysis *a)
 /* As the report has it: six digits. */
 static inline void sweep_print(double value)
 {
-    if (isnan(value)) printf(" %11s", "-");
-    else if (isinf(value)) printf(" %11s", "any");
-    else printf(" %11.6g", value);
+    if (isnan(value))
+        printf(" %11s", "-");
+    else if (isinf(value))
+        printf(" %11s", "any");
+    else
+        printf(" %11.6g", value);
 }
 
 static inline void report_sweep(const struct analysis *a)
@@ -160,9 +169,10 @@ static inline void report_sweep(const struct analysis *a)
         sweep_print(at->x);
         sweep_print(at->y);
         sweep_print(at->live);
-        if (a->set->raised) sweep_print(at->raised);
-        printf("  %s%s\n", at->block < 0 ? "-"
-               : text_show(shown, a->text.name[at->block]),
+        if (a->set->raised)
+            sweep_print(at->raised);
+        printf("  %s%s\n",
+               at->block < 0 ? "-" : text_show(shown, a->text.name[at->block]),
                k == least ? "  least" : "");
     }
 }
@@ -173,12 +183,15 @@ static inline void json_sweep(const struct analysis *a)
     for (int k = 0; k < a->sweeps; k++) {
         const struct swept *at = &a->swept[k];
         printf("%s{", k > 0 ? ", " : "");
-        if (at->block < 0) printf("\"block\": null");
-        else json_string("block", a->text.name[at->block]);
+        if (at->block < 0)
+            printf("\"block\": null");
+        else
+            json_string("block", a->text.name[at->block]);
         json_number("x", at->x);
         json_number("y", at->y);
         json_number("live", at->live);
-        if (a->set->raised) json_number("raised_live", at->raised);
+        if (a->set->raised)
+            json_number("raised_live", at->raised);
         printf("}");
     }
     printf("]");
@@ -201,18 +214,21 @@ static inline void sweep_curve(const struct analysis *a, const struct plot *p,
 static inline int sweep_plot(const struct analysis *a, FILE *out)
 {
     const int least = sweep_least(a), last = a->sweeps - 1;
-    struct plot p = { 0 };
+    struct plot p = {0};
     double *x = array(2 * a->sweeps, sizeof *x);
-    if (!x) return -1;
+    if (!x)
+        return -1;
     p.x0 = a->swept[0].x;
     p.x1 = a->swept[last].x;
     p.y1 = least < 0 ? 1 : 4 * a->swept[least].live;
-    plot_begin(&p, out, a->set->raised
-               ? "Live load: black limit analysis, red raised from rest"
-               : "Live load: factor at collapse", "place of the first force",
-               "factor", 0);
+    plot_begin(&p, out,
+               a->set->raised
+                   ? "Live load: black limit analysis, red raised from rest"
+                   : "Live load: factor at collapse",
+               "place of the first force", "factor", 0);
     sweep_curve(a, &p, 0, x, x + a->sweeps);
-    if (a->set->raised) sweep_curve(a, &p, 1, x, x + a->sweeps);
+    if (a->set->raised)
+        sweep_curve(a, &p, 1, x, x + a->sweeps);
     free(x);
     return plot_end(&p);
 }

@@ -30,17 +30,22 @@ struct build_stone {
     int n;
 };
 
-enum build_kind { BUILD_WALL, BUILD_STACK, BUILD_PYRAMID, BUILD_TOWER,
-                  BUILD_KINDS };
+enum build_kind {
+    BUILD_WALL,
+    BUILD_STACK,
+    BUILD_PYRAMID,
+    BUILD_TOWER,
+    BUILD_KINDS
+};
 
-static const char *const build_kind_name[] = { "wall", "stack", "pyramid",
-                                               "tower" };
+static const char *const build_kind_name[] = {"wall", "stack", "pyramid",
+                                              "tower"};
 
 struct build {
     struct build_stone stone[BUILD_STONES];
     int stones;
-    double left, right;     /* of the base, whose top is at 0 */
-    uint64_t state;         /* of the random numbers          */
+    double left, right; /* of the base, whose top is at 0 */
+    uint64_t state;     /* of the random numbers          */
 };
 
 static double build_uniform(struct build *b, double low, double high)
@@ -55,8 +60,10 @@ static int build_hull(struct rigid_pt *p, int n, struct rigid_pt *out)
 {
     int k = 0;
     for (int i = 1; i < n; i++)
-        for (int j = i; j > 0 && (p[j].x < p[j - 1].x ||
-             (p[j].x <= p[j - 1].x && p[j].y < p[j - 1].y)); j--) {
+        for (int j = i; j > 0
+                        && (p[j].x < p[j - 1].x
+                            || (p[j].x <= p[j - 1].x && p[j].y < p[j - 1].y));
+             j--) {
             struct rigid_pt swap = p[j];
             p[j] = p[j - 1];
             p[j - 1] = swap;
@@ -65,8 +72,7 @@ static int build_hull(struct rigid_pt *p, int n, struct rigid_pt *out)
         int least = k + 1;
         for (int i = 0; i < n; i++) {
             struct rigid_pt q = p[side ? n - 1 - i : i];
-            while (k > least &&
-                   rigid_area(out[k - 2], out[k - 1], q) <= 1e-4)
+            while (k > least && rigid_area(out[k - 2], out[k - 1], q) <= 1e-4)
                 k--;
             out[k++] = q;
         }
@@ -110,8 +116,8 @@ static void build_make(struct build *b, double irregularity,
     int n = 4;
     for (int i = 0; i < 4; i++) { /* not as arguments: these have no order */
         p[i].y = (i > 1 ? height : 0) + build_uniform(b, -jog, jog);
-        p[i].x = (i == 1 || i == 2 ? half : -half) +
-                 build_uniform(b, -jog, jog);
+        p[i].x = (i == 1 || i == 2 ? half : -half)
+               + build_uniform(b, -jog, jog);
     }
     for (int i = 0; i < 4; i++)
         if (build_uniform(b, 0, 1) < irregularity / 100) {
@@ -122,7 +128,8 @@ static void build_make(struct build *b, double irregularity,
                                u.y + at * (v.y - u.y) - out * (v.x - u.x));
         }
     s->n = build_hull(p, n, hull);
-    for (int i = 0; i < s->n; i++) s->v[i] = hull[i];
+    for (int i = 0; i < s->n; i++)
+        s->v[i] = hull[i];
     angle = build_bottom(s);
     for (int i = 0; i < s->n; i++) {
         s->v[i] = rigid_turned(rigid_unit(-angle), s->v[i]);
@@ -146,10 +153,13 @@ static int build_height(const struct build_stone *s, double x, int sign,
     for (int i = 0; i < s->n; i++) {
         struct rigid_pt p = s->v[i], q = s->v[(i + 1) % s->n];
         double y;
-        if ((x < p.x && x < q.x) || (x > p.x && x > q.x)) continue;
-        y = fabs(q.x - p.x) > 1e-12 ? p.y + (x - p.x) / (q.x - p.x)
-                                              * (q.y - p.y) : p.y;
-        if (!found || sign * y > sign * *out) *out = y;
+        if ((x < p.x && x < q.x) || (x > p.x && x > q.x))
+            continue;
+        y = fabs(q.x - p.x) > 1e-12
+              ? p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y)
+              : p.y;
+        if (!found || sign * y > sign * *out)
+            *out = y;
         found = 1;
     }
     return found;
@@ -177,9 +187,10 @@ static double build_rest(const struct build *b, const struct build_stone *s,
 static double build_lay(struct build *b, double irregularity, double x,
                         int beside)
 {
-    struct build_stone best = { { { 0, 0 } }, 0 };
+    struct build_stone best = {{{0, 0}}, 0};
     double least = HUGE_VAL, shift = 0, low = 0, high = 0;
-    if (b->stones == BUILD_STONES) return 1;
+    if (b->stones == BUILD_STONES)
+        return 1;
     for (int k = 0; k < BUILD_CANDIDATES; k++) {
         struct build_stone s;
         double left = HUGE_VAL, right = -HUGE_VAL, rest;
@@ -189,7 +200,8 @@ static double build_lay(struct build *b, double irregularity, double x,
             right = fmax(right, s.v[i].x);
         }
         rest = build_rest(b, &s, beside ? x - left : x);
-        if (rest >= least) continue;
+        if (rest >= least)
+            continue;
         least = rest;
         best = s;
         low = left;
@@ -211,12 +223,13 @@ static void build_courses(struct build *b, enum build_kind kind,
                                       : (int)build_uniform(b, 3, 6);
     int width = (int)build_uniform(b, 3, 6);
     for (int c = 0; c < courses; c++) {
-        int count = kind == BUILD_TOWER ? 1
-                    : kind == BUILD_PYRAMID ? width + 1 - c : width;
-        double x = kind == BUILD_TOWER ? build_uniform(b, -0.2, 0.2)
-                   : kind == BUILD_PYRAMID ? 0.6 * c
-                   : kind == BUILD_WALL ? (c % 2 ? 0.5 : 0)
-                   : build_uniform(b, 0, 0.1);
+        int count = kind == BUILD_TOWER   ? 1
+                  : kind == BUILD_PYRAMID ? width + 1 - c
+                                          : width;
+        double x = kind == BUILD_TOWER   ? build_uniform(b, -0.2, 0.2)
+                 : kind == BUILD_PYRAMID ? 0.6 * c
+                 : kind == BUILD_WALL    ? (c % 2 ? 0.5 : 0)
+                                         : build_uniform(b, 0, 0.1);
         for (int i = 0; i < count; i++) {
             double w = build_lay(b, irregularity, x, kind != BUILD_TOWER);
             x += w + build_uniform(b, 0.02, 0.08);
@@ -231,9 +244,11 @@ static double build_run(struct rigid_world *w, double seconds, double calm)
 {
     struct rigid_pt *from = malloc((size_t)w->blocks * sizeof *from);
     double most = from ? 0 : -1;
-    for (int i = 0; i < w->blocks && from; i++) from[i] = w->block[i].at;
+    for (int i = 0; i < w->blocks && from; i++)
+        from[i] = w->block[i].at;
     for (int s = (int)(seconds / w->step); s > 0 && most >= 0; s--) {
-        if (rigid_step(w)) most = -1;
+        if (rigid_step(w))
+            most = -1;
         for (int i = 1; i < w->blocks; i++) {
             w->block[i].v.x *= calm;
             w->block[i].v.y *= calm;
@@ -262,13 +277,14 @@ static int build_settle(struct build *b)
     base[3] = rigid_vec(b->left, 0);
     good = rigid_add(&w, base, 4, 0, base[0]) >= 0;
     for (int i = 0; i < b->stones && good; i++) {
-        struct rigid_pt c = { 0, 0 };
+        struct rigid_pt c = {0, 0};
         for (int k = 0; k < b->stone[i].n; k++) {
             c.x += b->stone[i].v[k].x / b->stone[i].n;
             c.y += b->stone[i].v[k].y / b->stone[i].n;
         }
         good = rigid_add(&w, b->stone[i].v, b->stone[i].n,
-                         build_area(&b->stone[i]), c) >= 0;
+                         build_area(&b->stone[i]), c)
+            >= 0;
         for (int k = 0; k < b->stone[i].n; k++)
             b->stone[i].v[k] = rigid_sub(b->stone[i].v[k], c);
     }
@@ -310,15 +326,16 @@ static inline void build_structure(struct build *b, enum build_kind kind,
 static inline int build_write(const struct build *b, const char *path)
 {
     FILE *out = fopen(path, "w");
-    if (!out) return -1;
-    fprintf(out, "friction 0.4\ngravity 0 -9.81\ntolerance 0.001\n"
-            "fixed base %.9g -1 %.9g -1 %.9g 0 %.9g 0\n", b->left, b->right,
-            b->right, b->left);
+    if (!out)
+        return -1;
+    fprintf(out,
+            "friction 0.4\ngravity 0 -9.81\ntolerance 0.001\n"
+            "fixed base %.9g -1 %.9g -1 %.9g 0 %.9g 0\n",
+            b->left, b->right, b->right, b->left);
     for (int i = 0; i < b->stones; i++) {
         fprintf(out, "block s%d *", i);
         for (int k = 0; k < b->stone[i].n; k++)
-            fprintf(out, "  %.9g %.9g", b->stone[i].v[k].x,
-                    b->stone[i].v[k].y);
+            fprintf(out, "  %.9g %.9g", b->stone[i].v[k].x, b->stone[i].v[k].y);
         fprintf(out, "\n");
     }
     return fclose(out) ? -1 : 0;

@@ -33,7 +33,7 @@ struct measures_of {
     kern_task task;
     kern_contact *contact;
     kern_work work;
-    kern_real *fate[3];     /* of each block: its margin, and its load
+    kern_real *fate[3]; /* of each block: its margin, and its load
                                factors to the left and the right      */
 };
 
@@ -53,7 +53,8 @@ MEASURES_API int measures_contacts(struct measures_of *m)
         measures_drop(m);
         m->contact = malloc((size_t)room * sizeof *m->contact);
         m->work = room_work(m->task.s.blocks, room);
-        if (!m->contact || !m->work.real || !m->work.index) return -1;
+        if (!m->contact || !m->work.real || !m->work.index)
+            return -1;
         found = kern_contacts(m->text.block, m->text.blocks, &m->task.options,
                               m->contact, room, &m->work);
         room *= 2;
@@ -66,7 +67,8 @@ MEASURES_API int measures_contacts(struct measures_of *m)
 MEASURES_API void measures_free(struct measures_of *m)
 {
     int k;
-    for (k = 0; k < 3; k++) free(m->fate[k]);
+    for (k = 0; k < 3; k++)
+        free(m->fate[k]);
     measures_drop(m);
     text_free(&m->text);
 }
@@ -76,7 +78,8 @@ MEASURES_API int measures_load(struct measures_of *m, const char *path)
     static const struct measures_of empty;
     int k, bad = 0;
     *m = empty;
-    if (text_load(&m->text, path)) return -1;
+    if (text_load(&m->text, path))
+        return -1;
     m->task = kern_task_of(m->text.block, m->text.blocks, NULL, 0, &m->work);
     m->task.options = m->text.options;
     m->task.s.gravity = m->text.gravity;
@@ -89,33 +92,33 @@ MEASURES_API int measures_load(struct measures_of *m, const char *path)
 
 /* ---- The measures -------------------------------------------------------- */
 
-#define MEASURES_LIST(X)                                                      \
-    X(LEVEL, "level", "level")                                                \
-    X(MARGIN, "margin", "margin")                                             \
-    X(LOAD, "load", "load factor")                                            \
-    X(TILT, "tilt", "tilt")                                                   \
-    X(PROGRESSIVE_MARGIN, "progressive_margin", "progressive margin")         \
-    X(PROGRESSIVE_LOAD, "progressive_load", "progressive load factor")        \
-    X(WEAK_MARGIN, "weak_margin", "margin, weaker half")                      \
-    X(WEAK_LOAD, "weak_load", "load factor, weaker half")                     \
-    X(FRICTION, "low_friction_margin", "progressive margin, half friction")   \
-    X(NEAR_MARGIN, "near_margin", "near: margin")                             \
-    X(NEAR_LOAD, "near_load", "near: load factor")                            \
-    X(NEAR_PROGRESSIVE_MARGIN, "near_progressive_margin",                     \
-      "near: progressive margin")                                             \
-    X(NEAR_PROGRESSIVE_LOAD, "near_progressive_load",                         \
-      "near: progressive load factor")                                        \
-    X(NEAR_WEAK_MARGIN, "near_weak_margin", "near: margin, weaker half")      \
-    X(NEAR_WEAK_LOAD, "near_weak_load", "near: load factor, weaker half")     \
-    X(NEAR_DROP, "near_drop", "near: 1 / (1 + expected drop)")                    \
-    X(SLENDERNESS, "slenderness", "width over height")                        \
+#define MEASURES_LIST(X)                                                    \
+    X(LEVEL, "level", "level")                                              \
+    X(MARGIN, "margin", "margin")                                           \
+    X(LOAD, "load", "load factor")                                          \
+    X(TILT, "tilt", "tilt")                                                 \
+    X(PROGRESSIVE_MARGIN, "progressive_margin", "progressive margin")       \
+    X(PROGRESSIVE_LOAD, "progressive_load", "progressive load factor")      \
+    X(WEAK_MARGIN, "weak_margin", "margin, weaker half")                    \
+    X(WEAK_LOAD, "weak_load", "load factor, weaker half")                   \
+    X(FRICTION, "low_friction_margin", "progressive margin, half friction") \
+    X(NEAR_MARGIN, "near_margin", "near: margin")                           \
+    X(NEAR_LOAD, "near_load", "near: load factor")                          \
+    X(NEAR_PROGRESSIVE_MARGIN, "near_progressive_margin",                   \
+      "near: progressive margin")                                           \
+    X(NEAR_PROGRESSIVE_LOAD, "near_progressive_load",                       \
+      "near: progressive load factor")                                      \
+    X(NEAR_WEAK_MARGIN, "near_weak_margin", "near: margin, weaker half")    \
+    X(NEAR_WEAK_LOAD, "near_weak_load", "near: load factor, weaker half")   \
+    X(NEAR_DROP, "near_drop", "near: 1 / (1 + expected drop)")              \
+    X(SLENDERNESS, "slenderness", "width over height")                      \
     X(STONES, "stones", "number of stones")
 
 enum measures_kind {
 #define MEASURES_KIND(id, name, words) MEASURE_##id,
     MEASURES_LIST(MEASURES_KIND)
 #undef MEASURES_KIND
-    MEASURES
+        MEASURES
 };
 
 static const char *const measures_name[] = {
@@ -133,13 +136,19 @@ static const char *const measures_words[] = {
 /* Margin, load factor and the two profiles, the load's as the mean of both
    sides, to out[0..6): what is asked of contacts as found and of near ones. */
 enum {
-    ASK_MARGIN, ASK_LOAD, ASK_MEAN_MARGIN, ASK_MEAN_LOAD, ASK_WEAK_MARGIN,
-    ASK_WEAK_LOAD, ASK_DROP, ASKS
+    ASK_MARGIN,
+    ASK_LOAD,
+    ASK_MEAN_MARGIN,
+    ASK_MEAN_LOAD,
+    ASK_WEAK_MARGIN,
+    ASK_WEAK_LOAD,
+    ASK_DROP,
+    ASKS
 };
 
 MEASURES_API int measures_profiles(struct measures_of *m, double out[ASKS])
 {
-    static const kern_side side[3] = { KERN_SHRINK, KERN_LEFT, KERN_RIGHT };
+    static const kern_side side[3] = {KERN_SHRINK, KERN_LEFT, KERN_RIGHT};
     kern_collapse all[3];
     int k;
     for (k = 0; k < 3; k++)
@@ -157,7 +166,7 @@ MEASURES_API int measures_profiles(struct measures_of *m, double out[ASKS])
 
 static double measures_slenderness(const kern_structure *s)
 {
-    double low[2] = { HUGE_VAL, HUGE_VAL }, high[2] = { -HUGE_VAL, -HUGE_VAL };
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
     int i, k;
     for (i = 0; i < s->blocks; i++)
         for (k = 0; k < s->block[i].vertices && !s->block[i].fixed; k++) {
@@ -176,9 +185,11 @@ static int measures_low_friction(struct measures_of *m, double *out)
     kern_collapse all;
     kern_status status;
     int k;
-    for (k = 0; k < m->task.s.contacts; k++) m->contact[k].mu /= 2;
+    for (k = 0; k < m->task.s.contacts; k++)
+        m->contact[k].mu /= 2;
     status = kern_profile(&m->task, KERN_SHRINK, m->fate[0], &all);
-    for (k = 0; k < m->task.s.contacts; k++) m->contact[k].mu *= 2;
+    for (k = 0; k < m->task.s.contacts; k++)
+        m->contact[k].mu *= 2;
     *out = (double)all.mean;
     return status == KERN_OK ? 0 : -1;
 }
@@ -192,29 +203,36 @@ MEASURES_API int measures_all(struct measures_of *m, double *out)
     kern_margin margin;
     kern_real tilt[2];
     int i, k;
-    if (kern_measure(&m->task, &margin, NULL) != KERN_STANDS ||
-        kern_tilt(&m->task, 0, KERN_LEFT, &tilt[0], NULL) != KERN_STANDS ||
-        kern_tilt(&m->task, 0, KERN_RIGHT, &tilt[1], NULL) != KERN_STANDS)
+    if (kern_measure(&m->task, &margin, NULL) != KERN_STANDS
+        || kern_tilt(&m->task, 0, KERN_LEFT, &tilt[0], NULL) != KERN_STANDS
+        || kern_tilt(&m->task, 0, KERN_RIGHT, &tilt[1], NULL) != KERN_STANDS)
         return -1;
-    if (measures_profiles(m, ask)) return -1;
-    if (measures_low_friction(m, &out[MEASURE_FRICTION])) return -1;
-    m->task.options = kern_near(&tight, kern_mean_size(m->task.s.block,
-                                                       m->task.s.blocks));
-    if (measures_contacts(m) || measures_profiles(m, beside)) return -1;
+    if (measures_profiles(m, ask))
+        return -1;
+    if (measures_low_friction(m, &out[MEASURE_FRICTION]))
+        return -1;
+    m->task.options = kern_near(
+        &tight, kern_mean_size(m->task.s.block, m->task.s.blocks));
+    if (measures_contacts(m) || measures_profiles(m, beside))
+        return -1;
     m->task.options = tight;
     out[MEASURE_LEVEL] = margin.level;
     out[MEASURE_TILT] = fmin((double)tilt[0], (double)tilt[1]);
     out[MEASURE_NEAR_DROP] = beside[ASK_DROP];
     for (k = 0; k < ASK_DROP; k++) {
-        static const int place[ASK_DROP] = {
-            MEASURE_MARGIN, MEASURE_LOAD, MEASURE_PROGRESSIVE_MARGIN,
-            MEASURE_PROGRESSIVE_LOAD, MEASURE_WEAK_MARGIN, MEASURE_WEAK_LOAD
-        };
+        static const int place[ASK_DROP] = {MEASURE_MARGIN,
+                                            MEASURE_LOAD,
+                                            MEASURE_PROGRESSIVE_MARGIN,
+                                            MEASURE_PROGRESSIVE_LOAD,
+                                            MEASURE_WEAK_MARGIN,
+                                            MEASURE_WEAK_LOAD};
         static const int place_beside[ASK_DROP] = {
-            MEASURE_NEAR_MARGIN, MEASURE_NEAR_LOAD,
-            MEASURE_NEAR_PROGRESSIVE_MARGIN, MEASURE_NEAR_PROGRESSIVE_LOAD,
-            MEASURE_NEAR_WEAK_MARGIN, MEASURE_NEAR_WEAK_LOAD
-        };
+            MEASURE_NEAR_MARGIN,
+            MEASURE_NEAR_LOAD,
+            MEASURE_NEAR_PROGRESSIVE_MARGIN,
+            MEASURE_NEAR_PROGRESSIVE_LOAD,
+            MEASURE_NEAR_WEAK_MARGIN,
+            MEASURE_NEAR_WEAK_LOAD};
         out[place[k]] = ask[k];
         out[place_beside[k]] = beside[k];
     }
@@ -276,7 +294,8 @@ MEASURES_API double rank_accuracy(const double *a, const double *b, int n)
     for (i = 0; i < n; i++)
         for (j = 0; j < i; j++) {
             const double da = a[i] - a[j], db = b[i] - b[j];
-            if (!(db < 0) && !(db > 0)) continue;
+            if (!(db < 0) && !(db > 0))
+                continue;
             all++;
             right += da * db > 0 ? 1 : da * db < 0 ? 0 : 0.5;
         }

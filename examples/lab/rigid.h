@@ -31,13 +31,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct rigid_pt { double x, y; };
+struct rigid_pt {
+    double x, y;
+};
 
 /* A block. The first lines are all that the solver touches. */
 struct rigid_block {
-    struct rigid_pt v;            /* speed of the centre of mass              */
+    struct rigid_pt v; /* speed of the centre of mass              */
     double spin;
-    struct rigid_pt moved;        /* since the step began                     */
+    struct rigid_pt moved; /* since the step began                     */
     double turned;
     double inv_mass, inv_inertia; /* 0: moves only as told                    */
     struct rigid_pt at;           /* centre of mass                           */
@@ -45,8 +47,8 @@ struct rigid_block {
     double angle;                 /* the same, with whole turns               */
     struct rigid_pt force;        /* acts besides the weight                  */
     double torque;
-    double reach;                 /* of the farthest corner, from the centre  */
-    struct rigid_pt seen_at;      /* where it was when the pairs were listed  */
+    double reach;            /* of the farthest corner, from the centre  */
+    struct rigid_pt seen_at; /* where it was when the pairs were listed  */
     struct rigid_pt seen_turn;
 };
 
@@ -59,8 +61,8 @@ struct rigid_corner {
 /* A convex part of a block, counter-clockwise. */
 struct rigid_piece {
     int block, first, corners;
-    struct rigid_pt local, at;    /* a point inside: the mean of the corners  */
-    struct rigid_pt low, high;    /* its box when the pairs were listed       */
+    struct rigid_pt local, at; /* a point inside: the mean of the corners  */
+    struct rigid_pt low, high; /* its box when the pairs were listed       */
 };
 
 /* Two pieces near each other, a before b, and what is worth remembering of
@@ -85,7 +87,7 @@ struct rigid_point {
 
 struct rigid_contact {
     int a, b, pair, points, driven;
-    struct rigid_pt n;            /* from a into b                            */
+    struct rigid_pt n; /* from a into b                            */
     struct rigid_point point[2];
 };
 
@@ -99,11 +101,11 @@ struct rigid_touch {
 struct rigid_world {
     struct rigid_pt gravity;
     double friction;
-    double step;                  /* seconds                                  */
+    double step; /* seconds                                  */
     int substeps;
-    double slop;                  /* lengths below it do not matter           */
-    double damping;               /* of the springs that push overlaps out    */
-    double push;                  /* the fastest that they may do it          */
+    double slop;    /* lengths below it do not matter           */
+    double damping; /* of the springs that push overlaps out    */
+    double push;    /* the fastest that they may do it          */
     struct rigid_block *block;
     struct rigid_piece *piece;
     struct rigid_corner *corner;
@@ -111,15 +113,15 @@ struct rigid_world {
     struct rigid_contact *contact;
     int blocks, pieces, corners, pairs, contacts;
     int block_room, piece_room, corner_room, pair_room, contact_room;
-    int listed;                   /* 0: pairs must be listed anew             */
-    int failed;                   /* memory was lacking: the world is useless */
+    int listed; /* 0: pairs must be listed anew             */
+    int failed; /* memory was lacking: the world is useless */
 };
 
 /* ---- Vectors ------------------------------------------------------------- */
 
 static inline struct rigid_pt rigid_vec(double x, double y)
 {
-    struct rigid_pt p = { x, y };
+    struct rigid_pt p = {x, y};
     return p;
 }
 
@@ -143,15 +145,9 @@ static inline double rigid_cross(struct rigid_pt a, struct rigid_pt b)
     return a.x * b.y - a.y * b.x;
 }
 
-static inline double rigid_least(double a, double b)
-{
-    return a < b ? a : b;
-}
+static inline double rigid_least(double a, double b) { return a < b ? a : b; }
 
-static inline double rigid_most(double a, double b)
-{
-    return a > b ? a : b;
-}
+static inline double rigid_most(double a, double b) { return a > b ? a : b; }
 
 /* The product of two complex numbers: turns p by the angle of q. */
 static inline struct rigid_pt rigid_turned(struct rigid_pt q, struct rigid_pt p)
@@ -165,8 +161,8 @@ static inline struct rigid_pt rigid_unit(double angle)
 {
     enum { HALVINGS = 12 };
     double t = angle / (1 << HALVINGS), tt = t * t;
-    struct rigid_pt q = { 1 - tt / 2 + tt * tt / 24,
-                          t * (1 - tt / 6 + tt * tt / 120) };
+    struct rigid_pt q = {1 - tt / 2 + tt * tt / 24,
+                         t * (1 - tt / 6 + tt * tt / 120)};
     for (int i = 0; i < HALVINGS; i++) {
         double length;
         q = rigid_turned(q, q);
@@ -209,10 +205,13 @@ static inline void *rigid_room(void *array, int used, int count, int *room,
 {
     int want = *room > 0 ? *room : 16;
     void *more;
-    if (array && used + count <= *room) return array;
-    while (want < used + count) want *= 2;
+    if (array && used + count <= *room)
+        return array;
+    while (want < used + count)
+        want *= 2;
     more = realloc(array, (size_t)want * size);
-    if (more) *room = want;
+    if (more)
+        *room = want;
     return more;
 }
 
@@ -232,12 +231,14 @@ static inline int rigid_ear(const struct rigid_pt *v, const int *ring, int n,
     int before = ring[(k + n - 1) % n], here = ring[k];
     int next = ring[(k + 1) % n];
     struct rigid_pt a = v[before], b = v[here], c = v[next];
-    if (!(rigid_area(a, b, c) > 0)) return 0;
+    if (!(rigid_area(a, b, c) > 0))
+        return 0;
     for (int i = 0; i < n; i++) {
         struct rigid_pt p = v[ring[i]];
-        if (ring[i] == before || ring[i] == here || ring[i] == next) continue;
-        if (rigid_area(a, b, p) >= 0 && rigid_area(b, c, p) >= 0 &&
-            rigid_area(c, a, p) >= 0)
+        if (ring[i] == before || ring[i] == here || ring[i] == next)
+            continue;
+        if (rigid_area(a, b, p) >= 0 && rigid_area(b, c, p) >= 0
+            && rigid_area(c, a, p) >= 0)
             return 0;
     }
     return 1;
@@ -250,16 +251,20 @@ static inline int rigid_triangles(const struct rigid_pt *v, int n, int *part,
                                   int *size, int *ring)
 {
     int parts = 0, left = n;
-    for (int i = 0; i < n; i++) ring[i] = i;
+    for (int i = 0; i < n; i++)
+        ring[i] = i;
     while (left >= 3) {
         int k = 0;
-        while (k < left - 1 && !rigid_ear(v, ring, left, k)) k++;
+        while (k < left - 1 && !rigid_ear(v, ring, left, k))
+            k++;
         int *t = part + (size_t)n * (size_t)parts;
         t[0] = ring[(k + left - 1) % left];
         t[1] = ring[k];
         t[2] = ring[(k + 1) % left];
-        if (rigid_area(v[t[0]], v[t[1]], v[t[2]]) > 0) size[parts++] = 3;
-        for (int i = k; i < left - 1; i++) ring[i] = ring[i + 1];
+        if (rigid_area(v[t[0]], v[t[1]], v[t[2]]) > 0)
+            size[parts++] = 3;
+        for (int i = k; i < left - 1; i++)
+            ring[i] = ring[i + 1];
         left--;
     }
     return parts;
@@ -273,12 +278,16 @@ static inline int rigid_join(const struct rigid_pt *v, const int *p, int np,
     for (int i = 0; i < np; i++)
         for (int j = 0; j < nq; j++) {
             int n = 0, convex = 1;
-            if (p[i] != q[(j + 1) % nq] || p[(i + 1) % np] != q[j]) continue;
-            for (int k = 1; k <= np; k++) out[n++] = p[(i + k) % np];
-            for (int k = 2; k < nq; k++) out[n++] = q[(j + k) % nq];
+            if (p[i] != q[(j + 1) % nq] || p[(i + 1) % np] != q[j])
+                continue;
+            for (int k = 1; k <= np; k++)
+                out[n++] = p[(i + k) % np];
+            for (int k = 2; k < nq; k++)
+                out[n++] = q[(j + k) % nq];
             for (int k = 0; k < n; k++)
                 convex &= rigid_area(v[out[k]], v[out[(k + 1) % n]],
-                                     v[out[(k + 2) % n]]) >= 0;
+                                     v[out[(k + 2) % n]])
+                       >= 0;
             return convex ? n : 0;
         }
     return 0;
@@ -297,7 +306,8 @@ static inline int rigid_convex(const struct rigid_pt *v, int n, int *part,
             int *q = part + (size_t)n * (size_t)j;
             int *last = part + (size_t)n * (size_t)(parts - 1);
             int joined = rigid_join(v, p, size[i], q, size[j], spare);
-            if (joined == 0) continue;
+            if (joined == 0)
+                continue;
             memcpy(p, spare, (size_t)joined * sizeof *p);
             memmove(q, last, (size_t)size[parts - 1] * sizeof *q);
             size[i] = joined;
@@ -316,8 +326,10 @@ static inline int rigid_smooth(const struct rigid_pt *v, int *part, int n)
     for (int k = 0; k < n && n > 3; k++) {
         struct rigid_pt a = v[part[(k + n - 1) % n]], b = v[part[k]];
         struct rigid_pt c = v[part[(k + 1) % n]], ac = rigid_sub(c, a);
-        if (rigid_area(a, b, c) > 1e-4 * rigid_dot(ac, ac)) continue;
-        for (int i = k; i < n - 1; i++) part[i] = part[i + 1];
+        if (rigid_area(a, b, c) > 1e-4 * rigid_dot(ac, ac))
+            continue;
+        for (int i = k; i < n - 1; i++)
+            part[i] = part[i + 1];
         n--;
         k = -1;
     }
@@ -332,10 +344,13 @@ static inline int rigid_add_piece(struct rigid_world *w,
     struct rigid_corner *c;
     n = rigid_smooth(v, part, n);
     p = rigid_room(w->piece, w->pieces, 1, &w->piece_room, sizeof *p);
-    if (p) w->piece = p;
+    if (p)
+        w->piece = p;
     c = rigid_room(w->corner, w->corners, n, &w->corner_room, sizeof *c);
-    if (c) w->corner = c;
-    if (!p || !c) return -1;
+    if (c)
+        w->corner = c;
+    if (!p || !c)
+        return -1;
     p += w->pieces++;
     c += w->corners;
     memset(p, 0, sizeof *p);
@@ -397,20 +412,24 @@ static inline int rigid_add_part(struct rigid_world *w,
     struct rigid_pt *u = malloc((size_t)n * sizeof *u);
     double area = 0, reach = 0;
     b = rigid_room(w->block, w->blocks, 1, &w->block_room, sizeof *b);
-    if (b) w->block = b;
+    if (b)
+        w->block = b;
     if (!u || !b) {
         free(u);
         w->failed = 1;
         return -1;
     }
-    if (more) centre = b[w->blocks - 1].at;
-    else memset(b + w->blocks++, 0, sizeof *b);
+    if (more)
+        centre = b[w->blocks - 1].at;
+    else
+        memset(b + w->blocks++, 0, sizeof *b);
     b += w->blocks - 1;
     for (int i = 0; i < n; i++) {
         area += rigid_cross(rigid_sub(v[i], v[0]),
                             rigid_sub(v[(i + 1) % n], v[0]));
         u[i] = rigid_sub(v[i], centre);
-        if (reach < rigid_dot(u[i], u[i])) reach = rigid_dot(u[i], u[i]);
+        if (reach < rigid_dot(u[i], u[i]))
+            reach = rigid_dot(u[i], u[i]);
     }
     for (int i = 0; area < 0 && i < n / 2; i++) {
         struct rigid_pt p = u[i];
@@ -423,7 +442,8 @@ static inline int rigid_add_part(struct rigid_world *w,
     }
     b->at = centre;
     b->turn = rigid_vec(1, 0);
-    if (b->reach < sqrt(reach)) b->reach = sqrt(reach);
+    if (b->reach < sqrt(reach))
+        b->reach = sqrt(reach);
     w->failed |= rigid_add_polygon(w, u, n);
     w->listed = 0;
     free(u);
@@ -491,7 +511,8 @@ static inline int rigid_strayed(const struct rigid_world *w)
         struct rigid_pt q = rigid_sub(b->turn, b->seen_turn);
         double dist = rigid_dot(d, d);
         double turn = b->reach * b->reach * rigid_dot(q, q);
-        if (4 * dist > skin * skin || 4 * turn > skin * skin) return 1;
+        if (4 * dist > skin * skin || 4 * turn > skin * skin)
+            return 1;
     }
     return 0;
 }
@@ -524,9 +545,9 @@ static inline int rigid_boxes_meet(const struct rigid_world *w, int i, int j)
 {
     const struct rigid_piece *p = &w->piece[i], *q = &w->piece[j];
     const struct rigid_block *a = &w->block[p->block], *b = &w->block[q->block];
-    return p->low.x <= q->high.x && q->low.x <= p->high.x &&
-           p->low.y <= q->high.y && q->low.y <= p->high.y &&
-           p->block != q->block && (a->inv_mass > 0 || b->inv_mass > 0);
+    return p->low.x <= q->high.x && q->low.x <= p->high.x
+        && p->low.y <= q->high.y && q->low.y <= p->high.y
+        && p->block != q->block && (a->inv_mass > 0 || b->inv_mass > 0);
 }
 
 /* Lists the pairs in the order of their indices, which is that of the old
@@ -542,7 +563,8 @@ static inline void rigid_list(struct rigid_world *w)
     for (int i = 0; i < w->pieces; i++)
         for (int j = i + 1; j < w->pieces; j++) {
             struct rigid_pair *p;
-            if (!rigid_boxes_meet(w, i, j)) continue;
+            if (!rigid_boxes_meet(w, i, j))
+                continue;
             p = rigid_room(w->pair, w->pairs, 1, &w->pair_room, sizeof *p);
             if (!p) {
                 w->failed = 1;
@@ -550,8 +572,9 @@ static inline void rigid_list(struct rigid_world *w)
             }
             w->pair = p;
             p += w->pairs++;
-            while (next < olds && (old[next].a < i ||
-                                   (old[next].a == i && old[next].b < j)))
+            while (
+                next < olds
+                && (old[next].a < i || (old[next].a == i && old[next].b < j)))
                 next++;
             if (next < olds && old[next].a == i && old[next].b == j) {
                 *p = old[next];
@@ -564,8 +587,10 @@ static inline void rigid_list(struct rigid_world *w)
     /* Both lists have the same room. */
     if (w->pair_room > room) {
         old = realloc(w->old_pair, (size_t)w->pair_room * sizeof *old);
-        if (old) w->old_pair = old;
-        else w->failed = 1;
+        if (old)
+            w->old_pair = old;
+        else
+            w->failed = 1;
     }
     w->listed = 1;
 }
@@ -611,7 +636,8 @@ static inline int rigid_opposed(const struct rigid_world *w,
     int edge = 0;
     for (int i = 1; i < p->corners; i++) {
         double x = rigid_dot(c[i].normal, n);
-        if (x >= best) continue;
+        if (x >= best)
+            continue;
         best = x;
         edge = i;
     }
@@ -654,8 +680,10 @@ static inline void rigid_corners(const struct rigid_world *w,
 {
     struct rigid_pt d = rigid_sub(q, p);
     double dist = rigid_length(d);
-    if (dist > rigid_ahead(w)) return;
-    if (!(rigid_dot(d, t->n) > rigid_near(w))) return;
+    if (dist > rigid_ahead(w))
+        return;
+    if (!(rigid_dot(d, t->n) > rigid_near(w)))
+        return;
     t->n = rigid_vec(d.x / dist, d.y / dist);
     t->points = 1;
     t->at[0] = rigid_vec((p.x + q.x) / 2, (p.y + q.y) / 2);
@@ -716,9 +744,11 @@ static inline void rigid_meet(const struct rigid_world *w, struct rigid_pair *r,
     double sa, sb, ahead = rigid_ahead(w);
     t->points = 0;
     sa = rigid_apart(w, a, b, &r->edge_a);
-    if (sa > ahead) return;
+    if (sa > ahead)
+        return;
     sb = rigid_apart(w, b, a, &r->edge_b);
-    if (sb > ahead) return;
+    if (sb > ahead)
+        return;
     if (sb <= sa + 0.1 * w->slop) {
         rigid_clip(w, a, b, r->edge_a, 0, t);
     } else {
@@ -734,7 +764,7 @@ static inline void rigid_prepare(struct rigid_world *w, int pair,
 {
     const struct rigid_pair *r = &w->pair[pair];
     struct rigid_contact *c = &w->contact[w->contacts++];
-    const struct rigid_pt n = t->n, s = { -n.y, n.x };
+    const struct rigid_pt n = t->n, s = {-n.y, n.x};
     c->a = w->piece[r->a].block;
     c->b = w->piece[r->b].block;
     c->pair = pair;
@@ -752,14 +782,17 @@ static inline void rigid_prepare(struct rigid_world *w, int pair,
         p->normal_b = rigid_cross(rb, n);
         p->tangent_a = rigid_cross(ra, s);
         p->tangent_b = rigid_cross(rb, s);
-        p->normal_mass = 1 / (m + ia * p->normal_a * p->normal_a +
-                              ib * p->normal_b * p->normal_b);
-        p->tangent_mass = 1 / (m + ia * p->tangent_a * p->tangent_a +
-                               ib * p->tangent_b * p->tangent_b);
+        p->normal_mass = 1
+                       / (m + ia * p->normal_a * p->normal_a
+                          + ib * p->normal_b * p->normal_b);
+        p->tangent_mass = 1
+                        / (m + ia * p->tangent_a * p->tangent_a
+                           + ib * p->tangent_b * p->tangent_b);
         p->gap = t->gap[k];
         p->normal = p->tangent = p->rest = 0;
         for (int i = 0; i < r->points; i++) {
-            if (r->id[i] != t->id[k]) continue;
+            if (r->id[i] != t->id[k])
+                continue;
             p->normal = r->normal[i];
             p->tangent = r->tangent[i];
             p->rest = r->rest[i];
@@ -783,9 +816,11 @@ static inline void rigid_collide(struct rigid_world *w)
         struct rigid_pair *r = &w->pair[i];
         struct rigid_touch t;
         rigid_meet(w, r, &t);
-        if (t.points > 0) rigid_prepare(w, i, &t);
+        if (t.points > 0)
+            rigid_prepare(w, i, &t);
         r->points = t.points;
-        for (int k = 0; k < t.points; k++) r->id[k] = t.id[k];
+        for (int k = 0; k < t.points; k++)
+            r->id[k] = t.id[k];
     }
 }
 
@@ -826,7 +861,9 @@ static inline void rigid_warm(struct rigid_world *w)
 
 /* A spring as a constraint: of the overlap, how much speed; of the impulse
    that would stop the blocks, how much; of the one so far, how much back. */
-struct rigid_spring { double bias, mass, back; };
+struct rigid_spring {
+    double bias, mass, back;
+};
 
 /* An eighth of the frequency of the sub-steps, a quarter where one of the
    blocks moves only as told. Twice as stiff, stones at rest begin to tremble
@@ -836,7 +873,7 @@ static inline struct rigid_spring rigid_spring_at(const struct rigid_world *w,
 {
     double omega = 2 * 3.14159265358979323846 * (driven ? 0.25 : 0.125) / h;
     double a = 2 * w->damping + h * omega, b = h * omega * a;
-    struct rigid_spring s = { omega / a, b / (1 + b), 1 / (1 + b) };
+    struct rigid_spring s = {omega / a, b / (1 + b), 1 / (1 + b)};
     return s;
 }
 
@@ -849,9 +886,8 @@ struct rigid_speeds {
 
 /* The impulse f along n, on the second block, against it on the first, with
    these arms. */
-static inline void rigid_speeds_push(struct rigid_speeds *s,
-                                     struct rigid_pt n, double arm_a,
-                                     double arm_b, double f)
+static inline void rigid_speeds_push(struct rigid_speeds *s, struct rigid_pt n,
+                                     double arm_a, double arm_b, double f)
 {
     const double x = n.x * f, y = n.y * f;
     s->wa -= s->ia * arm_a * f;
@@ -871,24 +907,27 @@ static inline void rigid_solve_one(struct rigid_world *w,
     const struct rigid_pt n = c->n, t = rigid_vec(-n.y, n.x);
     const double turned_a = a->turned, turned_b = b->turned;
     const double came = rigid_dot(n, rigid_sub(b->moved, a->moved));
-    struct rigid_speeds s = {a->v, b->v, a->spin, b->spin, a->inv_mass,
-                           b->inv_mass, a->inv_inertia, b->inv_inertia};
+    struct rigid_speeds s = {a->v,           b->v,          a->spin,
+                             b->spin,        a->inv_mass,   b->inv_mass,
+                             a->inv_inertia, b->inv_inertia};
 
     for (int k = 0; k < c->points; k++) {
         struct rigid_point *p = &c->point[k];
-        double gap = p->gap + came + p->normal_b * turned_b -
-                     p->normal_a * turned_a;
-        double v = n.x * (s.vb.x - s.va.x) + n.y * (s.vb.y - s.va.y) +
-                   p->normal_b * s.wb - p->normal_a * s.wa;
+        double gap = p->gap + came + p->normal_b * turned_b
+                   - p->normal_a * turned_a;
+        double v = n.x * (s.vb.x - s.va.x) + n.y * (s.vb.y - s.va.y)
+                 + p->normal_b * s.wb - p->normal_a * s.wa;
         double f;
         if (gap > 0 || !spring) {
-            if (gap > 0) v += gap * per_second;
+            if (gap > 0)
+                v += gap * per_second;
             f = p->normal - p->normal_mass * v;
         } else {
             double bias = spring->bias * gap;
-            if (bias < -w->push) bias = -w->push;
-            f = p->normal - p->normal_mass * spring->mass * (v + bias) -
-                spring->back * p->normal;
+            if (bias < -w->push)
+                bias = -w->push;
+            f = p->normal - p->normal_mass * spring->mass * (v + bias)
+              - spring->back * p->normal;
         }
         f = f > 0 ? f : 0;
         rigid_speeds_push(&s, n, p->normal_a, p->normal_b, f - p->normal);
@@ -896,8 +935,8 @@ static inline void rigid_solve_one(struct rigid_world *w,
     }
     for (int k = 0; k < c->points; k++) {
         struct rigid_point *p = &c->point[k];
-        double v = n.x * (s.vb.y - s.va.y) - n.y * (s.vb.x - s.va.x) +
-                   p->tangent_b * s.wb - p->tangent_a * s.wa;
+        double v = n.x * (s.vb.y - s.va.y) - n.y * (s.vb.x - s.va.x)
+                 + p->tangent_b * s.wb - p->tangent_a * s.wa;
         double most = w->friction * p->normal;
         double f = p->tangent - p->tangent_mass * v;
         f = f > most ? most : f < -most ? -most : f;
@@ -926,7 +965,8 @@ static inline void rigid_push(struct rigid_world *w, double h)
 {
     for (int i = 0; i < w->blocks; i++) {
         struct rigid_block *b = &w->block[i];
-        if (!(b->inv_mass > 0)) continue;
+        if (!(b->inv_mass > 0))
+            continue;
         b->v.x += h * (w->gravity.x + b->inv_mass * b->force.x);
         b->v.y += h * (w->gravity.y + b->inv_mass * b->force.y);
         b->spin += h * b->inv_inertia * b->torque;
@@ -949,7 +989,7 @@ static inline void rigid_finish(struct rigid_world *w)
     for (int i = 0; i < w->blocks; i++) {
         struct rigid_block *b = &w->block[i];
         double t = b->turned, tt = t * t, length;
-        struct rigid_pt q = { 1 - tt / 2 + tt * tt / 24, t * (1 - tt / 6) };
+        struct rigid_pt q = {1 - tt / 2 + tt * tt / 24, t * (1 - tt / 6)};
         q = rigid_turned(b->turn, q);
         length = rigid_length(q);
         b->turn = rigid_vec(q.x / length, q.y / length);
@@ -974,9 +1014,10 @@ static inline double rigid_kinetic(const struct rigid_world *w)
     double sum = 0;
     for (int i = 0; i < w->blocks; i++) {
         const struct rigid_block *b = &w->block[i];
-        if (!(b->inv_mass > 0)) continue;
-        sum += rigid_dot(b->v, b->v) / (2 * b->inv_mass) +
-               b->spin * b->spin / (2 * b->inv_inertia);
+        if (!(b->inv_mass > 0))
+            continue;
+        sum += rigid_dot(b->v, b->v) / (2 * b->inv_mass)
+             + b->spin * b->spin / (2 * b->inv_inertia);
     }
     return sum;
 }
@@ -990,15 +1031,16 @@ static inline double rigid_work(const struct rigid_world *w)
         const struct rigid_block *a = &w->block[c->a], *b = &w->block[c->b];
         const struct rigid_block *told = a->inv_mass > 0 ? b : a;
         double sign = told == a ? 1 : -1;
-        if (!c->driven) continue;
+        if (!c->driven)
+            continue;
         for (int k = 0; k < c->points; k++) {
             const struct rigid_point *p = &c->point[k];
             double normal = told == a ? p->normal_a : p->normal_b;
             double tangent = told == a ? p->tangent_a : p->tangent_b;
-            sum += sign * p->normal * (rigid_dot(told->v, c->n) +
-                                       told->spin * normal);
-            sum += sign * p->tangent * (rigid_cross(c->n, told->v) +
-                                        told->spin * tangent);
+            sum += sign * p->normal
+                 * (rigid_dot(told->v, c->n) + told->spin * normal);
+            sum += sign * p->tangent
+                 * (rigid_cross(c->n, told->v) + told->spin * tangent);
         }
     }
     return sum;
@@ -1012,7 +1054,8 @@ static inline void rigid_relax(struct rigid_world *w, double h, double energy)
     enum { PASSES = 30 };
     rigid_solve(w, h, 0);
     for (int i = 0; i < PASSES; i++) {
-        if (rigid_kinetic(w) - rigid_work(w) <= energy) return;
+        if (rigid_kinetic(w) - rigid_work(w) <= energy)
+            return;
         rigid_solve(w, h, 0);
     }
 }
@@ -1022,9 +1065,12 @@ static inline int rigid_step(struct rigid_world *w)
 {
     double h = w->step / w->substeps;
     rigid_place(w);
-    if (!w->listed || rigid_strayed(w)) rigid_list(w);
-    if (!w->failed) rigid_collide(w);
-    if (w->failed) return -1;
+    if (!w->listed || rigid_strayed(w))
+        rigid_list(w);
+    if (!w->failed)
+        rigid_collide(w);
+    if (w->failed)
+        return -1;
     for (int i = 0; i < w->substeps; i++) {
         double energy;
         rigid_push(w, h);
@@ -1048,8 +1094,8 @@ static inline double rigid_settle_pass(struct rigid_world *w, double h)
     rigid_solve(w, h, 0);
     for (int i = 0; i < w->blocks; i++) {
         struct rigid_block *b = &w->block[i];
-        fast = rigid_most(fast, fabs(b->v.x) + fabs(b->v.y) +
-                          b->reach * fabs(b->spin));
+        fast = rigid_most(fast, fabs(b->v.x) + fabs(b->v.y)
+                                    + b->reach * fabs(b->spin));
         b->v = rigid_vec(0, 0);
         b->spin = 0;
     }
@@ -1068,8 +1114,10 @@ static inline int rigid_settle(struct rigid_world *w)
     w->pairs = 0;
     rigid_place(w);
     rigid_list(w);
-    if (!w->failed) rigid_collide(w);
-    if (w->failed) return -1;
+    if (!w->failed)
+        rigid_collide(w);
+    if (w->failed)
+        return -1;
     for (int i = 0; i < PASSES && rigid_settle_pass(w, h) > small; i++)
         ;
     for (int i = 0; i < w->contacts; i++) {
@@ -1078,8 +1126,9 @@ static inline int rigid_settle(struct rigid_world *w)
         for (int k = 0; k < c->points; k++) {
             struct rigid_point *p = &c->point[k];
             if (p->normal > 0)
-                p->rest = -s.back * p->normal /
-                          (s.bias * s.mass * p->normal_mass) - p->gap;
+                p->rest = -s.back * p->normal
+                            / (s.bias * s.mass * p->normal_mass)
+                        - p->gap;
         }
     }
     rigid_finish(w);
@@ -1092,7 +1141,8 @@ static inline double rigid_energy(const struct rigid_world *w)
     double sum = rigid_kinetic(w);
     for (int i = 0; i < w->blocks; i++) {
         const struct rigid_block *b = &w->block[i];
-        if (b->inv_mass > 0) sum -= rigid_dot(w->gravity, b->at) / b->inv_mass;
+        if (b->inv_mass > 0)
+            sum -= rigid_dot(w->gravity, b->at) / b->inv_mass;
     }
     return sum;
 }

@@ -27,13 +27,13 @@
 
 static const double table_gravity = 9.81;
 static const double table_pi = 3.14159265358979323846;
-static const double table_frequency = 0.7;  /* of the table, 1/s */
-static const double table_amplitude = 0.02; /* of a level, over 3 - cos 2wt */
+static const double table_frequency = 0.7;    /* of the table, 1/s */
+static const double table_amplitude = 0.02;   /* of a level, over 3 - cos 2wt */
 static const double table_turn_weight = 0.25; /* of a squared turn in a score */
-static const double table_threshold = 0.25; /* of the mean score: collapse */
-static const double table_noise = 1e-4;     /* of each place and angle */
+static const double table_threshold = 0.25;   /* of the mean score: collapse */
+static const double table_noise = 1e-4;       /* of each place and angle */
 static const double table_stop_height = 0.3; /* of the side stops on the base */
-static const double table_stop_thick = 0.3; /* of each */
+static const double table_stop_thick = 0.3;  /* of each */
 static const double table_stop_clear = 0.5; /* between them and the structure */
 static const double table_ground_below = 0.25; /* the base */
 
@@ -42,23 +42,25 @@ static const double table_ground_below = 0.25; /* the base */
 static const double table_rest_ends = 0.5, table_swell_ends = 1.5,
                     table_full_ends = 7.5, table_fade_ends = 8.5,
                     table_last_end = 10.5;
-static const double table_still = 2e-3;     /* speed of a stone at rest       */
-static const int table_look_every = 24;     /* steps, whether all do */
-static const int table_frame_every = 12;    /* steps, of a film */
+static const double table_still = 2e-3;  /* speed of a stone at rest       */
+static const int table_look_every = 24;  /* steps, whether all do */
+static const int table_frame_every = 12; /* steps, of a film */
 
 struct table;
 
 /* What to do. */
 struct table_plan {
-    int first, last;        /* levels                                  */
-    int repeat;             /* times, each with other noise            */
-    double unit;            /* length of a stone, in that of the file  */
-    uint64_t seed;          /* of the noise                            */
+    int first, last; /* levels                                  */
+    int repeat;      /* times, each with other noise            */
+    double unit;     /* length of a stone, in that of the file  */
+    uint64_t seed;   /* of the noise                            */
     /* called before each level, if not NULL, where someone may wait   */
     void (*progress)(const struct table *t, int repetition, int level);
 };
 
-struct table_pose { double x, y, angle; };
+struct table_pose {
+    double x, y, angle;
+};
 
 /* A structure on the table. Pose 0 is the base, pose i + 1 stone i. */
 struct table {
@@ -67,18 +69,18 @@ struct table {
     struct text_file text;
     struct rigid_world world;
     int stones;
-    int *block;             /* of the world, for each pose             */
-    int *source;            /* block of the text, for each stone       */
-    struct table_pose *home;          /* as in the file            */
-    struct table_pose *begin;         /* with the noise            */
-    double left, right, bottom, top;      /* of base and structure     */
-    struct rigid_pt stop[2];              /* upper inner corners       */
+    int *block;               /* of the world, for each pose             */
+    int *source;              /* block of the text, for each stone       */
+    struct table_pose *home;  /* as in the file            */
+    struct table_pose *begin; /* with the noise            */
+    double left, right, bottom, top; /* of base and structure     */
+    struct rigid_pt stop[2];         /* upper inner corners       */
 };
 
 /* Poses of a film, frame after frame. */
 struct table_film {
     struct table_pose *pose;
-    int frames, room;       /* in frames                               */
+    int frames, room; /* in frames                               */
 };
 
 /* What shaking said, over all repetitions. */
@@ -102,7 +104,8 @@ static inline double table_uniform(uint64_t *state)
 static inline double table_normal(uint64_t *state)
 {
     double sum = -6;
-    for (int i = 0; i < 12; i++) sum += table_uniform(state);
+    for (int i = 0; i < 12; i++)
+        sum += table_uniform(state);
     return sum;
 }
 
@@ -128,7 +131,8 @@ static inline int table_add_block(struct table *t, int i, int more)
     const kern_block *b = &t->text.block[i];
     struct rigid_pt *v = malloc((size_t)b->vertices * sizeof *v);
     int index = -1;
-    if (!v) return -1;
+    if (!v)
+        return -1;
     for (int k = 0; k < b->vertices; k++) {
         v[k] = table_scaled(t, b->vertex[k]);
         t->left = fmin(t->left, v[k].x);
@@ -147,20 +151,21 @@ static inline int table_add_block(struct table *t, int i, int more)
 static inline int table_add_box(struct table *t, double left, double bottom,
                                 double right, double top, int more)
 {
-    struct rigid_pt v[4] = { { left, bottom }, { right, bottom },
-                             { right, top }, { left, top } };
+    struct rigid_pt v[4] = {
+        {left, bottom}, {right, bottom}, {right, top}, {left, top}};
     return rigid_add_part(&t->world, v, 4, 0, v[0], more);
 }
 
 /* Where the base ends on one side (-1 left, 1 right), and its height there. */
 static inline struct rigid_pt table_base_end(const struct table *t, int side)
 {
-    struct rigid_pt end = { 0, 0 };
+    struct rigid_pt end = {0, 0};
     double most = -HUGE_VAL;
     for (int i = 0; i < t->text.blocks; i++) {
         const kern_block *b = &t->text.block[i];
         double reach = -HUGE_VAL, top = -HUGE_VAL;
-        if (!b->fixed) continue;
+        if (!b->fixed)
+            continue;
         for (int k = 0; k < b->vertices; k++) {
             struct rigid_pt p = table_scaled(t, b->vertex[k]);
             reach = fmax(reach, side * p.x);
@@ -183,7 +188,8 @@ static inline int table_add_base(struct table *t, double left, double right)
     for (int i = 0; i < t->text.blocks; i++)
         if (t->text.block[i].fixed) {
             base = table_add_block(t, i, base >= 0);
-            if (base < 0) return -1;
+            if (base < 0)
+                return -1;
         }
     t->stop[0] = table_base_end(t, -1);
     t->stop[1] = table_base_end(t, 1);
@@ -195,14 +201,19 @@ static inline int table_add_base(struct table *t, double left, double right)
     t->right = fmax(t->right, t->stop[1].x) + thick;
     t->top = fmax(t->top, fmax(t->stop[0].y, t->stop[1].y));
     if (table_add_box(t, t->stop[0].x - thick, t->bottom, t->stop[0].x,
-                t->stop[0].y, 1) < 0 ||
-        table_add_box(t, t->stop[1].x, t->bottom, t->stop[1].x + thick,
-                t->stop[1].y, 1) < 0)
+                      t->stop[0].y, 1)
+            < 0
+        || table_add_box(t, t->stop[1].x, t->bottom, t->stop[1].x + thick,
+                         t->stop[1].y, 1)
+               < 0)
         return -1;
     t->block[0] = base;
     t->bottom -= table_ground_below;
     return table_add_box(t, t->left - wide, t->bottom - deep, t->right + wide,
-                   t->bottom, 0) < 0 ? -1 : 0;
+                         t->bottom, 0)
+                 < 0
+             ? -1
+             : 0;
 }
 
 /* Loads keep their ratio to the weights: g becomes 9.81, a stone 1. */
@@ -213,9 +224,11 @@ static inline int table_add_stones(struct table *t, double strength)
         const kern_block *b = &t->text.block[i];
         struct rigid_block *r;
         int index;
-        if (b->fixed) continue;
+        if (b->fixed)
+            continue;
         index = table_add_block(t, i, 0);
-        if (index < 0) return -1;
+        if (index < 0)
+            return -1;
         r = &t->world.block[index];
         r->force = rigid_vec((double)b->load.fx * pull,
                              (double)b->load.fy * pull);
@@ -256,7 +269,8 @@ static inline int table_load(struct table *t)
 {
     const struct text_file *s = &t->text;
     double left, right, gx, gy, strength;
-    if (text_load(&t->text, t->file)) return -1;
+    if (text_load(&t->text, t->file))
+        return -1;
     gx = (double)s->gravity.x;
     gy = (double)s->gravity.y;
     strength = rigid_length(rigid_vec(gx, gy));
@@ -265,7 +279,8 @@ static inline int table_load(struct table *t)
                              "their own");
     if (s->fixed == 0)
         return table_fail(t, "nothing is fixed that could shake it");
-    if (!(strength > 0)) return table_fail(t, "there is no gravity");
+    if (!(strength > 0))
+        return table_fail(t, "there is no gravity");
     if (table_make_room(t))
         return table_fail(t, "not enough memory to shake it");
 
@@ -301,10 +316,12 @@ static inline void table_free(struct table *t)
 /* How strong the shaking is at a time. */
 static inline double table_strength(double time)
 {
-    if (time < table_rest_ends || time > table_fade_ends) return 0;
+    if (time < table_rest_ends || time > table_fade_ends)
+        return 0;
     if (time < table_swell_ends)
         return (time - table_rest_ends) / (table_swell_ends - table_rest_ends);
-    if (time < table_full_ends) return 1;
+    if (time < table_full_ends)
+        return 1;
     return (table_fade_ends - time) / (table_fade_ends - table_full_ends);
 }
 
@@ -320,7 +337,7 @@ static inline struct rigid_pt table_eight(struct rigid_pt q, double scale)
 static inline struct table_pose table_pose_of(const struct table *t, int i)
 {
     const struct rigid_block *b = &t->world.block[t->block[i]];
-    struct table_pose p = { b->at.x, b->at.y, b->angle };
+    struct table_pose p = {b->at.x, b->at.y, b->angle};
     return p;
 }
 
@@ -353,8 +370,9 @@ static inline int table_film_add(struct table_film *f, const struct table *t)
 {
     size_t poses = (size_t)t->stones + 1;
     struct table_pose *more = rigid_room(f->pose, f->frames, 1, &f->room,
-                                   poses * sizeof *more);
-    if (!more) return -1;
+                                         poses * sizeof *more);
+    if (!more)
+        return -1;
     f->pose = more;
     for (int i = 0; i <= t->stones; i++)
         f->pose[(size_t)f->frames * poses + (size_t)i] = table_pose_of(t, i);
@@ -381,12 +399,13 @@ static inline int table_shake(struct table *t, int level, int repetition,
         struct rigid_pt p = table_eight(q, table_amplitude * level * strength);
         if (film && i % table_frame_every == 1 && table_film_add(film, t))
             return -1;
-        if (time > table_fade_ends && i % table_look_every == 0 &&
-            table_all_still(t))
+        if (time > table_fade_ends && i % table_look_every == 0
+            && table_all_still(t))
             break;
         base->v.x = (t->home[0].x + p.x - base->at.x) / dt;
         base->v.y = (t->home[0].y + p.y - base->at.y) / dt;
-        if (rigid_step(w)) return -1;
+        if (rigid_step(w))
+            return -1;
         q = rigid_turned(q, on);
     }
     return film ? table_film_add(film, t) : 0;
@@ -406,7 +425,8 @@ static inline double table_score(const struct table *t, int stone)
 static inline double table_mean_score(const struct table *t)
 {
     double sum = 0;
-    for (int i = 0; i < t->stones; i++) sum += table_score(t, i);
+    for (int i = 0; i < t->stones; i++)
+        sum += table_score(t, i);
     return sum / t->stones;
 }
 
@@ -420,14 +440,18 @@ static inline int table_repeat(struct table *t, int repetition,
 {
     const struct table_plan *set = &t->plan;
     *level = set->last + 1;
-    for (int i = 0; i < t->stones; i++) first[i] = set->last + 1;
+    for (int i = 0; i < t->stones; i++)
+        first[i] = set->last + 1;
     for (int l = set->first; l <= set->last; l++) {
         double ads;
-        if (set->progress) set->progress(t, repetition, l);
-        if (table_shake(t, l, repetition, NULL)) return -1;
+        if (set->progress)
+            set->progress(t, repetition, l);
+        if (table_shake(t, l, repetition, NULL))
+            return -1;
         ads = table_mean_score(t);
         r->ads[l - set->first] += ads / set->repeat;
-        if (ads > table_threshold && l < *level) *level = l;
+        if (ads > table_threshold && l < *level)
+            *level = l;
         for (int i = 0; i < t->stones; i++)
             if (table_score(t, i) > table_threshold && l < first[i])
                 first[i] = l;
@@ -448,8 +472,10 @@ static inline int table_collapse(struct table *t, struct table_report *r)
     for (int k = 0; k < set->repeat && !bad; k++) {
         int level;
         bad = table_repeat(t, k, r, first, &level);
-        if (bad) break;
-        if (k == 0) r->shown = level > set->last ? set->last : level;
+        if (bad)
+            break;
+        if (k == 0)
+            r->shown = level > set->last ? set->last : level;
         sum += level;
         squares += (double)level * level;
         for (int i = 0; i < t->stones; i++)
@@ -458,8 +484,8 @@ static inline int table_collapse(struct table *t, struct table_report *r)
     free(first);
     r->level = sum / set->repeat;
     if (set->repeat > 1)
-        r->level_sd = sqrt(fmax(0, squares - sum * r->level) /
-                           (set->repeat - 1));
+        r->level_sd = sqrt(fmax(0, squares - sum * r->level)
+                           / (set->repeat - 1));
     r->seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
     return bad ? table_fail(t, "not enough memory to shake it") : 0;
 }
@@ -469,8 +495,8 @@ enum { TABLE_LEVELS = 20 };
 /* The level of collapse of the structure in a file, shaken once at each level
    of TABLE_LEVELS up to that, in its `unit` of length. Says what is wrong on
    stderr. */
-static inline int table_once(const char *program, const char *path,
-                             double unit, double *level)
+static inline int table_once(const char *program, const char *path, double unit,
+                             double *level)
 {
     static const struct table empty;
     struct table t = empty;
@@ -482,9 +508,11 @@ static inline int table_once(const char *program, const char *path,
     while (!bad && ++at <= TABLE_LEVELS) {
         if (table_shake(&t, at, 0, NULL))
             bad = table_fail(&t, "not enough memory to shake it");
-        else if (table_mean_score(&t) > table_threshold) break;
+        else if (table_mean_score(&t) > table_threshold)
+            break;
     }
-    if (bad) fprintf(stderr, "%s: %s: %s\n", program, path, t.text.message);
+    if (bad)
+        fprintf(stderr, "%s: %s: %s\n", program, path, t.text.message);
     *level = at;
     table_free(&t);
     return bad;

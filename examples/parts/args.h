@@ -27,11 +27,15 @@ static inline int args_value(char **argv, int *i, const char *name,
                              const char **value)
 {
     const size_t n = strlen(name);
-    if (strncmp(argv[*i], name, n) != 0) return 0;
+    if (strncmp(argv[*i], name, n) != 0)
+        return 0;
     *value = NULL;
-    if (argv[*i][n] == '=' && name[1] == '-') *value = argv[*i] + n + 1;
-    else if (argv[*i][n] != '\0') return 0;
-    else if (argv[*i + 1]) *value = argv[++*i];
+    if (argv[*i][n] == '=' && name[1] == '-')
+        *value = argv[*i] + n + 1;
+    else if (argv[*i][n] != '\0')
+        return 0;
+    else if (argv[*i + 1])
+        *value = argv[++*i];
     return 1;
 }
 
@@ -41,10 +45,12 @@ static inline int args_integer(const char **s, long least, long most, int *out)
 {
     char *end;
     long value;
-    if (!*s || **s < '0' || **s > '9') return -1;
+    if (!*s || **s < '0' || **s > '9')
+        return -1;
     errno = 0;
     value = strtol(*s, &end, 10);
-    if (errno || value < least || value > most) return -1;
+    if (errno || value < least || value > most)
+        return -1;
     *out = (int)value;
     *s = end;
     return 0;
@@ -54,11 +60,13 @@ static inline int args_integer(const char **s, long least, long most, int *out)
 static inline int args_range(const char *s, long least, long most, int *first,
                              int *last)
 {
-    if (args_integer(&s, least, most, first)) return -1;
+    if (args_integer(&s, least, most, first))
+        return -1;
     *last = *first;
     if (*s == '-') {
         s++;
-        if (args_integer(&s, *first, most, last)) return -1;
+        if (args_integer(&s, *first, most, last))
+            return -1;
     }
     return *s ? -1 : 0;
 }

@@ -30,7 +30,7 @@
 #define DRAW_API static
 #endif
 
-struct draw_view;              /* from the model to the page, below           */
+struct draw_view; /* from the model to the page, below           */
 
 struct draw_scene {
     const kern_structure *s;
@@ -56,31 +56,31 @@ struct draw_scene {
     const char *value_name;    /* what it is                                  */
     const char *caption;       /* UTF-8, \n starts a line; NULL: none         */
     void (*over)(const struct draw_view *view, const void *data);
-    const void *data;          /* draws over the stones; NULL: nothing        */
+    const void *data; /* draws over the stones; NULL: nothing        */
 };
 
 /* ---- Colours and sizes -------------------------------------------------- */
 
-#define DRAW_INK "#2b2823"     /* text                                        */
-#define DRAW_EDGE "#6a6256"    /* outlines of stones                          */
-#define DRAW_WHOLE "#a8c6dc"   /* contacts, where they are longer than kerns  */
-#define DRAW_KERN "#174a73"    /* contacts as they are, or shrunk             */
-#define DRAW_FORCE "#a8232d"   /* contact forces                              */
-#define DRAW_LOAD "#2f6b3a"    /* loads                                       */
-#define DRAW_LIVE "#6b3a8c"    /* live loads                                  */
-#define DRAW_LIMIT "#f2a900"   /* the limiting contact                        */
-#define DRAW_GHOST "#b4511a"   /* where the stones go                         */
+#define DRAW_INK "#2b2823"   /* text                                        */
+#define DRAW_EDGE "#6a6256"  /* outlines of stones                          */
+#define DRAW_WHOLE "#a8c6dc" /* contacts, where they are longer than kerns  */
+#define DRAW_KERN "#174a73"  /* contacts as they are, or shrunk             */
+#define DRAW_FORCE "#a8232d" /* contact forces                              */
+#define DRAW_LOAD "#2f6b3a"  /* loads                                       */
+#define DRAW_LIVE "#6b3a8c"  /* live loads                                  */
+#define DRAW_LIMIT "#f2a900" /* the limiting contact                        */
+#define DRAW_GHOST "#b4511a" /* where the stones go                         */
 #define DRAW_FONT "Helvetica, Arial, 'Liberation Sans', sans-serif"
 
-#define DRAW_WIDTH 720.0       /* widest page                                 */
-#define DRAW_HEIGHT 640.0      /* highest drawing on it                       */
-#define DRAW_LEAST 440.0       /* narrowest page, for the key and the caption */
-#define DRAW_STONE 120.0       /* largest mean stone                          */
-#define DRAW_MASS 3.5          /* radius of a mass                            */
+#define DRAW_WIDTH 720.0  /* widest page                                 */
+#define DRAW_HEIGHT 640.0 /* highest drawing on it                       */
+#define DRAW_LEAST 440.0  /* narrowest page, for the key and the caption */
+#define DRAW_STONE 120.0  /* largest mean stone                          */
+#define DRAW_MASS 3.5     /* radius of a mass                            */
 #define DRAW_MASS_STYLE "fill=\"" DRAW_INK "\" fill-opacity=\"0.7\""
-#define DRAW_PAD 16.0          /* white border                                */
-#define DRAW_TURN 0.2          /* radius of a torque over the mean stone      */
-#define DRAW_VALUES 8          /* loads that have their values beside them    */
+#define DRAW_PAD 16.0 /* white border                                */
+#define DRAW_TURN 0.2 /* radius of a torque over the mean stone      */
+#define DRAW_VALUES 8 /* loads that have their values beside them    */
 
 static const char *const draw_stone[] = {
     "#e9e3d6", "#ddd5c5", "#e3dccf", "#d6cebf", "#e6dccb", "#dad6cc",
@@ -88,18 +88,17 @@ static const char *const draw_stone[] = {
 
 /* Values from little to much. Dark text can be read on each. */
 static const unsigned char draw_ramp[][3] = {
-    { 196, 78, 60 }, { 224, 132, 80 }, { 230, 184, 100 }, { 200, 196, 124 },
-    { 140, 186, 154 }, { 100, 162, 174 }, { 72, 128, 172 },
+    {196, 78, 60},   {224, 132, 80},  {230, 184, 100}, {200, 196, 124},
+    {140, 186, 154}, {100, 162, 174}, {72, 128, 172},
 };
 
 /* ---- Numbers ------------------------------------------------------------ */
 
-struct draw_pt { double x, y; };
+struct draw_pt {
+    double x, y;
+};
 
-DRAW_API double draw_hypot(double x, double y)
-{
-    return sqrt(x * x + y * y);
-}
+DRAW_API double draw_hypot(double x, double y) { return sqrt(x * x + y * y); }
 
 DRAW_API struct draw_pt draw_vec(double x, double y)
 {
@@ -116,10 +115,7 @@ DRAW_API double draw_clamp(double v, double lo, double hi)
 }
 
 /* Page coordinates are printed to 0.01; adding zero turns -0 into 0. */
-DRAW_API double draw_px(double v)
-{
-    return floor(v * 100 + 0.5) / 100 + 0.0;
-}
+DRAW_API double draw_px(double v) { return floor(v * 100 + 0.5) / 100 + 0.0; }
 
 /* The largest of 1, 2, 5 times a power of ten that is not above v. */
 DRAW_API double draw_round(double v)
@@ -140,8 +136,9 @@ DRAW_API const char *draw_shade(double share, char out[8])
     int i = at < last ? (int)at : last - 1, c, part[3];
 
     for (c = 0; c < 3; c++)
-        part[c] = (int)(draw_ramp[i][c] + (at - i) * (draw_ramp[i + 1][c]
-                                                      - draw_ramp[i][c]) + 0.5);
+        part[c] = (int)(draw_ramp[i][c]
+                        + (at - i) * (draw_ramp[i + 1][c] - draw_ramp[i][c])
+                        + 0.5);
     snprintf(out, 8, "#%02x%02x%02x", part[0] & 255, part[1] & 255,
              part[2] & 255);
     return out;
@@ -152,14 +149,14 @@ DRAW_API const char *draw_shade(double share, char out[8])
 static int draw_xml_holds(unsigned long c)
 {
     return (c >= 0x20 || c == '\t') && c <= 0x10ffff
-           && (c < 0xd800 || c >= 0xe000) && c != 0xfffe && c != 0xffff;
+        && (c < 0xd800 || c >= 0xe000) && c != 0xfffe && c != 0xffff;
 }
 
 /* Reads one character of UTF-8 and says how many bytes it takes; *code is 0
    where there is none that XML may hold. */
 DRAW_API int draw_utf8(const char *text, unsigned long *code)
 {
-    static const unsigned long least[] = { 0, 0x80, 0x800, 0x10000 };
+    static const unsigned long least[] = {0, 0x80, 0x800, 0x10000};
     const unsigned char *s = (const unsigned char *)text;
     int more = s[0] < 0x80 ? 0 : s[0] >= 0xf0 ? 3 : s[0] >= 0xe0 ? 2 : 1;
     unsigned long c = s[0];
@@ -185,13 +182,13 @@ DRAW_API int draw_utf8(const char *text, unsigned long *code)
 DRAW_API double draw_text_width(const char *text, size_t bytes, double size)
 {
     static const short width[] = {
-        278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333,
-        278, 278, 556, 556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278,
+        278, 278, 355, 556, 556,  889, 667, 191, 333, 333, 389, 584, 278, 333,
+        278, 278, 556, 556, 556,  556, 556, 556, 556, 556, 556, 556, 278, 278,
         584, 584, 584, 556, 1015, 667, 667, 722, 722, 667, 611, 778, 722, 278,
-        500, 667, 556, 833, 722, 778, 667, 778, 722, 667, 611, 722, 667, 944,
-        667, 667, 611, 278, 278, 278, 469, 556, 333, 556, 556, 500, 556, 556,
-        278, 556, 556, 222, 222, 500, 222, 833, 556, 556, 556, 556, 333, 500,
-        278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584,
+        500, 667, 556, 833, 722,  778, 667, 778, 722, 667, 611, 722, 667, 944,
+        667, 667, 611, 278, 278,  278, 469, 556, 333, 556, 556, 500, 556, 556,
+        278, 556, 556, 222, 222,  500, 222, 833, 556, 556, 556, 556, 333, 500,
+        278, 556, 500, 722, 500,  500, 500, 334, 260, 334, 584,
     };
     const char *end = text + bytes;
     double sum = 0;
@@ -228,11 +225,12 @@ DRAW_API void draw_escape(FILE *out, const char *text, size_t bytes)
 
 DRAW_API void draw_begin(FILE *out, double width, double height)
 {
-    fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" "
-        "height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
-        "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
-        width, height, width, height);
+    fprintf(out,
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" "
+            "height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\">\n"
+            "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
+            width, height, width, height);
 }
 
 /* Returns -1 if anything could not be written since draw_begin(). */
@@ -248,10 +246,7 @@ DRAW_API void draw_open(FILE *out, const char *attributes)
     fprintf(out, "<g %s>\n", attributes);
 }
 
-DRAW_API void draw_close(FILE *out)
-{
-    fputs("</g>\n", out);
-}
+DRAW_API void draw_close(FILE *out) { fputs("</g>\n", out); }
 
 DRAW_API void draw_line(FILE *out, struct draw_pt a, struct draw_pt b,
                         const char *attributes)
@@ -270,17 +265,20 @@ DRAW_API void draw_circle(FILE *out, struct draw_pt at, double radius,
 DRAW_API void draw_rect(FILE *out, double x, double y, double w, double h,
                         const char *attributes)
 {
-    fprintf(out, "<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\" "
-            "%s/>\n", draw_px(x), draw_px(y), draw_px(w), draw_px(h),
-            attributes);
+    fprintf(out,
+            "<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\" "
+            "%s/>\n",
+            draw_px(x), draw_px(y), draw_px(w), draw_px(h), attributes);
 }
 
 /* One line of text; `anchor` is start, middle or end. */
 DRAW_API void draw_text(FILE *out, double x, double y, double size,
                         const char *anchor, const char *text, size_t bytes)
 {
-    fprintf(out, "<text x=\"%.2f\" y=\"%.2f\" font-size=\"%.1f\" "
-            "text-anchor=\"%s\">", draw_px(x), draw_px(y), size, anchor);
+    fprintf(out,
+            "<text x=\"%.2f\" y=\"%.2f\" font-size=\"%.1f\" "
+            "text-anchor=\"%s\">",
+            draw_px(x), draw_px(y), size, anchor);
     draw_escape(out, text, bytes);
     fputs("</text>\n", out);
 }
@@ -347,8 +345,8 @@ DRAW_API void draw_arrow(FILE *out, struct draw_pt a, struct draw_pt b,
         return;
     dx /= length;
     dy /= length;
-    snprintf(style, sizeof style, "stroke=\"%s\" stroke-width=\"%.2f\"",
-             colour, fmin(width, 0.4 * head));
+    snprintf(style, sizeof style, "stroke=\"%s\" stroke-width=\"%.2f\"", colour,
+             fmin(width, 0.4 * head));
     draw_line(out, a, draw_vec(b.x - 0.8 * head * dx, b.y - 0.8 * head * dy),
               style);
     draw_head(out, b, dx, dy, head, colour);
@@ -360,9 +358,9 @@ DRAW_API void draw_arrow(FILE *out, struct draw_pt a, struct draw_pt b,
    page with its upper left corner at (left, top). */
 struct draw_view {
     FILE *out;
-    struct draw_pt low, high;  /* model                                       */
-    double left, top;          /* page                                        */
-    double scale;              /* page over model                             */
+    struct draw_pt low, high; /* model                                       */
+    double left, top;         /* page                                        */
+    double scale;             /* page over model                             */
 };
 
 DRAW_API struct draw_pt draw_place(const struct draw_view *v, double x,
@@ -407,7 +405,7 @@ DRAW_API struct draw_pt draw_moved(const kern_block *block,
    ground that is a million times wider than the stones on it. */
 struct draw_cut {
     FILE *out;
-    double edge[4];            /* least x, least y, greatest x, greatest y    */
+    double edge[4]; /* least x, least y, greatest x, greatest y    */
     struct draw_pt first[4], last[4];
     int begun[4];
     int written;
@@ -473,7 +471,7 @@ DRAW_API void draw_block(const struct draw_view *v, const kern_block *block,
     k.edge[3] = v->top + (v->high.y - v->low.y) * v->scale + out;
     fputs("<path d=\"", v->out);
     for (i = 0; i < block->vertices; i++) {
-        struct draw_pt p = { block->vertex[i].x, block->vertex[i].y };
+        struct draw_pt p = {block->vertex[i].x, block->vertex[i].y};
 
         if (rate)
             p = draw_moved(block, rate, time, p.x, p.y);
@@ -489,12 +487,12 @@ DRAW_API void draw_block(const struct draw_view *v, const kern_block *block,
 
 /* What the parts need to know of each other. */
 struct draw_sizes {
-    double stone;              /* mean size of the free blocks, model         */
-    double weight;             /* mean weight of the free blocks              */
-    double force, load[2];     /* model lengths of a unit of a resultant, of
+    double stone;            /* mean size of the free blocks, model         */
+    double weight;           /* mean weight of the free blocks              */
+    double force, load[2];   /* model lengths of a unit of a resultant, of
                                   a load, and of a live load                  */
-    double time;               /* how long the rates act for the ghosts       */
-    double line, bar, arrow;   /* widths on the page                          */
+    double time;             /* how long the rates act for the ghosts       */
+    double line, bar, arrow; /* widths on the page                          */
 };
 
 /* Is c the first end of a line contact? Its other end is c + 1. */
@@ -569,9 +567,8 @@ static int draw_force_ends(const struct draw_scene *d, double unit, int c,
         return 0;
     lift = -(f.x * g.x + f.y * g.y);
     least = 1e-3 * (fabs(f.x) + fabs(f.y))
-        * (fabs((double)g.x) + fabs((double)g.y));
-    if (d->s->block[k->b].fixed || (lift < -least
-                                    && !d->s->block[k->a].fixed))
+          * (fabs((double)g.x) + fabs((double)g.y));
+    if (d->s->block[k->b].fixed || (lift < -least && !d->s->block[k->a].fixed))
         unit = -unit;
     *to = draw_vec(from->x + f.x * unit, from->y + f.y * unit);
     return 1;
@@ -581,7 +578,7 @@ static int draw_force_ends(const struct draw_scene *d, double unit, int c,
 static const kern_wrench *draw_load_of(const struct draw_scene *d, int i,
                                        int live)
 {
-    static const kern_wrench none = { 0, 0, 0 };
+    static const kern_wrench none = {0, 0, 0};
 
     return !live ? &d->s->block[i].load : d->live ? &d->live[i] : &none;
 }
@@ -614,7 +611,7 @@ static int draw_load_ends(const kern_block *b, const kern_wrench *load,
         if ((dp > 0) == (dq > 0))
             continue;
         along = px * ux + py * uy
-            + ((qx - px) * ux + (qy - py) * uy) * dp / (dp - dq);
+              + ((qx - px) * ux + (qy - py) * uy) * dp / (dp - dq);
         if (hits++ == 0 || along < first)
             first = along;
     }
@@ -632,7 +629,7 @@ static void draw_measure_sizes(const struct draw_scene *d, struct draw_view *v,
 {
     const kern_structure *s = d->s;
     double g = draw_hypot(s->gravity.x, s->gravity.y);
-    double longest = 0, heaviest[2] = { 0, 0 };
+    double longest = 0, heaviest[2] = {0, 0};
     struct draw_pt a, b;
     int i, j, c, free_blocks = 0;
 
@@ -795,8 +792,10 @@ static void draw_blocks(const struct draw_scene *d, const struct draw_view *v,
     char style[160], shade[8];
     int i, c;
 
-    snprintf(style, sizeof style, "stroke=\"" DRAW_EDGE "\" stroke-width="
-             "\"%.2f\" stroke-linejoin=\"round\"", z->line);
+    snprintf(style, sizeof style,
+             "stroke=\"" DRAW_EDGE "\" stroke-width="
+             "\"%.2f\" stroke-linejoin=\"round\"",
+             z->line);
     draw_open(v->out, style);
     for (i = 0; i < s->blocks; i++) /* the ground lies behind everything */
         if (s->block[i].fixed)
@@ -804,10 +803,10 @@ static void draw_blocks(const struct draw_scene *d, const struct draw_view *v,
     for (i = 0; i < s->blocks; i++) {
         if (s->block[i].fixed)
             continue;
-        snprintf(style, sizeof style, "fill=\"%s\"", d->value
-                 ? draw_shade(d->most > 0 ? (double)d->value[i] / d->most : 0,
-                              shade)
-                 : draw_stone[(i * 7 + i / 5) % shades]);
+        snprintf(style, sizeof style, "fill=\"%s\"",
+                 d->value ? draw_shade(
+                     d->most > 0 ? (double)d->value[i] / d->most : 0, shade)
+                          : draw_stone[(i * 7 + i / 5) % shades]);
         draw_block(v, &s->block[i], NULL, 0, style);
         if (s->block[i].vertex)
             continue;
@@ -815,12 +814,14 @@ static void draw_blocks(const struct draw_scene *d, const struct draw_view *v,
             const kern_contact *k = &s->contact[c];
 
             if (k->a == i || k->b == i)
-                draw_line(v->out, draw_place(v, k->p.x, k->p.y),
-                          draw_place(v, s->block[i].centre.x,
-                                     s->block[i].centre.y), "");
+                draw_line(
+                    v->out, draw_place(v, k->p.x, k->p.y),
+                    draw_place(v, s->block[i].centre.x, s->block[i].centre.y),
+                    "");
         }
-        draw_circle(v->out, draw_place(v, s->block[i].centre.x,
-                    s->block[i].centre.y), 1.5 * z->bar, style);
+        draw_circle(v->out,
+                    draw_place(v, s->block[i].centre.x, s->block[i].centre.y),
+                    1.5 * z->bar, style);
     }
     draw_close(v->out);
 }
@@ -840,9 +841,11 @@ static void draw_open_moving(const struct draw_view *v, const kern_block *block,
         const double x = -rate->vx * time * v->scale;
         const double y = rate->vy * time * v->scale;
 
-        fprintf(v->out, "type=\"translate\" values=\"%.2f %.2f;%.2f %.2f;0 0;"
-                "0 0;%.2f %.2f\"/>\n", draw_px(x), draw_px(y), draw_px(x),
-                draw_px(y), draw_px(x), draw_px(y));
+        fprintf(v->out,
+                "type=\"translate\" values=\"%.2f %.2f;%.2f %.2f;0 0;"
+                "0 0;%.2f %.2f\"/>\n",
+                draw_px(x), draw_px(y), draw_px(x), draw_px(y), draw_px(x),
+                draw_px(y));
         return;
     }
     c.x -= rate->vy / rate->spin * v->scale;
@@ -850,7 +853,7 @@ static void draw_open_moving(const struct draw_view *v, const kern_block *block,
     fputs("type=\"rotate\" values=\"", v->out);
     {
         const double degrees = turn * 180 / 3.14159265358979323846;
-        const double at[5] = { degrees, degrees, 0, 0, degrees };
+        const double at[5] = {degrees, degrees, 0, 0, degrees};
         int i;
 
         for (i = 0; i < 5; i++)
@@ -865,7 +868,8 @@ static void draw_ghosts(const struct draw_scene *d, const struct draw_view *v,
     char style[200];
     int i, j;
 
-    snprintf(style, sizeof style, "fill=\"" DRAW_GHOST "\" fill-opacity="
+    snprintf(style, sizeof style,
+             "fill=\"" DRAW_GHOST "\" fill-opacity="
              "\"0.08\" stroke=\"" DRAW_GHOST "\" stroke-width=\"%.2f\" "
              "stroke-dasharray=\"%.1f %.1f\" stroke-linejoin=\"round\"",
              1.2 * z->line, 4 * z->line + 1, 2.5 * z->line + 1);
@@ -878,8 +882,8 @@ static void draw_ghosts(const struct draw_scene *d, const struct draw_view *v,
             struct draw_pt p = draw_moved(k, &d->motion[i], z->time,
                                           k->vertex[j].x, k->vertex[j].y);
 
-            way = fmax(way, draw_hypot(p.x - k->vertex[j].x,
-                                       p.y - k->vertex[j].y));
+            way = fmax(way,
+                       draw_hypot(p.x - k->vertex[j].x, p.y - k->vertex[j].y));
         }
         if (k->fixed || !(way * v->scale > 1)) /* it is seen to rest */
             continue;
@@ -943,8 +947,10 @@ static void draw_limiting(const struct draw_scene *d, const struct draw_view *v,
     char style[140];
 
     if (ring) {
-        snprintf(style, sizeof style, "fill=\"none\" stroke=\"" DRAW_LIMIT "\" "
-                 "stroke-width=\"%.2f\"", 0.5 * z->bar + 0.5);
+        snprintf(style, sizeof style,
+                 "fill=\"none\" stroke=\"" DRAW_LIMIT "\" "
+                 "stroke-width=\"%.2f\"",
+                 0.5 * z->bar + 0.5);
         draw_circle(v->out, at, 1.7 * z->bar + 1, style);
         return;
     }
@@ -954,8 +960,10 @@ static void draw_limiting(const struct draw_scene *d, const struct draw_view *v,
     if (!draw_is_line(d->s, c))
         return;
     k = &d->s->contact[c];
-    snprintf(style, sizeof style, "stroke=\"" DRAW_LIMIT "\" stroke-width="
-             "\"%.2f\" stroke-linecap=\"round\"", 2.4 * z->bar);
+    snprintf(style, sizeof style,
+             "stroke=\"" DRAW_LIMIT "\" stroke-width="
+             "\"%.2f\" stroke-linecap=\"round\"",
+             2.4 * z->bar);
     draw_line(v->out, draw_place(v, k->p.x, k->p.y),
               draw_place(v, k[1].p.x, k[1].p.y), style);
 }
@@ -998,7 +1006,8 @@ DRAW_API int *draw_thrust_of(const struct draw_scene *d,
 static void draw_thrust_style(const struct draw_sizes *z, char *out,
                               size_t room)
 {
-    snprintf(out, room, "stroke=\"" DRAW_FORCE "\" stroke-width="
+    snprintf(out, room,
+             "stroke=\"" DRAW_FORCE "\" stroke-width="
              "\"%.2f\" stroke-opacity=\"0.6\" stroke-dasharray=\"%.1f %.1f\"",
              0.8 * z->arrow, 5 * z->arrow, 3 * z->arrow);
 }
@@ -1007,7 +1016,7 @@ static void draw_thrust(const struct draw_scene *d, const struct draw_view *v,
                         const struct draw_sizes *z)
 {
     const int blocks = d->s->blocks;
-    struct draw_pt (*through)[2] = malloc((size_t)blocks * sizeof *through);
+    struct draw_pt(*through)[2] = malloc((size_t)blocks * sizeof *through);
     int *presses = through ? draw_thrust_of(d, through) : NULL, i;
     char style[120];
 
@@ -1027,12 +1036,12 @@ static int draw_is_hinge(const struct draw_scene *d, int c)
     const kern_block *a = &d->s->block[k->a], *b = &d->s->block[k->b];
     const kern_motion *u = &d->hinges[k->a], *w = &d->hinges[k->b];
     const kern_vec p = kern_contact_at(k, (kern_real)d->hinged, d->relative);
-    const double spin = w->spin - u->spin, size = sqrt(fabs((double)(
-        b->fixed ? a->area : b->area)));
-    const double x = w->vx - w->spin * (p.y - b->centre.y)
-                   - u->vx + u->spin * (p.y - a->centre.y);
-    const double y = w->vy + w->spin * (p.x - b->centre.x)
-                   - u->vy - u->spin * (p.x - a->centre.x);
+    const double spin = w->spin - u->spin,
+                 size = sqrt(fabs((double)(b->fixed ? a->area : b->area)));
+    const double x = w->vx - w->spin * (p.y - b->centre.y) - u->vx
+                   + u->spin * (p.y - a->centre.y);
+    const double y = w->vy + w->spin * (p.x - b->centre.x) - u->vy
+                   - u->spin * (p.x - a->centre.x);
 
     return fabs(spin) * size > 1e-3
         && draw_hypot(x, y) < 1e-3 * fabs(spin) * size;
@@ -1044,8 +1053,10 @@ static void draw_hinges(const struct draw_scene *d, const struct draw_view *v,
     char style[120];
     int c;
 
-    snprintf(style, sizeof style, "fill=\"#ffffff\" stroke=\"" DRAW_GHOST "\" "
-             "stroke-width=\"%.2f\"", 0.3 * z->bar + 0.4);
+    snprintf(style, sizeof style,
+             "fill=\"#ffffff\" stroke=\"" DRAW_GHOST "\" "
+             "stroke-width=\"%.2f\"",
+             0.3 * z->bar + 0.4);
     for (c = 0; c < d->s->contacts; c++)
         if (draw_is_hinge(d, c)) {
             kern_vec p = kern_contact_at(&d->s->contact[c],
@@ -1065,12 +1076,14 @@ static void draw_torque(const struct draw_view *v, const struct draw_sizes *z,
     double side = torque > 0 ? 1 : -1; /* of the head; the gap is below */
     double head = fmin(3 + 4 * z->arrow, r);
 
-    fprintf(v->out, "<path d=\"M%.2f %.2fA%.2f %.2f 0 1 %d %.2f %.2f\" "
+    fprintf(v->out,
+            "<path d=\"M%.2f %.2fA%.2f %.2f 0 1 %d %.2f %.2f\" "
             "fill=\"none\" stroke=\"%s\" stroke-width=\"%.2f\"/>\n",
             draw_px(c.x + side * k), draw_px(c.y + k), r, r, torque > 0 ? 0 : 1,
             draw_px(c.x - side * k), draw_px(c.y + k), colour, 1.3 * z->arrow);
-    draw_head(v->out, draw_vec(c.x - side * (k - 0.6 * head), c.y + k
-              + 0.55 * head), side * 0.80, 0.60, head, colour);
+    draw_head(v->out,
+              draw_vec(c.x - side * (k - 0.6 * head), c.y + k + 0.55 * head),
+              side * 0.80, 0.60, head, colour);
 }
 
 /* The size of a load, at the tail of its arrow. */
@@ -1099,12 +1112,12 @@ static int draw_loaded(const struct draw_scene *d, int live)
 
     for (i = 0; i < d->s->blocks; i++)
         loads += draw_load_ends(&d->s->block[i], draw_load_of(d, i, live), 0,
-                                &p, &p) > 0;
+                                &p, &p)
+               > 0;
     return loads;
 }
 
-static void draw_loads_of(const struct draw_scene *d,
-                          const struct draw_view *v,
+static void draw_loads_of(const struct draw_scene *d, const struct draw_view *v,
                           const struct draw_sizes *z, int live)
 {
     const char *colour = live ? DRAW_LIVE : DRAW_LOAD;
@@ -1145,7 +1158,7 @@ static void draw_loads(const struct draw_scene *d, const struct draw_view *v,
 static int draw_box_hit(struct draw_pt c, double w, double h, struct draw_pt p,
                         struct draw_pt q)
 {
-    double t[2] = { 0, 1 }, from[2], way[2], half[2];
+    double t[2] = {0, 1}, from[2], way[2], half[2];
     int i, j;
 
     from[0] = p.x - c.x;
@@ -1172,8 +1185,8 @@ static int draw_box_seen(const struct draw_view *v, struct draw_pt c, double w,
                          double h)
 {
     return c.x - w / 2 >= v->left && c.y - h / 2 >= v->top
-           && c.x + w / 2 <= v->left + (v->high.x - v->low.x) * v->scale
-           && c.y + h / 2 <= v->top + (v->high.y - v->low.y) * v->scale;
+        && c.x + w / 2 <= v->left + (v->high.x - v->low.x) * v->scale
+        && c.y + h / 2 <= v->top + (v->high.y - v->low.y) * v->scale;
 }
 
 /* Does the box lie inside the block, clear of its outline? */
@@ -1214,9 +1227,9 @@ static int draw_box_clear(const struct draw_scene *d, const struct draw_view *v,
         return 1; /* no arrow comes from so far */
     }
     return !d->force || !draw_force_ends(d, z->force, i, &from, &to)
-           || !draw_box_hit(c, w + 3 * z->arrow, h + 2 * z->arrow,
-                            draw_place(v, from.x, from.y),
-                            draw_place(v, to.x, to.y));
+        || !draw_box_hit(c, w + 3 * z->arrow, h + 2 * z->arrow,
+                         draw_place(v, from.x, from.y),
+                         draw_place(v, to.x, to.y));
 }
 
 /* Is there room for a box around c: inside the block and inside the view, and
@@ -1239,9 +1252,9 @@ static int draw_box_free(const struct draw_scene *d, const struct draw_view *v,
     for (live = 0; live < 2; live++) {
         i = draw_load_ends(b, draw_load_of(d, block, live), z->load[live],
                            &from, &to);
-        if (i > 0 && draw_box_hit(c, w + 2, h + 2,
-                                  draw_place(v, from.x, from.y),
-                                  draw_place(v, to.x, to.y)))
+        if (i > 0
+            && draw_box_hit(c, w + 2, h + 2, draw_place(v, from.x, from.y),
+                            draw_place(v, to.x, to.y)))
             return 0;
         if (i == 2 && draw_box_hit(c, w + 3 * r, h + 3 * r, p, p))
             return 0;
@@ -1296,7 +1309,7 @@ static int draw_name_place(const struct draw_scene *d,
 static void draw_names(const struct draw_scene *d, const struct draw_view *v,
                        const struct draw_sizes *z)
 {
-    static const double sizes[] = { 11, 9.5, 8, 7, 6 };
+    static const double sizes[] = {11, 9.5, 8, 7, 6};
     const int choices = (int)(sizeof sizes / sizeof sizes[0]);
     double size = 0, w;
     int i, j, count, most = 0, blocks = d->s->blocks;
@@ -1306,8 +1319,8 @@ static void draw_names(const struct draw_scene *d, const struct draw_view *v,
         if (sizes[j] > 0.26 * z->stone * v->scale)
             continue;
         for (count = i = 0; i < blocks; i++) {
-            w = 1.1 * draw_text_width(d->names[i], strlen(d->names[i]),
-                                      sizes[j]);
+            w = 1.1
+              * draw_text_width(d->names[i], strlen(d->names[i]), sizes[j]);
             count += draw_name_place(d, v, z, i, w, 0.9 * sizes[j], &p);
         }
         if (count > most) {
@@ -1317,8 +1330,7 @@ static void draw_names(const struct draw_scene *d, const struct draw_view *v,
     }
     if (most == 0)
         return;
-    draw_open(v->out, d->value ? "fill=\"" DRAW_INK "\""
-                                : "fill=\"#5b5347\"");
+    draw_open(v->out, d->value ? "fill=\"" DRAW_INK "\"" : "fill=\"#5b5347\"");
     for (i = 0; i < blocks; i++) {
         w = 1.1 * draw_text_width(d->names[i], strlen(d->names[i]), size);
         if (!draw_name_place(d, v, z, i, w, 0.9 * size, &p))
@@ -1370,7 +1382,8 @@ static void draw_key_scale(struct draw_key *key, const struct draw_view *v)
     snprintf(text, sizeof text, "length %g", length);
     p = draw_key_entry(key, w, text);
     if (key->out)
-        fprintf(key->out, "<path d=\"M%.2f %.2fv7m0 -3.5h%.2fm0 -3.5v7\" fill="
+        fprintf(key->out,
+                "<path d=\"M%.2f %.2fv7m0 -3.5h%.2fm0 -3.5v7\" fill="
                 "\"none\" stroke=\"" DRAW_INK "\" stroke-width=\"1.2\"/>\n",
                 draw_px(p.x), draw_px(p.y - 3.5), draw_px(w));
 }
@@ -1427,8 +1440,8 @@ DRAW_API void draw_colours(FILE *out, double x, double y, double width,
         draw_rect(out, x + width * i / steps, y,
                   width / steps + (i + 1 < steps ? 0.4 : 0), height, style);
     }
-    draw_rect(out, x, y, width, height, "fill=\"none\" stroke=\"" DRAW_EDGE
-              "\" stroke-width=\"0.6\"");
+    draw_rect(out, x, y, width, height,
+              "fill=\"none\" stroke=\"" DRAW_EDGE "\" stroke-width=\"0.6\"");
 }
 
 static void draw_key_values(struct draw_key *key, const struct draw_scene *d)
@@ -1489,11 +1502,12 @@ static void draw_key_loads(struct draw_key *key, const struct draw_scene *d,
 
 static void draw_key_motion(struct draw_key *key, const struct draw_scene *d)
 {
-    struct draw_pt p = draw_key_entry(key, 22, d->motion_name
-                                      ? d->motion_name : "collapse mechanism");
+    struct draw_pt p = draw_key_entry(
+        key, 22, d->motion_name ? d->motion_name : "collapse mechanism");
 
     if (key->out)
-        draw_rect(key->out, p.x, p.y - 5, 22, 10, "fill=\"" DRAW_GHOST "\" "
+        draw_rect(key->out, p.x, p.y - 5, 22, 10,
+                  "fill=\"" DRAW_GHOST "\" "
                   "fill-opacity=\"0.08\" stroke=\"" DRAW_GHOST "\" "
                   "stroke-dasharray=\"4 2.5\"");
 }
@@ -1514,14 +1528,19 @@ static double draw_key_all(FILE *out, const struct draw_scene *d,
     if (d->s->contacts > 0)
         draw_key_contacts(&key, d);
     if (d->limiting >= 0)
-        draw_key_circle(&key, 5, "fill=\"none\" stroke=\"" DRAW_LIMIT "\" "
-                        "stroke-width=\"2.4\"", "critical contact");
+        draw_key_circle(&key, 5,
+                        "fill=\"none\" stroke=\"" DRAW_LIMIT "\" "
+                        "stroke-width=\"2.4\"",
+                        "critical contact");
     if (d->hinges)
-        draw_key_circle(&key, 4, "fill=\"#ffffff\" stroke=\"" DRAW_GHOST "\" "
-                        "stroke-width=\"1.8\"", "hinge of the mechanism");
+        draw_key_circle(&key, 4,
+                        "fill=\"#ffffff\" stroke=\"" DRAW_GHOST "\" "
+                        "stroke-width=\"1.8\"",
+                        "hinge of the mechanism");
     if (d->force && z->force > 0) {
-        snprintf(text, sizeof text, "resultant, %.80s", d->force_name
-                 ? d->force_name : "one admissible set of forces");
+        snprintf(text, sizeof text, "resultant, %.80s",
+                 d->force_name ? d->force_name
+                               : "one admissible set of forces");
         draw_key_force(&key, v, z, z->force, text, DRAW_FORCE);
         draw_key_thrust(&key, z);
     }
@@ -1560,13 +1579,15 @@ DRAW_API int draw_svg(FILE *out, const struct draw_scene *scene)
                                 size, scene->caption);
 
     draw_begin(out, width, ceil(height));
-    fprintf(out, "<defs>\n<clipPath id=\"view\"><rect x=\"%.2f\" y=\"%.2f\" "
+    fprintf(out,
+            "<defs>\n<clipPath id=\"view\"><rect x=\"%.2f\" y=\"%.2f\" "
             "width=\"%.2f\" height=\"%.2f\"/></clipPath>\n"
             "<pattern id=\"ground\" width=\"7\" height=\"7\" patternUnits="
             "\"userSpaceOnUse\" patternTransform=\"rotate(45)\">"
             "<rect width=\"7\" height=\"7\" fill=\"#f4f2ee\"/>"
             "<path d=\"M3.5 0V7\" stroke=\"#a59d90\" stroke-width=\"0.9\"/>"
-            "</pattern>\n</defs>\n", v.left, v.top, draw_px(w), draw_px(h));
+            "</pattern>\n</defs>\n",
+            v.left, v.top, draw_px(w), draw_px(h));
     draw_open(out, "clip-path=\"url(#view)\"");
     draw_blocks(scene, &v, &z);
     if (scene->limiting >= 0)

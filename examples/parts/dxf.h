@@ -23,24 +23,24 @@
 #include "text.h"
 
 struct dxf_reader {
-    const char *at, *end;      /* of what is left                             */
-    int line;                  /* of the value that was read last             */
-    int code;                  /* of the group that was read last             */
-    char value[256];           /* its value, without blanks around it         */
-    double metre;              /* of a unit                                   */
-    kern_vec *point;           /* of all blocks                               */
+    const char *at, *end; /* of what is left                             */
+    int line;             /* of the value that was read last             */
+    int code;             /* of the group that was read last             */
+    char value[256];      /* its value, without blanks around it         */
+    double metre;         /* of a unit                                   */
+    kern_vec *point;      /* of all blocks                               */
     int points, point_room;
     struct dxf_block *block;
     int blocks, block_room;
-    char *message;             /* what is wrong                               */
+    char *message; /* what is wrong                               */
     size_t room;
-    int fault;                 /* the line where it is, 0: the whole file     */
+    int fault; /* the line where it is, 0: the whole file     */
 };
 
 struct dxf_block {
     char layer[256];
-    int first, points;         /* of the reader's                             */
-    int line;                  /* where it begins                             */
+    int first, points; /* of the reader's                             */
+    int line;          /* where it begins                             */
 };
 
 /* What an entity says, beside its points. */
@@ -62,7 +62,8 @@ static int dxf_fail(struct dxf_reader *r, int line, const char *format, ...)
 /* One more of `size` bytes behind n; NULL where memory ends. */
 static void *dxf_grown(void *array, int n, int *room, size_t size)
 {
-    if (n < *room) return array;
+    if (n < *room)
+        return array;
     *room = *room ? 2 * *room : 64;
     return realloc(array, (size_t)*room * size);
 }
@@ -74,12 +75,15 @@ static int dxf_line(struct dxf_reader *r, char *out, size_t room)
 {
     const char *from = r->at, *to;
     size_t n;
-    if (from >= r->end) return 0;
+    if (from >= r->end)
+        return 0;
     to = memchr(from, '\n', (size_t)(r->end - from));
     r->at = to ? to + 1 : r->end;
     to = to ? to : r->end;
-    while (from < to && (*from == ' ' || *from == '\t')) from++;
-    while (to > from && (to[-1] == '\r' || to[-1] == ' ' || to[-1] == '\t')) to--;
+    while (from < to && (*from == ' ' || *from == '\t'))
+        from++;
+    while (to > from && (to[-1] == '\r' || to[-1] == ' ' || to[-1] == '\t'))
+        to--;
     n = (size_t)(to - from) < room ? (size_t)(to - from) : room - 1;
     memcpy(out, from, n);
     out[n] = '\0';
@@ -92,7 +96,8 @@ static int dxf_group(struct dxf_reader *r)
 {
     char word[256], *end;
     long code;
-    if (!dxf_line(r, word, sizeof word)) return 0;
+    if (!dxf_line(r, word, sizeof word))
+        return 0;
     code = strtol(word, &end, 10);
     if (end == word || *end || code < -5 || code > 1071) {
         char shown[TEXT_SHOW_ROOM];
@@ -108,7 +113,8 @@ static int dxf_group(struct dxf_reader *r)
 static int dxf_number(struct dxf_reader *r, kern_real *out)
 {
     char shown[TEXT_SHOW_ROOM];
-    if (text_number(r->value, out)) return 0;
+    if (text_number(r->value, out))
+        return 0;
     return dxf_fail(r, r->line, "a number is expected, read '%s'",
                     text_show(shown, r->value));
 }
@@ -121,7 +127,10 @@ static int dxf_is(const struct dxf_reader *r, int code, const char *value)
 /* Letters in any case: the names of layers. */
 static int dxf_same(const char *a, const char *b)
 {
-    while (*a && *b && (*a | 0x20) == (*b | 0x20)) { a++; b++; }
+    while (*a && *b && (*a | 0x20) == (*b | 0x20)) {
+        a++;
+        b++;
+    }
     return *a == *b;
 }
 
@@ -130,14 +139,17 @@ static int dxf_same(const char *a, const char *b)
 /* The value of $INSUNITS, in the group that was read. */
 static int dxf_units(struct dxf_reader *r)
 {
-    static const double metre[] = { 1, 0.0254, 0.3048, 1609.344, 0.001, 0.01, 1,
-                                    1000, 2.54e-8, 2.54e-5, 0.9144, 1e-10, 1e-9,
-                                    1e-6, 0.1, 10, 100 };
+    static const double metre[] = {
+        1,       0.0254, 0.3048, 1609.344, 0.001, 0.01, 1,  1000, 2.54e-8,
+        2.54e-5, 0.9144, 1e-10,  1e-9,     1e-6,  0.1,  10, 100};
     kern_real unit = 0;
-    if (dxf_number(r, &unit)) return -1;
+    if (dxf_number(r, &unit))
+        return -1;
     if (!(unit >= 0 && unit < (kern_real)(sizeof metre / sizeof *metre)))
-        return dxf_fail(r, r->line, "$INSUNITS is %g, no unit of length from "
-                        "inches to hectometres", (double)unit);
+        return dxf_fail(r, r->line,
+                        "$INSUNITS is %g, no unit of length from "
+                        "inches to hectometres",
+                        (double)unit);
     r->metre = metre[(int)unit];
     return 0;
 }
@@ -148,7 +160,8 @@ static int dxf_units(struct dxf_reader *r)
 static int dxf_point(struct dxf_reader *r, kern_real x)
 {
     kern_vec *p = dxf_grown(r->point, r->points, &r->point_room, sizeof *p);
-    if (!p) return dxf_fail(r, r->line, "not enough memory");
+    if (!p)
+        return dxf_fail(r, r->line, "not enough memory");
     r->point = p;
     p[r->points].x = x;
     p[r->points++].y = 0;
@@ -159,9 +172,10 @@ static int dxf_point(struct dxf_reader *r, kern_real x)
    space, flags, the direction that it is seen from. */
 static int dxf_is_read(int code)
 {
-    static const int codes[] = { 10, 20, 42, 67, 70, 230 };
+    static const int codes[] = {10, 20, 42, 67, 70, 230};
     for (int i = 0; i < (int)(sizeof codes / sizeof *codes); i++)
-        if (codes[i] == code) return 1;
+        if (codes[i] == code)
+            return 1;
     return 0;
 }
 
@@ -169,16 +183,30 @@ static int dxf_is_read(int code)
 static int dxf_take(struct dxf_reader *r, struct dxf_entity *e, int vertex)
 {
     kern_real number = 0;
-    if (r->code == 8 && !vertex) strcpy(e->layer, r->value);
-    if (!dxf_is_read(r->code)) return 0;
-    if (dxf_number(r, &number)) return -1;
+    if (r->code == 8 && !vertex)
+        strcpy(e->layer, r->value);
+    if (!dxf_is_read(r->code))
+        return 0;
+    if (dxf_number(r, &number))
+        return -1;
     switch (r->code) {
     case 10: return dxf_point(r, number);
-    case 20: if (r->points > 0) r->point[r->points - 1].y = number; break;
-    case 42: if (number < 0 || number > 0) e->curved = r->line; break;
+    case 20:
+        if (r->points > 0)
+            r->point[r->points - 1].y = number;
+        break;
+    case 42:
+        if (number < 0 || number > 0)
+            e->curved = r->line;
+        break;
     case 67: e->paper |= number > 0; break;
-    case 70: if (!vertex) e->flags = number > 0 ? (int)number & 255 : 0; break;
-    default: if (!(number > 0)) e->tilted = r->line;
+    case 70:
+        if (!vertex)
+            e->flags = number > 0 ? (int)number & 255 : 0;
+        break;
+    default:
+        if (!(number > 0))
+            e->tilted = r->line;
     }
     return 0;
 }
@@ -188,8 +216,8 @@ static int dxf_near(const struct dxf_reader *r, int i, int j)
 {
     static const double rounding = 1e-6; /* of the first edge */
     const kern_vec p = r->point[i], q = r->point[j], s = r->point[i + 1];
-    return hypot((double)(p.x - q.x), (double)(p.y - q.y)) <=
-           rounding * hypot((double)(p.x - s.x), (double)(p.y - s.y));
+    return hypot((double)(p.x - q.x), (double)(p.y - q.y))
+        <= rounding * hypot((double)(p.x - s.x), (double)(p.y - s.y));
 }
 
 /* After how many of its n points a polyline comes back to where it began, and
@@ -198,14 +226,17 @@ static int dxf_ring(const struct dxf_reader *r, int first, int n)
 {
     for (int m = 3; m < n; m++) {
         int i = m;
-        while (i < n && dxf_near(r, first + i - m, first + i)) i++;
-        if (i == n) return m;
+        while (i < n && dxf_near(r, first + i - m, first + i))
+            i++;
+        if (i == n)
+            return m;
     }
     return 0;
 }
 
 /* A polyline was read, with its points from `first` on: a block. */
-static int dxf_close(struct dxf_reader *r, const struct dxf_entity *e, int first)
+static int dxf_close(struct dxf_reader *r, const struct dxf_entity *e,
+                     int first)
 {
     struct dxf_block *b;
     int n = r->points - first, ring = dxf_ring(r, first, n);
@@ -214,9 +245,11 @@ static int dxf_close(struct dxf_reader *r, const struct dxf_entity *e, int first
         return 0;
     }
     if (e->curved)
-        return dxf_fail(r, e->curved, "a polyline has an arc (bulge): only "
+        return dxf_fail(r, e->curved,
+                        "a polyline has an arc (bulge): only "
                         "straight edges are read");
-    if (e->tilted) return dxf_fail(r, e->tilted, "a polyline is seen from below");
+    if (e->tilted)
+        return dxf_fail(r, e->tilted, "a polyline is seen from below");
     if (e->flags & (8 | 16 | 64))
         return dxf_fail(r, e->line, "a polyline of space, or a mesh");
     if (ring) {
@@ -225,9 +258,11 @@ static int dxf_close(struct dxf_reader *r, const struct dxf_entity *e, int first
     }
     if (!ring && !(e->flags & 1))
         return dxf_fail(r, e->line, "a polyline is not closed");
-    if (n < 3) return dxf_fail(r, e->line, "a polyline of %d points", n);
+    if (n < 3)
+        return dxf_fail(r, e->line, "a polyline of %d points", n);
     b = dxf_grown(r->block, r->blocks, &r->block_room, sizeof *b);
-    if (!b) return dxf_fail(r, e->line, "not enough memory");
+    if (!b)
+        return dxf_fail(r, e->line, "not enough memory");
     r->block = b;
     b += r->blocks++;
     strcpy(b->layer, e->layer);
@@ -246,11 +281,16 @@ static int dxf_groups(struct dxf_reader *r, struct dxf_entity *e, int old)
     int found;
     while ((found = dxf_group(r)) == 1) {
         int place = r->code == 10 || r->code == 20;
-        if (old && dxf_is(r, 0, "VERTEX")) stage = VERTEX;
-        else if (old && dxf_is(r, 0, "SEQEND")) stage = ENDED;
-        else if (r->code == 0) return 0;
-        else if (stage == ENDED || (old && stage == OWN && place)) continue;
-        else if (dxf_take(r, e, stage == VERTEX)) return -1;
+        if (old && dxf_is(r, 0, "VERTEX"))
+            stage = VERTEX;
+        else if (old && dxf_is(r, 0, "SEQEND"))
+            stage = ENDED;
+        else if (r->code == 0)
+            return 0;
+        else if (stage == ENDED || (old && stage == OWN && place))
+            continue;
+        else if (dxf_take(r, e, stage == VERTEX))
+            return -1;
     }
     return found < 0 ? -1 : dxf_fail(r, r->line, "the file ends in an entity");
 }
@@ -265,10 +305,14 @@ static int dxf_entity(struct dxf_reader *r)
     char shown[TEXT_SHOW_ROOM];
     e.line = r->line;
     if (!old && !skip && !dxf_is(r, 0, "LWPOLYLINE"))
-        return dxf_fail(r, r->line, "%s is not read: draw every block as a "
-                        "closed polyline", text_show(shown, r->value));
-    if (dxf_groups(r, &e, old)) return -1;
-    if (skip) r->points = first;
+        return dxf_fail(r, r->line,
+                        "%s is not read: draw every block as a "
+                        "closed polyline",
+                        text_show(shown, r->value));
+    if (dxf_groups(r, &e, old))
+        return -1;
+    if (skip)
+        r->points = first;
     return skip ? 0 : dxf_close(r, &e, first);
 }
 
@@ -276,11 +320,14 @@ static int dxf_entity(struct dxf_reader *r)
    of the header, which follows the name of its variable. */
 static int dxf_between(struct dxf_reader *r, char *section, int *variable)
 {
-    if (dxf_is(r, 0, "SECTION")) strcpy(section, "?");
-    else if (dxf_is(r, 0, "ENDSEC")) section[0] = '\0';
+    if (dxf_is(r, 0, "SECTION"))
+        strcpy(section, "?");
+    else if (dxf_is(r, 0, "ENDSEC"))
+        section[0] = '\0';
     else if (r->code == 2 && strcmp(section, "?") == 0)
         strcpy(section, r->value);
-    else if (r->code == 9) *variable = dxf_is(r, 9, "$INSUNITS");
+    else if (r->code == 9)
+        *variable = dxf_is(r, 9, "$INSUNITS");
     else if (r->code == 70 && *variable && strcmp(section, "HEADER") == 0) {
         *variable = 0;
         return dxf_units(r);
@@ -296,14 +343,18 @@ static int dxf_sections(struct dxf_reader *r)
     while (found == 1 && !dxf_is(r, 0, "EOF")) {
         if (r->code == 0 && !dxf_is(r, 0, "ENDSEC")
             && strcmp(section, "ENTITIES") == 0) {
-            if (dxf_entity(r)) return -1;
+            if (dxf_entity(r))
+                return -1;
             continue;
         }
-        if (dxf_between(r, section, &variable)) return -1;
+        if (dxf_between(r, section, &variable))
+            return -1;
         found = dxf_group(r);
     }
-    if (found < 0) return -1;
-    if (found == 0) return dxf_fail(r, r->line, "the file ends without EOF");
+    if (found < 0)
+        return -1;
+    if (found == 0)
+        return dxf_fail(r, r->line, "the file ends without EOF");
     if (r->blocks == 0)
         return dxf_fail(r, 0, "no closed polyline among the entities");
     return 0;
@@ -323,7 +374,8 @@ static int dxf_lowest(const struct dxf_reader *r)
     kern_real low = KERN_INFINITY;
     for (int i = 0; i < r->blocks; i++) {
         const struct dxf_block *b = r->block + i;
-        if (dxf_is_ground(b)) return -1;
+        if (dxf_is_ground(b))
+            return -1;
         for (int k = 0; k < b->points; k++)
             if (r->point[b->first + k].y < low) {
                 low = r->point[b->first + k].y;
@@ -337,7 +389,9 @@ static int dxf_lowest(const struct dxf_reader *r)
 static int dxf_write(char *out, size_t room, double number)
 {
     int n = snprintf(out, room, " %.17g", number);
-    for (char *c = out; c < out + n; c++) if (*c == ',') *c = '.';
+    for (char *c = out; c < out + n; c++)
+        if (*c == ',')
+            *c = '.';
     return n;
 }
 
@@ -350,12 +404,14 @@ static int dxf_name(const struct dxf_reader *r, int i, char *out, size_t room)
     if (strcmp(layer, "0") != 0)
         for (; *layer && n + 1 < sizeof word; layer++)
             word[n++] = *layer == ' ' || *layer == '\t' || *layer == '#'
-                        ? '_' : *layer;
-    if (n == 0) word[n++] = 'b';
+                          ? '_'
+                          : *layer;
+    if (n == 0)
+        word[n++] = 'b';
     word[n] = '\0';
     return snprintf(out, room, "%s %s_%d%s",
-                    dxf_is_ground(r->block + i) ? "fixed" : "block", word, i + 1,
-                    dxf_is_ground(r->block + i) ? "" : " *");
+                    dxf_is_ground(r->block + i) ? "fixed" : "block", word,
+                    i + 1, dxf_is_ground(r->block + i) ? "" : " *");
 }
 
 /* The statements of text.h, each in the line of the drawing where its block
@@ -364,20 +420,26 @@ static char *dxf_statements(const struct dxf_reader *r)
 {
     enum { WORD = 32, NAME = 300 };
     const int lowest = dxf_lowest(r);
-    const size_t room = (size_t)r->points * 2 * WORD
-                      + (size_t)r->blocks * NAME + (size_t)r->line + 1;
+    const size_t room = (size_t)r->points * 2 * WORD + (size_t)r->blocks * NAME
+                      + (size_t)r->line + 1;
     char *text = malloc(room), *to = text;
     int line = 1;
-    if (!text) return NULL;
+    if (!text)
+        return NULL;
     *to = '\0';
     for (int i = 0; i < r->blocks; i++) {
         const struct dxf_block *b = r->block + i;
-        for (; line < b->line; line++) *to++ = '\n';
-        if (i == lowest) to += snprintf(to, NAME, "fixed ground_%d", i + 1);
-        else to += dxf_name(r, i, to, NAME);
+        for (; line < b->line; line++)
+            *to++ = '\n';
+        if (i == lowest)
+            to += snprintf(to, NAME, "fixed ground_%d", i + 1);
+        else
+            to += dxf_name(r, i, to, NAME);
         for (int k = 0; k < b->points; k++) {
-            to += dxf_write(to, WORD, r->metre * (double)r->point[b->first + k].x);
-            to += dxf_write(to, WORD, r->metre * (double)r->point[b->first + k].y);
+            to += dxf_write(to, WORD,
+                            r->metre * (double)r->point[b->first + k].x);
+            to += dxf_write(to, WORD,
+                            r->metre * (double)r->point[b->first + k].y);
         }
         *to = '\0';
     }
@@ -405,12 +467,14 @@ static inline char *dxf_read(const char *data, size_t length, char *message,
     r.metre = 1;
     r.message = message;
     r.room = room;
-    if (length > TEXT_LONGEST) dxf_fail(&r, 0, "the file is too long");
+    if (length > TEXT_LONGEST)
+        dxf_fail(&r, 0, "the file is too long");
     else if (length > 21 && memcmp(data, "AutoCAD Binary DXF", 18) == 0)
         dxf_fail(&r, 0, "a binary drawing: save it as text (ASCII DXF)");
     else if (dxf_sections(&r) == 0) {
         text = dxf_statements(&r);
-        if (!text) dxf_fail(&r, 0, "not enough memory");
+        if (!text)
+            dxf_fail(&r, 0, "not enough memory");
     }
     free(r.point);
     free(r.block);
@@ -431,10 +495,12 @@ static inline int dxf_load(struct text_file *t, const char *path)
         data = text_slurp(in, &length);
         fclose(in);
     }
-    if (!data) snprintf(t->message, sizeof t->message, "cannot be read: %s",
-                        strerror(errno));
+    if (!data)
+        snprintf(t->message, sizeof t->message, "cannot be read: %s",
+                 strerror(errno));
     else if ((text = dxf_read(data, length, t->message, sizeof t->message,
-                              &t->line)) != NULL)
+                              &t->line))
+             != NULL)
         bad = text_read(t, text, strlen(text));
     free(data);
     free(text);

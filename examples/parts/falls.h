@@ -23,15 +23,15 @@ struct falls_part {
     kern_block *block;
     kern_contact *contact;
     kern_motion *motion;
-    int *place;              /* of a block of the whole in it; -1: taken     */
+    int *place; /* of a block of the whole in it; -1: taken     */
 };
 
 static inline int falls_moves(kern_motion v, const kern_block *b)
 {
     const kern_real rest = (kern_real)(FALLS_REST * FALLS_REST);
     const kern_real area = b->area < 0 ? -b->area : b->area;
-    return !b->fixed && (v.vx * v.vx + v.vy * v.vy > rest
-                         || v.spin * v.spin * area > rest);
+    return !b->fixed
+        && (v.vx * v.vx + v.vy * v.vy > rest || v.spin * v.spin * area > rest);
 }
 
 /* Those of place[] that are not negative, renumbered, with the contacts between
@@ -41,7 +41,8 @@ static inline void falls_take(const kern_structure *s, struct falls_part *left,
 {
     part->blocks = part->contacts = 0;
     for (int i = 0; i < s->blocks; i++) {
-        if (left->place[i] < 0) continue;
+        if (left->place[i] < 0)
+            continue;
         left->place[i] = part->blocks;
         left->block[part->blocks++] = s->block[i];
     }
@@ -49,7 +50,8 @@ static inline void falls_take(const kern_structure *s, struct falls_part *left,
         kern_contact c = s->contact[k];
         c.a = left->place[c.a];
         c.b = left->place[c.b];
-        if (c.a >= 0 && c.b >= 0) left->contact[part->contacts++] = c;
+        if (c.a >= 0 && c.b >= 0)
+            left->contact[part->contacts++] = c;
     }
     part->block = left->block;
     part->contact = left->contact;
@@ -61,7 +63,8 @@ static inline int falls_left(const kern_structure *s, const kern_motion *motion,
 {
     int gone = 0;
     for (int i = 0; i < s->blocks; i++) {
-        if (left->place[i] < 0 || !falls_moves(motion[i], &s->block[i])) continue;
+        if (left->place[i] < 0 || !falls_moves(motion[i], &s->block[i]))
+            continue;
         left->place[i] = -1;
         gone++;
     }
@@ -78,13 +81,15 @@ static inline void falls_all(const kern_task *task, kern_real shrink,
 {
     const kern_structure *s = &task->s;
     kern_task rest = *task;
-    kern_proof proof = { NULL, NULL };
+    kern_proof proof = {NULL, NULL};
     proof.motion = left->motion;
-    for (int i = 0; i < s->blocks; i++) left->place[i] = i;
+    for (int i = 0; i < s->blocks; i++)
+        left->place[i] = i;
     while (falls_left(s, motion, left, &rest.s) > 0
            && kern_verdict(&rest, shrink, &proof) == KERN_FALLS)
         for (int i = 0; i < s->blocks; i++)
-            if (left->place[i] >= 0) motion[i] = left->motion[left->place[i]];
+            if (left->place[i] >= 0)
+                motion[i] = left->motion[left->place[i]];
 }
 
 #endif /* FALLS_H */

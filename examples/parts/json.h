@@ -18,10 +18,14 @@ static inline void json_text(const char *s)
     while (*s) {
         int n = text_utf8(s);
         unsigned char c = (unsigned char)*s;
-        if (n == 0) printf("\\ufffd");
-        else if (c == '"' || c == '\\') printf("\\%c", c);
-        else if (c < 0x20 || c == 0x7f) printf("\\u%04x", (unsigned)c);
-        else printf("%.*s", n, s);
+        if (n == 0)
+            printf("\\ufffd");
+        else if (c == '"' || c == '\\')
+            printf("\\%c", c);
+        else if (c < 0x20 || c == 0x7f)
+            printf("\\u%04x", (unsigned)c);
+        else
+            printf("%.*s", n, s);
         s += n > 0 ? n : 1;
     }
 }
@@ -43,7 +47,8 @@ static inline void json_digits(double value, char out[JSON_DIGITS])
     for (int digits = 15; isfinite(value) && digits <= 17; digits++) {
         snprintf(out, JSON_DIGITS, "%.*g", digits, value);
         double back = strtod(out, NULL);
-        if (!(back < value) && !(back > value)) break;
+        if (!(back < value) && !(back > value))
+            break;
     }
 }
 

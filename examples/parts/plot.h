@@ -17,7 +17,7 @@
 
 struct plot {
     FILE *out;
-    double x0, x1, y0, y1;      /* what the axes span                     */
+    double x0, x1, y0, y1; /* what the axes span                     */
     double left, top, width, height; /* of the field between them, pixels */
 };
 
@@ -28,7 +28,8 @@ DRAW_API FILE *plot_open(const char *folder, const char *name)
     FILE *out;
     snprintf(path, sizeof path, "%s/%s", folder, name);
     out = fopen(path, "w");
-    if (!out) fprintf(stderr, "cannot write %s\n", path);
+    if (!out)
+        fprintf(stderr, "cannot write %s\n", path);
     return out;
 }
 
@@ -38,7 +39,8 @@ static const double plot_width = 380, plot_height = 270;
 static double plot_round(double *low, double *high)
 {
     double step = draw_round((*high - *low) / 3.5);
-    if (!(step > 0)) step = 1;
+    if (!(step > 0))
+        step = 1;
     *low = floor(*low / step + 1e-9) * step;
     *high = ceil(*high / step - 1e-9) * step;
     return step;
@@ -90,16 +92,17 @@ DRAW_API void plot_begin(struct plot *p, FILE *out, const char *title,
     p->width = plot_width;
     p->height = plot_height;
     draw_begin(out, p->left + p->width + 24 + extra, p->top + p->height + 48);
-    fprintf(out, "<clipPath id=\"field\"><rect x=\"%.1f\" y=\"%.1f\" width="
-            "\"%.1f\" height=\"%.1f\"/></clipPath>\n", p->left, p->top,
-            p->width, p->height);
+    fprintf(out,
+            "<clipPath id=\"field\"><rect x=\"%.1f\" y=\"%.1f\" width="
+            "\"%.1f\" height=\"%.1f\"/></clipPath>\n",
+            p->left, p->top, p->width, p->height);
     draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
     plot_axes(p, xstep, ystep);
     plot_text(p, p->left, 20, 12.5, "start", title);
     plot_text(p, p->left + p->width / 2, p->top + p->height + 35, 11.5,
               "middle", xname);
-    fprintf(out, "<g transform=\"rotate(-90 16 %.1f)\">", p->top
-            + p->height / 2);
+    fprintf(out, "<g transform=\"rotate(-90 16 %.1f)\">",
+            p->top + p->height / 2);
     plot_text(p, 16, p->top + p->height / 2, 11.5, "middle", yname);
     draw_close(out);
 }
@@ -108,17 +111,19 @@ DRAW_API void plot_point(const struct plot *p, double x, double y,
                          const char *colour)
 {
     char style[120];
-    snprintf(style, sizeof style, "fill=\"%s\" fill-opacity=\"0.75\" stroke="
-             "\"" DRAW_EDGE "\" stroke-width=\"0.5\"", colour);
+    snprintf(style, sizeof style,
+             "fill=\"%s\" fill-opacity=\"0.75\" stroke="
+             "\"" DRAW_EDGE "\" stroke-width=\"0.5\"",
+             colour);
     draw_circle(p->out, plot_place(p, x, y), 3, style);
 }
 
 /* A curve through n places; what is above the field is cut off. */
-DRAW_API void plot_curve(const struct plot *p, const double *x,
-                         const double *y, int n, const char *colour,
-                         double width)
+DRAW_API void plot_curve(const struct plot *p, const double *x, const double *y,
+                         int n, const char *colour, double width)
 {
-    fprintf(p->out, "<polyline clip-path=\"url(#field)\" fill=\"none\" stroke="
+    fprintf(p->out,
+            "<polyline clip-path=\"url(#field)\" fill=\"none\" stroke="
             "\"%s\" stroke-width=\"%.2f\" stroke-linejoin=\"round\" points=\"",
             colour, width);
     for (int i = 0; i < n; i++) {
@@ -134,8 +139,10 @@ DRAW_API void plot_band(const struct plot *p, const double *x,
                         const double *low, const double *high, int n,
                         const char *colour)
 {
-    fprintf(p->out, "<polygon clip-path=\"url(#field)\" stroke=\"none\" "
-            "fill=\"%s\" fill-opacity=\"0.3\" points=\"", colour);
+    fprintf(p->out,
+            "<polygon clip-path=\"url(#field)\" stroke=\"none\" "
+            "fill=\"%s\" fill-opacity=\"0.3\" points=\"",
+            colour);
     for (int i = 0; i < 2 * n; i++) {
         const int k = i < n ? i : 2 * n - 1 - i;
         struct draw_pt q = plot_place(p, x[k], i < n ? low[k] : high[k]);
@@ -151,8 +158,8 @@ DRAW_API void plot_colours(const struct plot *p, double low, double high,
 {
     const double x = p->left + p->width + 22, w = 14;
     char text[40];
-    fprintf(p->out, "<g transform=\"translate(%.1f %.1f) rotate(-90)\">",
-            x, p->top + p->height);
+    fprintf(p->out, "<g transform=\"translate(%.1f %.1f) rotate(-90)\">", x,
+            p->top + p->height);
     draw_colours(p->out, 0, 0, p->height, w);
     draw_close(p->out);
     snprintf(text, sizeof text, "%.3g", low);

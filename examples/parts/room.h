@@ -43,15 +43,16 @@ static inline kern_plan room_plan(int blocks, int contacts, kern_work *work)
         (kern_block *)malloc(b * sizeof(kern_block)), blocks,
         (kern_contact *)malloc(c * sizeof(kern_contact)), contacts,
         kern_known_of((kern_motion *)malloc(b * sizeof(kern_motion)),
-                      (kern_force *)malloc(c * sizeof(kern_force))), work);
+                      (kern_force *)malloc(c * sizeof(kern_force))),
+        work);
 }
 
 /* Is all of a plan's memory there? */
 static inline int room_is_there(const kern_plan *plan)
 {
     return plan->block && plan->contact && plan->task.known.motion
-           && plan->task.known.force && plan->task.work->real
-           && plan->task.work->index;
+        && plan->task.known.force && plan->task.work->real
+        && plan->task.work->index;
 }
 
 static inline void room_free_plan(kern_plan *plan)
@@ -60,7 +61,8 @@ static inline void room_free_plan(kern_plan *plan)
     free(plan->contact);
     free(plan->task.known.motion);
     free(plan->task.known.force);
-    if (plan->task.work) room_free_work(plan->task.work);
+    if (plan->task.work)
+        room_free_work(plan->task.work);
 }
 
 /* falls_all() with memory of its own; where that is lacking, nothing is added. */

@@ -56,18 +56,18 @@ struct text_file {
     kern_contact *contact; /* these, with their travels                       */
     char *own_mu;          /* nonzero: the contact has a friction of its own  */
     int contacts;
-    kern_wrench *live;     /* one a block: load pattern about its centre      */
-    int lives, loads;      /* statements of a pattern; of loads that stay     */
+    kern_wrench *live; /* one a block: load pattern about its centre      */
+    int lives, loads;  /* statements of a pattern; of loads that stay     */
     struct text_live *axle; /* the statements of the pattern                  */
-    kern_vec *mass;        /* where statements `mass` put it                  */
-    int masses;            /* how many                                        */
+    kern_vec *mass; /* where statements `mass` put it                  */
+    int masses;     /* how many                                        */
     kern_vec gravity;
-    kern_options options;  /* the defaults, and what the file says            */
-    int epsilon_line;      /* where `epsilon` stands, 0: nowhere              */
-    int line;              /* of the error, 0: of the file as a whole         */
-    char message[512];     /* what is wrong, with what was read               */
-    char *text;            /* a copy of the file, which the names point into  */
-    kern_vec *vertex;      /* of all blocks                                   */
+    kern_options options; /* the defaults, and what the file says            */
+    int epsilon_line;     /* where `epsilon` stands, 0: nowhere              */
+    int line;             /* of the error, 0: of the file as a whole         */
+    char message[512];    /* what is wrong, with what was read               */
+    char *text;           /* a copy of the file, which the names point into  */
+    kern_vec *vertex;     /* of all blocks                                   */
 };
 
 /* A file as long as that, or longer, is not read. */
@@ -81,7 +81,7 @@ enum { TEXT_SHOWN = 40, TEXT_SHOW_ROOM = 4 * TEXT_SHOWN + 4 };
 struct text_contact {
     int a, b, line;
     kern_vec n, p, q;
-    kern_real mu;          /* < 0: that of the file */
+    kern_real mu; /* < 0: that of the file */
 };
 
 struct text_reader {
@@ -89,11 +89,11 @@ struct text_reader {
     char *at, *end;        /* what is left of the line */
     const char *statement; /* its first word           */
     kern_real density;
-    int unused;            /* the line of a density no block follows, or 0 */
-    int gap_line;          /* where the last `tolerance` stands            */
-    const char *name;      /* of the block that is read, or NULL             */
+    int unused;       /* the line of a density no block follows, or 0 */
+    int gap_line;     /* where the last `tolerance` stands            */
+    const char *name; /* of the block that is read, or NULL             */
     int vertices;
-    int *slot, slots;      /* names by hash: index of the block + 1, 0: none */
+    int *slot, slots; /* names by hash: index of the block + 1, 0: none */
     struct text_contact *contact;
     int contacts;
 };
@@ -113,10 +113,15 @@ enum text_range { TEXT_ANY, TEXT_NOT_NEGATIVE, TEXT_POSITIVE };
 static inline int text_utf8(const char *s)
 {
     const unsigned char *u = (const unsigned char *)s;
-    int n = u[0] < 0x80 ? 1 : u[0] < 0xc2 ? 0 : u[0] < 0xe0 ? 2
-          : u[0] < 0xf0 ? 3 : u[0] < 0xf5 ? 4 : 0;
+    int n = u[0] < 0x80 ? 1
+          : u[0] < 0xc2 ? 0
+          : u[0] < 0xe0 ? 2
+          : u[0] < 0xf0 ? 3
+          : u[0] < 0xf5 ? 4
+                        : 0;
     for (int i = 1; i < n; i++)
-        if ((u[i] & 0xc0) != 0x80) return 0;
+        if ((u[i] & 0xc0) != 0x80)
+            return 0;
     if ((u[0] == 0xe0 && u[1] < 0xa0) || (u[0] == 0xed && u[1] > 0x9f)
         || (u[0] == 0xf0 && u[1] < 0x90) || (u[0] == 0xf4 && u[1] > 0x8f))
         return 0;
@@ -133,13 +138,15 @@ static inline const char *text_show(char *out, const char *word)
         const unsigned char *u = (const unsigned char *)s;
         int n = text_utf8(s);
         int control = u[0] < 0x20 || u[0] == 0x7f
-                      || (u[0] == 0xc2 && u[1] < 0xa0);
+                   || (u[0] == 0xc2 && u[1] < 0xa0);
         if (n == 0 || control) {
             o += snprintf(o, 5, "\\x%02x", (unsigned)u[0]);
             s++;
         } else {
-            if (s - word + n > TEXT_SHOWN) break;
-            while (n-- > 0) *o++ = *s++;
+            if (s - word + n > TEXT_SHOWN)
+                break;
+            while (n-- > 0)
+                *o++ = *s++;
         }
     }
     strcpy(o, *s ? "..." : "");
@@ -151,17 +158,23 @@ static inline const char *text_show(char *out, const char *word)
 static double text_strtod(const char *word, const char *dot)
 {
     const char *point = localeconv()->decimal_point;
-    if (*dot != '.' || strcmp(point, ".") == 0) return strtod(word, NULL);
+    if (*dot != '.' || strcmp(point, ".") == 0)
+        return strtod(word, NULL);
     char room[64], *copy = room;
     size_t length = strlen(word) + strlen(point); /* less the dot, and a NUL */
-    if (length > sizeof room) copy = malloc(length);
-    if (!copy) return HUGE_VAL;
+    if (length > sizeof room)
+        copy = malloc(length);
+    if (!copy)
+        return HUGE_VAL;
     char *o = copy;
-    while (word < dot) *o++ = *word++;
-    while (*point) *o++ = *point++;
+    while (word < dot)
+        *o++ = *word++;
+    while (*point)
+        *o++ = *point++;
     strcpy(o, dot + 1);
     double value = strtod(copy, NULL);
-    if (copy != room) free(copy);
+    if (copy != room)
+        free(copy);
     return value;
 }
 
@@ -178,16 +191,20 @@ static inline int text_number(const char *word, kern_real *out)
         part = strspn(s + 1, digit);
         s += 1 + part;
     }
-    if (whole + part == 0) return 0;
+    if (whole + part == 0)
+        return 0;
     if (*s == 'e' || *s == 'E') {
         s += 1 + (s[1] == '+' || s[1] == '-');
         size_t power = strspn(s, digit);
-        if (power == 0) return 0;
+        if (power == 0)
+            return 0;
         s += power;
     }
-    if (*s) return 0;
+    if (*s)
+        return 0;
     double value = text_strtod(word, dot);
-    if (!(value <= TEXT_MOST && value >= -TEXT_MOST)) return 0;
+    if (!(value <= TEXT_MOST && value >= -TEXT_MOST))
+        return 0;
     *out = (kern_real)value;
     return 1;
 }
@@ -199,7 +216,8 @@ static char *text_next(struct text_reader *r)
     r->at += strspn(r->at, blank);
     char *word = r->at;
     r->at += strcspn(r->at, blank);
-    if (r->at < r->end) *r->at++ = '\0';
+    if (r->at < r->end)
+        *r->at++ = '\0';
     return word;
 }
 
@@ -220,7 +238,8 @@ static const char *text_about(const struct text_reader *r,
                               char out[TEXT_SHOW_ROOM + 16])
 {
     char shown[TEXT_SHOW_ROOM];
-    if (!r->name) return r->statement;
+    if (!r->name)
+        return r->statement;
     snprintf(out, TEXT_SHOW_ROOM + 16, "%s '%s'", r->statement,
              text_show(shown, r->name));
     return out;
@@ -248,12 +267,10 @@ static int text_no_memory(struct text_file *t)
 static int text_value(struct text_reader *r, const char *word,
                       enum text_range range, kern_real *out)
 {
-    static const char *const what[] = {
-        "a number", "a number not below zero", "a positive number"
-    };
+    static const char *const what[] = {"a number", "a number not below zero",
+                                       "a positive number"};
     kern_real value;
-    if (!text_number(word, &value)
-        || (range == TEXT_POSITIVE && !(value > 0))
+    if (!text_number(word, &value) || (range == TEXT_POSITIVE && !(value > 0))
         || (range == TEXT_NOT_NEGATIVE && value < 0))
         return text_expect(r, what[range], word);
     *out = value;
@@ -268,7 +285,8 @@ static int text_real(struct text_reader *r, enum text_range range,
 
 static int text_vec(struct text_reader *r, kern_vec *out)
 {
-    if (text_real(r, TEXT_ANY, &out->x)) return -1;
+    if (text_real(r, TEXT_ANY, &out->x))
+        return -1;
     return text_real(r, TEXT_ANY, &out->y);
 }
 
@@ -289,14 +307,16 @@ static int text_block_named(struct text_reader *r, int *index)
 {
     char *word = text_next(r);
     *index = r->slot[text_slot(r, word)] - 1;
-    if (*index < 0) return text_expect(r, "the name of a block above", word);
+    if (*index < 0)
+        return text_expect(r, "the name of a block above", word);
     return 0;
 }
 
 static int text_free_block(struct text_reader *r, kern_block **out)
 {
     int index;
-    if (text_block_named(r, &index)) return -1;
+    if (text_block_named(r, &index))
+        return -1;
     *out = &r->t->block[index];
     if ((*out)->fixed)
         return text_expect(r, "a block that is not fixed", r->t->name[index]);
@@ -317,18 +337,24 @@ static int text_polygon(struct text_reader *r, int *vertices)
     for (;;) {
         kern_vec p;
         char *x = text_next(r);
-        if (*x == '\0') break;
-        if (text_value(r, x, TEXT_ANY, &p.x)) return -1;
+        if (*x == '\0')
+            break;
+        if (text_value(r, x, TEXT_ANY, &p.x))
+            return -1;
         char *y = text_next(r);
         read++;
         if (*y == '\0')
-            return text_fail(r->t, "%s: the number of coordinates is odd, "
+            return text_fail(r->t,
+                             "%s: the number of coordinates is odd, "
                              "vertex %d has only x = %s",
                              text_about(r, about), read, text_show(shown, x));
-        if (text_value(r, y, TEXT_ANY, &p.y)) return -1;
-        if (n == 0 || !text_same(p, v[n - 1])) v[n++] = p;
+        if (text_value(r, y, TEXT_ANY, &p.y))
+            return -1;
+        if (n == 0 || !text_same(p, v[n - 1]))
+            v[n++] = p;
     }
-    while (n > 1 && text_same(v[n - 1], v[0])) n--;
+    while (n > 1 && text_same(v[n - 1], v[0]))
+        n--;
     *vertices = n;
     return 0;
 }
@@ -362,10 +388,13 @@ static int text_tolerance(struct text_reader *r)
     kern_options *o = &r->t->options;
     r->gap_line = r->t->line;
     o->angle = kern_defaults().angle;
-    if (text_real(r, TEXT_POSITIVE, &o->gap)) return -1;
+    if (text_real(r, TEXT_POSITIVE, &o->gap))
+        return -1;
     char *word = text_next(r);
-    if (*word == '\0') return 0;
-    if (text_value(r, word, TEXT_POSITIVE, &o->angle)) return -1;
+    if (*word == '\0')
+        return 0;
+    if (text_value(r, word, TEXT_POSITIVE, &o->angle))
+        return -1;
     if (!(o->angle < (kern_real)0.5))
         return text_expect(r, "an angle below 0.5 (in radians)", word);
     return 0;
@@ -383,8 +412,9 @@ static int text_polygon_fault(struct text_reader *r, const kern_block *b,
                  (double)b->vertex[fault->index].y);
     return text_fail(r->t, "%s: %s%s%s", text_about(r, about),
                      kern_status_text(status), place,
-                     status != KERN_CROSSING || b->vertices <= 50 ? ""
-                     : "; simplify an outline of pixels first (contour.c)");
+                     status != KERN_CROSSING || b->vertices <= 50
+                         ? ""
+                         : "; simplify an outline of pixels first (contour.c)");
 }
 
 static int text_body(struct text_reader *r, int fixed)
@@ -393,7 +423,8 @@ static int text_body(struct text_reader *r, int fixed)
     kern_block *b = &t->block[t->blocks];
     char *name = text_next(r), shown[TEXT_SHOW_ROOM];
     char about[TEXT_SHOW_ROOM + 16];
-    if (*name == '\0') return text_expect(r, "a name", name);
+    if (*name == '\0')
+        return text_expect(r, "a name", name);
     int slot = text_slot(r, name), vertices = 0, weighed = 0;
     if (r->slot[slot])
         return text_fail(t, "%s: the name '%s' was given in line %d already",
@@ -407,17 +438,20 @@ static int text_body(struct text_reader *r, int fixed)
         if (weighed && !(text_number(word, &mass) && mass > 0))
             return text_expect(r, "a mass (a positive number, or *)", word);
     }
-    if (text_polygon(r, &vertices)) return -1;
+    if (text_polygon(r, &vertices))
+        return -1;
 
-    kern_fault fault = { -1, -1, -1, 0, 0 };
+    kern_fault fault = {-1, -1, -1, 0, 0};
     const kern_vec *v = t->vertex + r->vertices;
-    kern_status status =
-        fixed ? kern_ground_init(b, v, vertices, &fault)
-              : kern_block_init(b, v, vertices, r->density, &fault);
+    kern_status status = fixed ? kern_ground_init(b, v, vertices, &fault)
+                               : kern_block_init(b, v, vertices, r->density,
+                                                 &fault);
     b->vertex = v;
     b->vertices = vertices;
-    if (status < 0) return text_polygon_fault(r, b, status, &fault);
-    if (weighed) b->mass = mass;
+    if (status < 0)
+        return text_polygon_fault(r, b, status, &fault);
+    if (weighed)
+        b->mass = mass;
     if (!fixed && !(b->mass > 0 && (double)b->mass <= TEXT_MOST))
         return text_fail(t, "%s: area x density is no mass, found %g",
                          text_about(r, about), (double)b->mass);
@@ -425,7 +459,8 @@ static int text_body(struct text_reader *r, int fixed)
     t->name[t->blocks] = name;
     t->block_line[t->blocks++] = t->line;
     t->fixed += fixed;
-    if (!fixed) r->unused = 0;
+    if (!fixed)
+        r->unused = 0;
     r->slot[slot] = t->blocks;
     r->vertices += vertices;
     return 0;
@@ -439,7 +474,8 @@ static int text_check_load(struct text_reader *r, const kern_wrench *load)
 {
     double fx = (double)load->fx, fy = (double)load->fy;
     double torque = (double)load->torque;
-    if (fx - fx + (fy - fy) + (torque - torque) >= 0) return 0;
+    if (fx - fx + (fy - fy) + (torque - torque) >= 0)
+        return 0;
     return text_fail(r->t, "%s: the load adds up to %g %g, torque %g",
                      r->statement, fx, fy, torque);
 }
@@ -447,7 +483,7 @@ static int text_check_load(struct text_reader *r, const kern_wrench *load)
 /* Loads read above count about the old centre; they stay in their place. */
 static int text_centre(struct text_reader *r, kern_block *b, kern_vec c)
 {
-    kern_wrench *load[2] = { &b->load, &r->t->live[b - r->t->block] };
+    kern_wrench *load[2] = {&b->load, &r->t->live[b - r->t->block]};
     for (int k = 0; k < 2; k++)
         load[k]->torque += (b->centre.x - c.x) * load[k]->fy
                          - (b->centre.y - c.y) * load[k]->fx;
@@ -459,7 +495,8 @@ static int text_com(struct text_reader *r)
 {
     kern_block *b;
     kern_vec c;
-    if (text_free_block(r, &b) || text_vec(r, &c)) return -1;
+    if (text_free_block(r, &b) || text_vec(r, &c))
+        return -1;
     return text_centre(r, b, c);
 }
 
@@ -517,9 +554,10 @@ static int text_live(struct text_reader *r)
 static int text_torque(struct text_reader *r)
 {
     kern_block *b;
-    kern_vec none = { 0, 0 };
+    kern_vec none = {0, 0};
     kern_real torque = 0;
-    if (text_free_block(r, &b) || text_real(r, TEXT_ANY, &torque)) return -1;
+    if (text_free_block(r, &b) || text_real(r, TEXT_ANY, &torque))
+        return -1;
     kern_block_load(b, none, b->centre, torque);
     r->t->loads++;
     return text_check_load(r, &b->load);
@@ -542,8 +580,10 @@ static int text_contact(struct text_reader *r)
         word = text_next(r);
     }
     if (*word) {
-        if (strcmp(word, "mu") != 0) return text_expect(r, "mu", word);
-        if (text_real(r, TEXT_NOT_NEGATIVE, &c->mu)) return -1;
+        if (strcmp(word, "mu") != 0)
+            return text_expect(r, "mu", word);
+        if (text_real(r, TEXT_NOT_NEGATIVE, &c->mu))
+            return -1;
     }
     r->contacts++;
     return 0;
@@ -556,22 +596,23 @@ static int text_line(struct text_reader *r)
     static const struct {
         const char *name;
         int (*read)(struct text_reader *);
-    } statement[] = {
-        { "friction", text_friction }, { "gravity", text_gravity },
-        { "epsilon", text_epsilon },   { "tolerance", text_tolerance },
-        { "block", text_block },       { "fixed", text_fixed },
-        { "contact", text_contact },   { "load", text_load_at },
-        { "torque", text_torque },     { "com", text_com },
-        { "density", text_density },   { "live", text_live },
-        { "mass", text_mass }
-    };
+    } statement[] = {{"friction", text_friction}, {"gravity", text_gravity},
+                     {"epsilon", text_epsilon},   {"tolerance", text_tolerance},
+                     {"block", text_block},       {"fixed", text_fixed},
+                     {"contact", text_contact},   {"load", text_load_at},
+                     {"torque", text_torque},     {"com", text_com},
+                     {"density", text_density},   {"live", text_live},
+                     {"mass", text_mass}};
     char *word = text_next(r), shown[TEXT_SHOW_ROOM];
-    if (*word == '\0') return 0;
+    if (*word == '\0')
+        return 0;
     for (size_t i = 0; i < sizeof statement / sizeof *statement; i++) {
-        if (strcmp(word, statement[i].name) != 0) continue;
+        if (strcmp(word, statement[i].name) != 0)
+            continue;
         r->statement = statement[i].name;
         r->name = NULL;
-        if (statement[i].read(r)) return -1;
+        if (statement[i].read(r))
+            return -1;
         word = text_next(r);
         return *word ? text_expect(r, "the end of the line", word) : 0;
     }
@@ -595,14 +636,15 @@ static int text_make_room(struct text_reader *r, size_t length)
         n = end ? (size_t)(end - line) : length - i;
         line += strspn(line, " \t\r");
         contacts += (size_t)text_begins(line, "contact");
-        points += (size_t)(text_begins(line, "live") |
-                           text_begins(line, "mass"));
+        points += (size_t)(text_begins(line, "live")
+                           | text_begins(line, "mass"));
         if (!text_begins(line, "block") && !text_begins(line, "fixed"))
             continue;
         blocks++;
         vertices += n / 4 + 1;
     }
-    for (r->slots = 4; (size_t)r->slots < 2 * blocks; ) r->slots *= 2;
+    for (r->slots = 4; (size_t)r->slots < 2 * blocks;)
+        r->slots *= 2;
     r->slot = calloc((size_t)r->slots, sizeof *r->slot);
     r->contact = calloc(contacts, sizeof *r->contact);
     t->block = calloc(blocks, sizeof *t->block);
@@ -614,12 +656,12 @@ static int text_make_room(struct text_reader *r, size_t length)
     t->vertex = calloc(vertices, sizeof *t->vertex);
     t->contact = calloc(2 * contacts, sizeof *t->contact);
     t->own_mu = calloc(2 * contacts, sizeof *t->own_mu);
-    const void *const taken[] = {
-        r->slot, r->contact, t->block, t->live, t->axle, t->mass, t->name,
-        t->block_line, t->vertex, t->contact, t->own_mu
-    };
+    const void *const taken[] = {r->slot,   r->contact, t->block, t->live,
+                                 t->axle,   t->mass,    t->name,  t->block_line,
+                                 t->vertex, t->contact, t->own_mu};
     for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
-        if (!taken[i]) return text_no_memory(t);
+        if (!taken[i])
+            return text_no_memory(t);
     return 0;
 }
 
@@ -634,15 +676,16 @@ static int text_check(struct text_reader *r)
     }
     if (t->blocks == 0)
         return text_fail(t, "there is no block in the file ('block NAME MASS "
-                         "X1 Y1 X2 Y2 X3 Y3 ...')");
+                            "X1 Y1 X2 Y2 X3 Y3 ...')");
     if (t->blocks == t->fixed)
         return text_fail(t, "no block is free, read %d fixed up to the end",
                          t->fixed);
     if (t->options.gap > size && r->contacts == 0) {
         t->line = r->gap_line;
-        return text_fail(t, "tolerance: a gap up to the mean size of the "
-                         "blocks, %.4g, is expected, read %.9g", (double)size,
-                         (double)t->options.gap);
+        return text_fail(t,
+                         "tolerance: a gap up to the mean size of the "
+                         "blocks, %.4g, is expected, read %.9g",
+                         (double)size, (double)t->options.gap);
     }
     return 0;
 }
@@ -655,7 +698,8 @@ static int text_lines(struct text_reader *r, size_t length)
         size_t left = (size_t)(stop - next);
         char *line = next, *end = memchr(line, '\n', left);
         next = end ? end + 1 : stop;
-        if (!end) end = stop;
+        if (!end)
+            end = stop;
         t->line++;
         if (memchr(line, '\0', (size_t)(end - line)))
             return text_fail(t, "a NUL byte; this is not text");
@@ -663,9 +707,11 @@ static int text_lines(struct text_reader *r, size_t length)
         r->at = line;
         r->end = line + strcspn(line, "#");
         *r->end = '\0';
-        if (text_line(r)) return -1;
+        if (text_line(r))
+            return -1;
     }
-    if (t->line == 0) t->line = 1;
+    if (t->line == 0)
+        t->line = 1;
     return text_check(r);
 }
 
@@ -692,10 +738,12 @@ static int text_contacts(struct text_reader *r)
         out->p = c->p;
         out->mu = c->mu < 0 ? t->options.mu : c->mu;
         made = kern_contact_make(out, c->q, &t->options);
-        if (made > 0 && !text_is_unit(out->n)) made = KERN_BAD_NORMAL;
+        if (made > 0 && !text_is_unit(out->n))
+            made = KERN_BAD_NORMAL;
         if (made < 0) {
             t->line = c->line;
-            return text_fail(t, "contact '%s' '%s': %s, read normal %.9g %.9g, "
+            return text_fail(t,
+                             "contact '%s' '%s': %s, read normal %.9g %.9g, "
                              "points %.9g %.9g and %.9g %.9g",
                              text_show(a, t->name[c->a]),
                              text_show(b, t->name[c->b]),
@@ -704,7 +752,8 @@ static int text_contacts(struct text_reader *r)
                              (double)c->p.y, (double)c->q.x, (double)c->q.y);
         }
         /* Two fixed blocks do nothing to each other. */
-        if (t->block[c->a].fixed && t->block[c->b].fixed) continue;
+        if (t->block[c->a].fixed && t->block[c->b].fixed)
+            continue;
         for (int k = 0; k < made; k++)
             t->own_mu[t->contacts++] = (char)!(c->mu < 0);
     }
@@ -754,14 +803,16 @@ static inline int text_read(struct text_file *t, const char *data,
         length -= 3;
     }
     t->text = malloc(length + 1);
-    if (!t->text) return text_no_memory(t);
-    if (length > 0) memcpy(t->text, data, length);
+    if (!t->text)
+        return text_no_memory(t);
+    if (length > 0)
+        memcpy(t->text, data, length);
     t->text[length] = '\0';
 
-    struct text_reader r = { t, NULL, NULL, "", 1, 0, 0, NULL, 0, NULL, 0,
-                             NULL, 0 };
+    struct text_reader r = {t,    NULL, NULL, "", 1,    0, 0,
+                            NULL, 0,    NULL, 0,  NULL, 0};
     int bad = text_make_room(&r, length) || text_lines(&r, length)
-              || text_contacts(&r);
+           || text_contacts(&r);
     free(r.slot);
     free(r.contact);
     return bad ? -1 : 0;
@@ -778,10 +829,13 @@ static inline char *text_slurp(FILE *in, size_t *length)
     while (data && (n = fread(data + *length, 1, room - *length, in)) > 0) {
         const char *read = data + *length;
         *length += n;
-        if (*length >= TEXT_LONGEST || memchr(read, '\0', n)) break;
-        if (*length < room) continue;
+        if (*length >= TEXT_LONGEST || memchr(read, '\0', n))
+            break;
+        if (*length < room)
+            continue;
         char *more = realloc(data, 2 * room);
-        if (!more) free(data);
+        if (!more)
+            free(data);
         data = more;
         room *= 2;
     }
@@ -801,7 +855,8 @@ static inline int text_load(struct text_file *t, const char *path)
     FILE *in = standard ? stdin : fopen(path, "rb");
     char *data = in ? text_slurp(in, &length) : NULL;
     int error = errno;
-    if (in && !standard) fclose(in);
+    if (in && !standard)
+        fclose(in);
     if (!data) {
         static const struct text_file empty;
         *t = empty;

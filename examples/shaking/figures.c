@@ -35,20 +35,20 @@
 enum { PATH = 4096, LEVELS = 20, MOST_SEED = 1000000 };
 
 static const char help[] =
-"usage: figures [--quick] [--seed S[-T]] [--json] FOLDER\n"
-"Builds and shakes structures, and writes the table and the figures of the\n"
-"paper into FOLDER, which must hold a folder `structures`.\n"
-"  --quick      few structures, each shaken once\n"
-"  --seed S[-T] the structures of these numbers; default 1-80, quick 1-6\n"
-"  --json       one JSON object a structure, one line each, and no figures:\n"
-"               seed, name, family, irregularity (%); collapse: level of\n"
-"               shaking after which the stones are displaced by more than a\n"
-"               quarter of a stone in the mean, 21: never; collapse_sd; ads:\n"
-"               that mean after each level; and what is measured without\n"
-"               shaking: lengths in stones, load factors in g, tilt in rad,\n"
-"               near_*: near contacts counted; near_drop: 1 / (1 + expected\n"
-"               drop)\n"
-"  -h, --help\n";
+    "usage: figures [--quick] [--seed S[-T]] [--json] FOLDER\n"
+    "Builds and shakes structures, and writes the table and the figures of the\n"
+    "paper into FOLDER, which must hold a folder `structures`.\n"
+    "  --quick      few structures, each shaken once\n"
+    "  --seed S[-T] the structures of these numbers; default 1-80, quick 1-6\n"
+    "  --json       one JSON object a structure, one line each, and no figures:\n"
+    "               seed, name, family, irregularity (%); collapse: level of\n"
+    "               shaking after which the stones are displaced by more than a\n"
+    "               quarter of a stone in the mean, 21: never; collapse_sd; ads:\n"
+    "               that mean after each level; and what is measured without\n"
+    "               shaking: lengths in stones, load factors in g, tilt in rad,\n"
+    "               near_*: near contacts counted; near_drop: 1 / (1 + expected\n"
+    "               drop)\n"
+    "  -h, --help\n";
 
 struct sample {
     char name[40], path[PATH];
@@ -85,7 +85,8 @@ static int shake_file(const char *path, int first, int last, int repeat,
     t.plan.seed = 1;
     t.file = path;
     bad = table_load(&t) || table_collapse(&t, r);
-    if (bad) fail(path, t.text.message);
+    if (bad)
+        fail(path, t.text.message);
     table_free(&t);
     return bad;
 }
@@ -112,8 +113,8 @@ static int build_sample(const struct figures *f, int i, struct sample *s)
              s->name);
     for (int tries = 0; b && bad && tries < 100; tries++) {
         build_structure(b, s->kind, s->irregularity,
-                        (uint64_t)(1 + i % 1000 + 1000 * tries) +
-                            (uint64_t)(i / 1000) * 100000);
+                        (uint64_t)(1 + i % 1000 + 1000 * tries)
+                            + (uint64_t)(i / 1000) * 100000);
         s->stones = b->stones;
         if (build_write(b, s->path)) {
             free(b);
@@ -129,8 +130,9 @@ static void print_sample(int seed, const struct sample *s)
 {
     printf("{\"seed\": %d, \"name\": \"%s\", \"family\": \"%s\", "
            "\"irregularity\": %d, \"collapse\": %.6g, \"collapse_sd\": %.6g, "
-           "\"ads\": [", seed, s->name, build_kind_name[s->kind],
-           s->irregularity, s->shaken.level, s->shaken.level_sd);
+           "\"ads\": [",
+           seed, s->name, build_kind_name[s->kind], s->irregularity,
+           s->shaken.level, s->shaken.level_sd);
     for (int l = 0; l < LEVELS; l++)
         printf("%s%.6g", l > 0 ? ", " : "", s->shaken.ads[l]);
     printf("]");
@@ -144,7 +146,8 @@ static int write_labels(const struct figures *f)
 {
     FILE *out = plot_open(f->folder, "labels.csv");
     FILE *stones = plot_open(f->folder, "stones.csv");
-    if (!out || !stones) return -1;
+    if (!out || !stones)
+        return -1;
     fprintf(out, "name,family,irregularity,stones,level,level_sd\n");
     fprintf(stones, "name,stone,level\n");
     for (int i = 0; i < f->samples; i++) {
@@ -161,7 +164,8 @@ static int write_labels(const struct figures *f)
 static int make_samples(struct figures *f)
 {
     f->sample = calloc((size_t)f->samples, sizeof *f->sample);
-    if (!f->sample) return fail("not enough memory for", "the structures");
+    if (!f->sample)
+        return fail("not enough memory for", "the structures");
     for (int i = 0; i < f->samples; i++) {
         struct sample *s = &f->sample[i];
         if (!f->json)
@@ -169,7 +173,8 @@ static int make_samples(struct figures *f)
         if (build_sample(f, f->first + i - 1, s)
             || shake_file(s->path, 1, LEVELS, f->quick ? 1 : 3, &s->shaken))
             return -1;
-        if (f->json) print_sample(f->first + i, s);
+        if (f->json)
+            print_sample(f->first + i, s);
     }
     return f->json ? 0 : write_labels(f);
 }
@@ -193,20 +198,21 @@ static int time_measure(struct measures_of *m, int which, double *seconds)
         double ask[ASKS];
         kern_margin out;
         int bad = measures_contacts(m);
-        if (!bad && which == COST_PROFILE) bad = measures_profiles(m, ask);
+        if (!bad && which == COST_PROFILE)
+            bad = measures_profiles(m, ask);
         if (!bad && which == COST_MARGIN)
             bad = kern_measure(&m->task, &out, NULL) < 0;
-        if (bad) return -1;
+        if (bad)
+            return -1;
         calls++;
     } while (seconds_since(start) < 0.05);
     *seconds = seconds_since(start) / calls;
     return 0;
 }
 
-static int time_shaking(const char *path, int first, int last,
-                        double *seconds)
+static int time_shaking(const char *path, int first, int last, double *seconds)
 {
-    struct table_report r = { NULL, NULL, 0, 0, 0, 0 };
+    struct table_report r = {NULL, NULL, 0, 0, 0, 0};
     int bad = shake_file(path, first, last, 1, &r);
     *seconds = r.seconds;
     free(r.ads);
@@ -218,8 +224,8 @@ static int time_sample(const struct sample *s, double cost[COSTS])
 {
     struct measures_of m;
     int bad = measures_load(&m, s->path)
-              || time_shaking(s->path, 10, 10, &cost[COST_ONE_SHAKING])
-              || time_shaking(s->path, 1, LEVELS, &cost[COST_SHAKING]);
+           || time_shaking(s->path, 10, 10, &cost[COST_ONE_SHAKING])
+           || time_shaking(s->path, 1, LEVELS, &cost[COST_SHAKING]);
     for (int which = COST_MARGIN; which < COSTS && !bad; which++)
         bad = time_measure(&m, which, &cost[which]);
     measures_free(&m);
@@ -231,12 +237,13 @@ static int table_one(const struct figures *f)
 {
     FILE *csv = plot_open(f->folder, "table1.csv");
     FILE *md = plot_open(f->folder, "table1.md");
-    if (!csv || !md) return -1;
+    if (!csv || !md)
+        return -1;
     fprintf(csv, "name,stones,shaking_one_level,shaking,margin,profile\n");
     fprintf(md, "CPU seconds; measures with the search for contacts.\n\n"
-            "| structure | stones | one level of shaking | levels 1..20 "
-            "| level and margin | profiles | shaking / margin "
-            "| shaking / profiles |\n|---|---|---|---|---|---|---|---|\n");
+                "| structure | stones | one level of shaking | levels 1..20 "
+                "| level and margin | profiles | shaking / margin "
+                "| shaking / profiles |\n|---|---|---|---|---|---|---|---|\n");
     for (int kind = 0; kind < BUILD_KINDS; kind++) {
         const struct sample *s = NULL;
         double cost[COSTS];
@@ -244,8 +251,10 @@ static int table_one(const struct figures *f)
             if ((int)f->sample[i].kind == kind
                 && (!s || f->sample[i].stones > s->stones))
                 s = &f->sample[i];
-        if (!s) continue;
-        if (time_sample(s, cost)) return fail("cannot time", "measures");
+        if (!s)
+            continue;
+        if (time_sample(s, cost))
+            return fail("cannot time", "measures");
         fprintf(csv, "%s,%d", s->name, s->stones);
         fprintf(md, "| %s | %d |", s->name, s->stones);
         for (int k = 0; k < COSTS; k++) {
@@ -264,15 +273,15 @@ static int table_one(const struct figures *f)
 static int draw_shrunk(const struct figures *f, struct measures_of *m,
                        const char *name, double shrink, const char *caption)
 {
-    struct draw_scene scene = { 0 };
-    kern_proof proof = { NULL, NULL };
+    struct draw_scene scene = {0};
+    kern_proof proof = {NULL, NULL};
     FILE *out = plot_open(f->folder, name);
     int bad;
     proof.force = calloc((size_t)m->task.s.contacts, sizeof *proof.force);
     bad = !out || !proof.force
-          || kern_verdict(&m->task, (kern_real)shrink, &proof) != KERN_STANDS;
-    if (!bad && kern_forces(&m->task, (kern_real)shrink, proof.force) ==
-                KERN_STANDS)
+       || kern_verdict(&m->task, (kern_real)shrink, &proof) != KERN_STANDS;
+    if (!bad
+        && kern_forces(&m->task, (kern_real)shrink, proof.force) == KERN_STANDS)
         scene.force_name = "least forces";
     scene.s = &m->task.s;
     scene.names = m->text.name;
@@ -281,7 +290,8 @@ static int draw_shrunk(const struct figures *f, struct measures_of *m,
     scene.limiting = -1;
     scene.caption = caption;
     bad = bad || draw_svg(out, &scene);
-    if (out) bad |= fclose(out) != 0;
+    if (out)
+        bad |= fclose(out) != 0;
     free(proof.force);
     return bad ? fail("cannot draw", name) : 0;
 }
@@ -290,15 +300,16 @@ static int draw_shrunk(const struct figures *f, struct measures_of *m,
 static int figure_three(const struct figures *f)
 {
     struct measures_of m;
-    kern_margin out = { 0 };
+    kern_margin out = {0};
     char caption[160];
     int bad = measures_load(&m, f->sample[0].path)
-              || kern_measure(&m.task, &out, NULL) != KERN_STANDS;
+           || kern_measure(&m.task, &out, NULL) != KERN_STANDS;
     if (!bad) {
         double last = (out.level - 1) * (double)out.epsilon;
         bad = draw_shrunk(f, &m, "fig3-first.svg", 0,
                           "Forces that hold it, contacts as they are");
-        snprintf(caption, sizeof caption, "Shrunk by %d steps there are forces "
+        snprintf(caption, sizeof caption,
+                 "Shrunk by %d steps there are forces "
                  "still, by one more there are none: level %d, margin %.4g",
                  out.level - 1, out.level, (double)out.margin);
         bad |= draw_shrunk(f, &m, "fig3-last.svg", last, caption);
@@ -311,7 +322,8 @@ static int figure_three(const struct figures *f)
 
 static void level_axis(double *x)
 {
-    for (int l = 0; l < LEVELS; l++) x[l] = l + 1;
+    for (int l = 0; l < LEVELS; l++)
+        x[l] = l + 1;
 }
 
 static double safety(const struct sample *s)
@@ -319,7 +331,10 @@ static double safety(const struct sample *s)
     return s->value[MEASURE_NEAR_WEAK_LOAD];
 }
 
-struct ranked { double safety; const struct sample *sample; };
+struct ranked {
+    double safety;
+    const struct sample *sample;
+};
 
 static int by_safety(const void *a, const void *b)
 {
@@ -346,19 +361,23 @@ static int plot_quarters(const struct figures *f, const struct plot *p,
         s[i].safety = safety(&f->sample[i]);
         s[i].sample = &f->sample[i];
     }
-    if (!bad) qsort(s, (size_t)f->samples, sizeof *s, by_safety);
+    if (!bad)
+        qsort(s, (size_t)f->samples, sizeof *s, by_safety);
     for (int q = 0; q < 4 && !bad; q++) {
-        const int from = f->samples * q / 4, n = f->samples * (q + 1) / 4 - from;
+        const int from = f->samples * q / 4,
+                  n = f->samples * (q + 1) / 4 - from;
         double median[LEVELS];
-        if (n == 0) continue;
+        if (n == 0)
+            continue;
         for (int l = 0; l < LEVELS; l++) {
-            for (int i = 0; i < n; i++) ads[i] = s[from + i].sample->shaken.ads[l];
+            for (int i = 0; i < n; i++)
+                ads[i] = s[from + i].sample->shaken.ads[l];
             qsort(ads, (size_t)n, sizeof *ads, ascending);
             median[l] = (ads[(n - 1) / 2] + ads[n / 2]) / 2;
         }
         plot_curve(p, x, median, LEVELS, DRAW_INK, 5);
-        plot_curve(p, x, median, LEVELS, draw_shade(
-            s[from + n / 2].safety / most, shade), 3.4);
+        plot_curve(p, x, median, LEVELS,
+                   draw_shade(s[from + n / 2].safety / most, shade), 3.4);
     }
     free(s);
     free(ads);
@@ -369,20 +388,25 @@ static int figure_six(const struct figures *f)
 {
     FILE *csv = plot_open(f->folder, "fig6.csv");
     FILE *svg = plot_open(f->folder, "fig6.svg");
-    struct plot p = { NULL, 0, LEVELS, 0, 1.5, 0, 0, 0, 0 };
+    struct plot p = {NULL, 0, LEVELS, 0, 1.5, 0, 0, 0, 0};
     double x[LEVELS], most = 0;
     char shade[8];
     int bad;
-    if (!csv || !svg) return -1;
+    if (!csv || !svg)
+        return -1;
     level_axis(x);
     for (int i = 0; i < f->samples; i++)
         most = fmax(most, safety(&f->sample[i]));
-    if (!(most > 0)) most = 1;
-    plot_begin(&p, svg, "Shaking displaces safe structures later (thick: "
-               "median of each quarter)", "level of shaking, 0.059 g each",
+    if (!(most > 0))
+        most = 1;
+    plot_begin(&p, svg,
+               "Shaking displaces safe structures later (thick: "
+               "median of each quarter)",
+               "level of shaking, 0.059 g each",
                "mean displacement of the stones, in stones", 70);
     fprintf(csv, "name,near_weak_load");
-    for (int l = 1; l <= LEVELS; l++) fprintf(csv, ",ads%d", l);
+    for (int l = 1; l <= LEVELS; l++)
+        fprintf(csv, ",ads%d", l);
     fprintf(csv, "\n");
     for (int i = 0; i < f->samples; i++) {
         const struct sample *s = &f->sample[i];
@@ -413,9 +437,12 @@ static int write_wall(const char *path, double out_by)
     enum { COURSES = 5, BRICKS = 5 };
     const double width = 1, joint = 0.02, half = (width - joint) / 2;
     FILE *out = fopen(path, "w");
-    if (!out) return fail("cannot write", path);
-    fprintf(out, "friction 0.4\ngravity 0 -9.81\ntolerance 0.001\n"
-            "fixed base -2 -1  %d -1  %d 0  -2 0\n", BRICKS + 2, BRICKS + 2);
+    if (!out)
+        return fail("cannot write", path);
+    fprintf(out,
+            "friction 0.4\ngravity 0 -9.81\ntolerance 0.001\n"
+            "fixed base -2 -1  %d -1  %d 0  -2 0\n",
+            BRICKS + 2, BRICKS + 2);
     for (int c = 0; c < COURSES; c++) {
         double x = 0;
         for (int i = 0; i < BRICKS + c % 2; i++) {
@@ -433,32 +460,33 @@ static int draw_wall(const struct figures *f, const char *path,
                      const char *name, kern_margin *m)
 {
     struct measures_of w;
-    struct draw_scene scene = { 0 };
+    struct draw_scene scene = {0};
     char caption[120];
     FILE *out = plot_open(f->folder, name);
     int bad = measures_load(&w, path) || !out
-              || kern_measure(&w.task, m, NULL) != KERN_STANDS;
+           || kern_measure(&w.task, m, NULL) != KERN_STANDS;
     if (!bad) {
-        snprintf(caption, sizeof caption, "level %d, margin %.3g stones", m->level,
-                 (double)m->margin);
+        snprintf(caption, sizeof caption, "level %d, margin %.3g stones",
+                 m->level, (double)m->margin);
         scene.s = &w.task.s;
         scene.limiting = -1;
         scene.caption = caption;
         bad = draw_svg(out, &scene);
     }
     measures_free(&w);
-    if (out) bad |= fclose(out) != 0;
+    if (out)
+        bad |= fclose(out) != 0;
     return bad ? fail("cannot draw", name) : 0;
 }
 
 static int figure_seven(const struct figures *f)
 {
-    static const double out_by[2] = { 0, 0.35 };
-    static const char *const colour[2] = { DRAW_KERN, DRAW_GHOST };
-    static const char *const name[2] = { "fig7-a.svg", "fig7-b.svg" };
-    struct table_report r[2] = { { NULL, NULL, 0, 0, 0, 0 },
-                                 { NULL, NULL, 0, 0, 0, 0 } };
-    struct plot p = { NULL, 0, LEVELS, 0, 0.1, 0, 0, 0, 0 };
+    static const double out_by[2] = {0, 0.35};
+    static const char *const colour[2] = {DRAW_KERN, DRAW_GHOST};
+    static const char *const name[2] = {"fig7-a.svg", "fig7-b.svg"};
+    struct table_report r[2] = {{NULL, NULL, 0, 0, 0, 0},
+                                {NULL, NULL, 0, 0, 0, 0}};
+    struct plot p = {NULL, 0, LEVELS, 0, 0.1, 0, 0, 0, 0};
     FILE *csv = plot_open(f->folder, "fig7.csv");
     FILE *svg = plot_open(f->folder, "fig7.svg");
     kern_margin m[2];
@@ -469,21 +497,24 @@ static int figure_seven(const struct figures *f)
     for (int k = 0; k < 2 && !bad; k++) {
         snprintf(path, sizeof path, "%s/fig7-%c.kern", f->folder, 'a' + k);
         bad = write_wall(path, out_by[k]) || draw_wall(f, path, name[k], &m[k])
-              || shake_file(path, 1, LEVELS, f->quick ? 1 : 5, &r[k]);
+           || shake_file(path, 1, LEVELS, f->quick ? 1 : 5, &r[k]);
         for (int l = 0; l < LEVELS && !bad; l++)
             p.y1 = fmax(p.y1, r[k].ads[l]);
     }
-    if (bad) return -1;
+    if (bad)
+        return -1;
     plot_begin(&p, svg, "Two walls that differ in the place of one stone",
                "level of shaking, 0.059 g each",
                "mean displacement of the stones, in stones", 0);
     fprintf(csv, "wall,level,margin,collapse");
-    for (int l = 1; l <= LEVELS; l++) fprintf(csv, ",ads%d", l);
+    for (int l = 1; l <= LEVELS; l++)
+        fprintf(csv, ",ads%d", l);
     fprintf(csv, "\n");
     for (int k = 0; k < 2; k++) {
         fprintf(csv, "%c,%d,%.6g,%.6g", 'a' + k, m[k].level,
                 (double)m[k].margin, r[k].level);
-        for (int l = 0; l < LEVELS; l++) fprintf(csv, ",%.6g", r[k].ads[l]);
+        for (int l = 0; l < LEVELS; l++)
+            fprintf(csv, ",%.6g", r[k].ads[l]);
         fprintf(csv, "\n");
         plot_curve(&p, x, r[k].ads, LEVELS, colour[k], 2);
         draw_line(svg, draw_vec(p.left + 16, p.top + 18 + 18 * k),
@@ -520,27 +551,35 @@ static int read_arguments(struct figures *f, int argc, char **argv)
         const char *word = argv[i];
         if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0)
             return fputs(help, stdout) < 0 ? -1 : 1;
-        if (strcmp(word, "--quick") == 0) f->quick = 1;
-        else if (strcmp(word, "--json") == 0) f->json = 1;
+        if (strcmp(word, "--quick") == 0)
+            f->quick = 1;
+        else if (strcmp(word, "--json") == 0)
+            f->json = 1;
         else if (strcmp(word, "--seed") == 0 && i + 1 < argc) {
-            if (read_seeds(f, argv[++i])) return -1;
-        } else if (word[0] != '-' && !f->folder) f->folder = word;
-        else f->folder = NULL, i = argc;
+            if (read_seeds(f, argv[++i]))
+                return -1;
+        } else if (word[0] != '-' && !f->folder)
+            f->folder = word;
+        else
+            f->folder = NULL, i = argc;
     }
-    if (f->samples == 0) f->samples = f->quick ? 6 : 80;
-    if (!f->folder) fputs(help, stderr);
+    if (f->samples == 0)
+        f->samples = f->quick ? 6 : 80;
+    if (!f->folder)
+        fputs(help, stderr);
     return f->folder ? 0 : -1;
 }
 
 int main(int argc, char **argv)
 {
-    struct figures f = { NULL, 0, 0, 1, 0, NULL };
+    struct figures f = {NULL, 0, 0, 1, 0, NULL};
     int bad = read_arguments(&f, argc, argv);
-    if (bad) return bad > 0 ? 0 : 2;
+    if (bad)
+        return bad > 0 ? 0 : 2;
     bad = make_samples(&f);
     if (!bad && !f.json)
         bad = table_one(&f) || figure_three(&f) || figure_six(&f)
-              || figure_seven(&f);
+           || figure_seven(&f);
     for (int i = 0; i < f.samples && f.sample; i++) {
         free(f.sample[i].shaken.ads);
         free(f.sample[i].shaken.first);

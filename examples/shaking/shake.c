@@ -33,57 +33,59 @@ enum { EXIT_DONE = 0, EXIT_BAD = 2, MOST_LEVELS = 1000, NAME_ROOM = 4096 };
 
 struct settings {
     struct table_plan plan;
-    int first, last;        /* seeds                                   */
+    int first, last; /* seeds                                   */
     int json;
-    int show;               /* level of the pictures, 0: collapse      */
+    int show; /* level of the pictures, 0: collapse      */
     const char *svg, *film;
     char **file;
     int files;
 };
 
 static const char help[] =
-"usage: shake [options] FILE...\n"
-"Shakes structures, each time as they were built and harder from level to\n"
-"level, and says at which they collapse: the first after which the stones are\n"
-"displaced by more than a quarter of a stone in the mean. FILE is a structure\n"
-"(kern --help has the format); - is stdin.\n"
-"\n"
-"  -l, --levels A-B   shake at levels A to B; default 1-20; N: 1-N\n"
-"  -n, --repeat R     shake R times, each with a little noise in the places\n"
-"                     of the stones and another moment to begin; default 1\n"
-"      --seed S[-T]   of that noise, an integer; default 1. A range shakes with\n"
-"                     each, and reports of each\n"
-"      --unit U       length of a stone, in the units of the file; default 1\n"
-"      --json         one JSON object a file and seed, one line each\n"
-"      --svg OUT.svg  draw it before and after a level\n"
-"      --film OUT.svg the shaking of a level, an SVG that moves\n"
-"      --show L       the level which they show; default: that of collapse\n"
-"  -h, --help, --version\n"
-"\n"
-"With several files the pictures of each NAME.* are in OUT-NAME.svg.\n"
-"A level is 0.059 g of peak horizontal acceleration, 0.01 U of amplitude.\n"
-"A stone is displaced by what it moved on the base, in U, and half of its turn in\n"
-"rad, as the root of the sum of their squares.\n"
-"JSON: file, seed, stones, levels (first, last), repetitions; level of collapse\n"
-"and its standard deviation level_sd, where last + 1 means never; ads: mean\n"
-"displacement of the stones after each level; first: of each block the level\n"
-"after which it is displaced by a quarter of U; seconds of CPU time.\n"
-"Exit status: 0 done, 2 bad use or input.\n";
+    "usage: shake [options] FILE...\n"
+    "Shakes structures, each time as they were built and harder from level to\n"
+    "level, and says at which they collapse: the first after which the stones are\n"
+    "displaced by more than a quarter of a stone in the mean. FILE is a structure\n"
+    "(kern --help has the format); - is stdin.\n"
+    "\n"
+    "  -l, --levels A-B   shake at levels A to B; default 1-20; N: 1-N\n"
+    "  -n, --repeat R     shake R times, each with a little noise in the places\n"
+    "                     of the stones and another moment to begin; default 1\n"
+    "      --seed S[-T]   of that noise, an integer; default 1. A range shakes with\n"
+    "                     each, and reports of each\n"
+    "      --unit U       length of a stone, in the units of the file; default 1\n"
+    "      --json         one JSON object a file and seed, one line each\n"
+    "      --svg OUT.svg  draw it before and after a level\n"
+    "      --film OUT.svg the shaking of a level, an SVG that moves\n"
+    "      --show L       the level which they show; default: that of collapse\n"
+    "  -h, --help, --version\n"
+    "\n"
+    "With several files the pictures of each NAME.* are in OUT-NAME.svg.\n"
+    "A level is 0.059 g of peak horizontal acceleration, 0.01 U of amplitude.\n"
+    "A stone is displaced by what it moved on the base, in U, and half of its turn in\n"
+    "rad, as the root of the sum of their squares.\n"
+    "JSON: file, seed, stones, levels (first, last), repetitions; level of collapse\n"
+    "and its standard deviation level_sd, where last + 1 means never; ads: mean\n"
+    "displacement of the stones after each level; first: of each block the level\n"
+    "after which it is displaced by a quarter of U; seconds of CPU time.\n"
+    "Exit status: 0 done, 2 bad use or input.\n";
 
 static time_t began; /* the file that is shaken */
 
 /* Says what is going on where someone may be waiting. */
 static void show_progress(const struct table *t, int repetition, int level)
 {
-    if (!ARGS_TERMINAL(2) || difftime(time(NULL), began) < 2) return;
-    fprintf(stderr, "\rshake: %.40s, repetition %d of %d, level %d   ",
-            t->file, repetition + 1, t->plan.repeat, level);
+    if (!ARGS_TERMINAL(2) || difftime(time(NULL), began) < 2)
+        return;
+    fprintf(stderr, "\rshake: %.40s, repetition %d of %d, level %d   ", t->file,
+            repetition + 1, t->plan.repeat, level);
     fflush(stderr);
 }
 
 static void clear_progress(void)
 {
-    if (ARGS_TERMINAL(2)) fprintf(stderr, "\r%*s\r", 90, "");
+    if (ARGS_TERMINAL(2))
+        fprintf(stderr, "\r%*s\r", 90, "");
 }
 
 /* ---- Reports ------------------------------------------------------------- */
@@ -104,7 +106,8 @@ static void print_text(const struct table *t, const struct table_report *r)
         printf("  collapses at level %.4g", r->level);
     if (r->level <= plan->last && plan->repeat > 1)
         printf(" (standard deviation %.2g of %d)", r->level_sd, plan->repeat);
-    if (r->level <= plan->last) putchar('\n');
+    if (r->level <= plan->last)
+        putchar('\n');
     printf("  %.2f s to shake it\n  level  mean displacement\n", r->seconds);
     for (int l = plan->first; l <= plan->last; l++)
         printf("  %5d  %.4f\n", l, r->ads[l - plan->first]);
@@ -124,8 +127,9 @@ static void print_json(const struct table *t, const struct table_report *r)
     json_string("file", t->file);
     printf(", \"seed\": %d, \"stones\": %d, \"levels\": [%d, %d], "
            "\"repetitions\": %d, \"level\": %.6g, \"level_sd\": %.6g, "
-           "\"ads\": [", (int)plan->seed, t->stones, plan->first, plan->last,
-           plan->repeat, r->level, r->level_sd);
+           "\"ads\": [",
+           (int)plan->seed, t->stones, plan->first, plan->last, plan->repeat,
+           r->level, r->level_sd);
     for (int l = plan->first; l <= plan->last; l++)
         printf("%s%.9g", l > plan->first ? ", " : "", r->ads[l - plan->first]);
     printf("], \"first\": [");
@@ -184,10 +188,11 @@ static void put_outline(const struct table *t, const struct draw_view *v,
 /* The base about its home, with the side stops. */
 static void put_base(const struct table *t, const struct draw_view *v)
 {
-    static const char *const hatch = "fill=\"url(#ground)\" stroke=\""
-                                     DRAW_EDGE "\" stroke-width=\"1\"";
+    static const char *const hatch = "fill=\"url(#ground)\" stroke=\"" DRAW_EDGE
+                                     "\" stroke-width=\"1\"";
     for (int i = 0; i < t->text.blocks; i++) {
-        if (!t->text.block[i].fixed) continue;
+        if (!t->text.block[i].fixed)
+            continue;
         put_outline(t, v, i, 0);
         fprintf(v->out, " %s/>\n", hatch);
     }
@@ -233,8 +238,10 @@ static void put_stone(const struct table *t, const struct draw_view *v,
                       int stone, int displaced)
 {
     put_outline(t, v, t->source[stone], stone + 1);
-    fprintf(v->out, " fill=\"%s\" stroke=\"" DRAW_EDGE "\" stroke-width=\"1\" "
-            "stroke-linejoin=\"round\"/>\n", stone_fill(stone, displaced));
+    fprintf(v->out,
+            " fill=\"%s\" stroke=\"" DRAW_EDGE "\" stroke-width=\"1\" "
+            "stroke-linejoin=\"round\"/>\n",
+            stone_fill(stone, displaced));
     put_name(t, v, stone);
 }
 
@@ -249,15 +256,16 @@ static void put_transform(const struct draw_view *v, struct table_pose p)
 static void put_scene(const struct table *t, const struct draw_view *v,
                       const struct table_pose *pose)
 {
-    if (!pose) pose = t->home;
+    if (!pose)
+        pose = t->home;
     put_ground(t, v);
     put_transform(v, pose[0]);
     put_base(t, v);
     draw_close(v->out);
     for (int i = 0; i < t->stones; i++) {
         put_transform(v, pose[i + 1]);
-        put_stone(t, v, i, pose != t->home
-                           && table_score(t, i) > table_threshold);
+        put_stone(t, v, i,
+                  pose != t->home && table_score(t, i) > table_threshold);
         draw_close(v->out);
     }
 }
@@ -265,15 +273,18 @@ static void put_scene(const struct table *t, const struct draw_view *v,
 /* Hatching, and the window that the drawing is cut at, named by a number. */
 static void put_window(const struct draw_view *v, int number)
 {
-    fprintf(v->out, "<defs>\n<clipPath id=\"view%d\"><rect x=\"%.2f\" "
-            "y=\"%.2f\" width=\"%.2f\" height=\"%.2f\"/></clipPath>\n", number,
-            v->left, v->top, draw_px(view_width(v)), draw_px(view_height(v)));
+    fprintf(v->out,
+            "<defs>\n<clipPath id=\"view%d\"><rect x=\"%.2f\" "
+            "y=\"%.2f\" width=\"%.2f\" height=\"%.2f\"/></clipPath>\n",
+            number, v->left, v->top, draw_px(view_width(v)),
+            draw_px(view_height(v)));
     if (number == 0)
         fputs("<pattern id=\"ground\" width=\"7\" height=\"7\" patternUnits="
               "\"userSpaceOnUse\" patternTransform=\"rotate(45)\">"
               "<rect width=\"7\" height=\"7\" fill=\"#f4f2ee\"/>"
               "<path d=\"M3.5 0V7\" stroke=\"#a59d90\" stroke-width=\"0.9\"/>"
-              "</pattern>\n", v->out);
+              "</pattern>\n",
+              v->out);
     fputs("</defs>\n", v->out);
 }
 
@@ -303,11 +314,13 @@ static int put_svg(FILE *out, const struct table *t, int level)
     const double head = 20, gap = 18;
     struct draw_view v;
     struct table_pose *after = malloc(((size_t)t->stones + 1) * sizeof *after);
-    char text[2][200] = { "before" };
+    char text[2][200] = {"before"};
     double w, h;
     int below = t->right - t->left > t->top - t->bottom;
-    if (!after) return -1;
-    for (int i = 0; i <= t->stones; i++) after[i] = table_pose_of(t, i);
+    if (!after)
+        return -1;
+    for (int i = 0; i <= t->stones; i++)
+        after[i] = table_pose_of(t, i);
     v.out = out;
     fit_view(t, &v, level, below ? DRAW_WIDTH : DRAW_WIDTH / 2,
              below ? DRAW_HEIGHT / 2 : DRAW_HEIGHT);
@@ -338,7 +351,8 @@ static void put_motion(const struct draw_view *v, const struct table_film *f,
 {
     const struct table_pose *p = f->pose + i;
     struct draw_pt at = draw_place(v, p->x, p->y);
-    fprintf(v->out, "<g transform=\"translate(%.2f %.2f)\">"
+    fprintf(v->out,
+            "<g transform=\"translate(%.2f %.2f)\">"
             "<animateTransform attributeName=\"transform\" type=\"translate\" "
             "dur=\"%.2fs\" repeatCount=\"indefinite\" values=\"",
             draw_px(at.x), draw_px(at.y), seconds);
@@ -347,9 +361,11 @@ static void put_motion(const struct draw_view *v, const struct table_film *f,
         fprintf(v->out, "%s%.4g %.4g", k ? ";" : "", draw_px(at.x),
                 draw_px(at.y));
     }
-    fprintf(v->out, "\"/>\n<g><animateTransform attributeName=\"transform\" "
+    fprintf(v->out,
+            "\"/>\n<g><animateTransform attributeName=\"transform\" "
             "type=\"rotate\" dur=\"%.2fs\" repeatCount=\"indefinite\" "
-            "values=\"", seconds);
+            "values=\"",
+            seconds);
     for (int k = 0; k < f->frames; k++)
         fprintf(v->out, "%s%.4g", k ? ";" : "",
                 draw_px(-p[k * poses].angle * 180 / table_pi));
@@ -369,7 +385,8 @@ static int put_film(FILE *out, const struct table *t,
     v.top = DRAW_PAD + head;
     fit_view(t, &v, level, DRAW_WIDTH, DRAW_HEIGHT);
     heading_of(t, level, 0, text);
-    draw_begin(out, ceil(fmax(view_width(&v), heading_width(text)) + 2 * DRAW_PAD),
+    draw_begin(out,
+               ceil(fmax(view_width(&v), heading_width(text)) + 2 * DRAW_PAD),
                ceil(view_height(&v) + head + foot + 2 * DRAW_PAD));
     draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
     put_window(&v, 0);
@@ -378,15 +395,19 @@ static int put_film(FILE *out, const struct table *t,
     put_ground(t, &v);
     for (int i = 0; i < poses; i++) {
         put_motion(&v, f, i, poses, seconds);
-        if (i == 0) put_base(t, &v);
-        else put_stone(t, &v, i - 1, 0);
+        if (i == 0)
+            put_base(t, &v);
+        else
+            put_stone(t, &v, i - 1, 0);
         fputs("</g></g>\n", out);
     }
     draw_close(out);
-    fprintf(out, "<rect x=\"%.2f\" y=\"%.2f\" width=\"0\" height=\"3\" "
+    fprintf(out,
+            "<rect x=\"%.2f\" y=\"%.2f\" width=\"0\" height=\"3\" "
             "fill=\"" DRAW_KERN "\"><animate attributeName=\"width\" "
             "dur=\"%.2fs\" repeatCount=\"indefinite\" values=\"0;%.2f\"/>"
-            "</rect>\n", v.left, v.top + view_height(&v) + foot - 5, seconds,
+            "</rect>\n",
+            v.left, v.top + view_height(&v) + foot - 5, seconds,
             view_width(&v));
     draw_close(out);
     return draw_end(out);
@@ -399,14 +420,18 @@ static void picture_name(const struct settings *set, const struct table *t,
 {
     const char *base = t->file, *end, *dot = strrchr(name, '.');
     int stem = dot && !strpbrk(dot, "/\\") ? (int)(dot - name)
-                                            : (int)strlen(name);
+                                           : (int)strlen(name);
     for (const char *s = t->file; *s; s++)
-        if (*s == '/' || *s == '\\') base = s + 1;
+        if (*s == '/' || *s == '\\')
+            base = s + 1;
     end = strrchr(base, '.');
-    if (!end || end == base) end = base + strlen(base);
-    if (set->files == 1) snprintf(out, NAME_ROOM, "%s", name);
-    else snprintf(out, NAME_ROOM, "%.*s-%.*s%s", stem, name, (int)(end - base),
-                  base, name + stem);
+    if (!end || end == base)
+        end = base + strlen(base);
+    if (set->files == 1)
+        snprintf(out, NAME_ROOM, "%s", name);
+    else
+        snprintf(out, NAME_ROOM, "%.*s-%.*s%s", stem, name, (int)(end - base),
+                 base, name + stem);
 }
 
 /* Writes one picture; `film` NULL: that of before and after. */
@@ -432,11 +457,14 @@ static int write_picture(const struct settings *set, const struct table *t,
 /* Shakes once more at the level that is to be seen, as in repetition 0. */
 static int draw_level(const struct settings *set, struct table *t, int level)
 {
-    struct table_film film = { NULL, 0, 0 };
+    struct table_film film = {NULL, 0, 0};
     int bad = table_shake(t, level, 0, &film);
-    if (bad) fputs("shake: not enough memory for the pictures\n", stderr);
-    if (!bad && set->svg) bad = write_picture(set, t, set->svg, level, NULL);
-    if (!bad && set->film) bad = write_picture(set, t, set->film, level, &film);
+    if (bad)
+        fputs("shake: not enough memory for the pictures\n", stderr);
+    if (!bad && set->svg)
+        bad = write_picture(set, t, set->svg, level, NULL);
+    if (!bad && set->film)
+        bad = write_picture(set, t, set->film, level, &film);
     free(film.pose);
     return bad;
 }
@@ -447,7 +475,7 @@ static int run_file(const struct settings *set, int number, int seed)
 {
     static const struct table empty;
     struct table t = empty;
-    struct table_report r = { NULL, NULL, 0, 0, 0, 0 };
+    struct table_report r = {NULL, NULL, 0, 0, 0, 0};
     int bad;
     t.plan = set->plan;
     t.plan.seed = (uint64_t)seed;
@@ -457,11 +485,14 @@ static int run_file(const struct settings *set, int number, int seed)
     clear_progress();
     if (bad) {
         fprintf(stderr, "%s:", t.file);
-        if (t.text.line > 0) fprintf(stderr, "%d:", t.text.line);
+        if (t.text.line > 0)
+            fprintf(stderr, "%d:", t.text.line);
         fprintf(stderr, " %s\n", t.text.message);
     } else {
-        if (set->json) print_json(&t, &r);
-        else print_text(&t, &r);
+        if (set->json)
+            print_json(&t, &r);
+        else
+            print_text(&t, &r);
         fflush(stdout);
         if (set->svg || set->film)
             bad = draw_level(set, &t, set->show ? set->show : r.shown);
@@ -483,7 +514,8 @@ static int read_levels(struct settings *set, const char *s)
 {
     if (args_range(s, 1, MOST_LEVELS, &set->plan.first, &set->plan.last))
         return -1;
-    if (!strchr(s, '-')) set->plan.first = 1;
+    if (!strchr(s, '-'))
+        set->plan.first = 1;
     return 0;
 }
 
@@ -491,7 +523,8 @@ static int read_number(struct settings *set, const char *name, const char *s)
 {
     int bad;
     const char *word = s;
-    if (!s) return bad_use("a number is missing after", name);
+    if (!s)
+        return bad_use("a number is missing after", name);
     if (strcmp(name, "--repeat") == 0)
         bad = args_integer(&s, 1, 100000, &set->plan.repeat) || *s;
     else if (strcmp(name, "--show") == 0)
@@ -504,7 +537,8 @@ static int read_number(struct settings *set, const char *name, const char *s)
         set->plan.unit = (double)unit;
     } else
         bad = args_range(s, 0, INT_MAX - 1, &set->first, &set->last);
-    if (!bad) return 0;
+    if (!bad)
+        return 0;
     fprintf(stderr, "shake: %s does not take '%s'; try shake --help\n", name,
             word);
     return -1;
@@ -512,8 +546,10 @@ static int read_number(struct settings *set, const char *name, const char *s)
 
 static int read_picture(const char *option, const char *name)
 {
-    if (args_is_svg(name)) return 0;
-    if (!name) return bad_use("a file name is missing after", option);
+    if (args_is_svg(name))
+        return 0;
+    if (!name)
+        return bad_use("a file name is missing after", option);
     fprintf(stderr, "shake: %s takes a name that ends in .svg, read '%s'\n",
             option, name);
     return -1;
@@ -522,8 +558,8 @@ static int read_picture(const char *option, const char *name)
 static int read_option(void *settings, char **argv, int *i)
 {
     struct settings *set = settings;
-    static const char *const number[] = { "--levels", "--repeat", "--seed",
-                                          "--unit", "--show" };
+    static const char *const number[] = {"--levels", "--repeat", "--seed",
+                                         "--unit", "--show"};
     const char *word = argv[*i], *value;
     for (int k = 0; k < (int)(sizeof number / sizeof number[0]); k++)
         if (args_value(argv, i, number[k], &value)
@@ -534,18 +570,20 @@ static int read_option(void *settings, char **argv, int *i)
         return read_picture("--svg", set->svg);
     if (args_value(argv, i, "--film", &set->film))
         return read_picture("--film", set->film);
-    if (strcmp(word, "--json") != 0) return bad_use("unknown option", word);
+    if (strcmp(word, "--json") != 0)
+        return bad_use("unknown option", word);
     set->json = 1;
     return 0;
 }
 
 int main(int argc, char **argv)
 {
-    struct settings set = { { 1, 20, 1, 1, 1, show_progress }, 1, 1, 0, 0, NULL,
-                            NULL, argv, 0 };
+    struct settings set = {
+        {1, 20, 1, 1, 1, show_progress}, 1, 1, 0, 0, NULL, NULL, argv, 0};
     int status = EXIT_DONE;
     set.files = args_read(argc, argv, read_option, &set);
-    if (set.files == ARGS_BAD) return EXIT_BAD;
+    if (set.files == ARGS_BAD)
+        return EXIT_BAD;
     if (set.files == ARGS_HELP)
         return fputs(help, stdout) < 0 ? EXIT_BAD : EXIT_DONE;
     if (set.files == ARGS_VERSION)
@@ -561,7 +599,8 @@ int main(int argc, char **argv)
     }
     for (int i = 0; i < set.files; i++)
         for (int seed = set.first; seed <= set.last; seed++)
-            if (run_file(&set, i, seed)) status = EXIT_BAD;
+            if (run_file(&set, i, seed))
+                status = EXIT_BAD;
     if (fflush(stdout) != 0 || ferror(stdout)) {
         fprintf(stderr, "shake: cannot write the report: %s\n",
                 strerror(errno));

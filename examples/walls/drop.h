@@ -30,22 +30,22 @@
 
 /* What a planner that drops stones may need; drop_defaults(). */
 struct drop_options {
-    int drops;              /* of every stone                               */
-    int tries;              /* poses with which the wall is released        */
-    double moved;           /* farthest that a laid stone may go then, sizes */
+    int drops;    /* of every stone                               */
+    int tries;    /* poses with which the wall is released        */
+    double moved; /* farthest that a laid stone may go then, sizes */
 };
 
 STACK_API struct drop_options drop_defaults(void)
 {
-    const struct drop_options o = { 300, 8, 0.1 };
+    const struct drop_options o = {300, 8, 0.1};
     return o;
 }
 
-static const double drop_rate = 120;    /* steps a second                   */
-static const double drop_seconds = 3;   /* a stone that still moves then is
+static const double drop_rate = 120;   /* steps a second                   */
+static const double drop_seconds = 3;  /* a stone that still moves then is
                                            given up                         */
-static const double drop_calm = 2e-3;   /* sizes a second: at rest          */
-static const double drop_alike = 0.02;  /* poses closer are one, sizes      */
+static const double drop_calm = 2e-3;  /* sizes a second: at rest          */
+static const double drop_alike = 0.02; /* poses closer are one, sizes      */
 
 /* ---- One stone on a wall that does not move ------------------------------ */
 
@@ -56,15 +56,12 @@ static int drop_add(struct rigid_world *r, const struct stone *s, double mass,
     struct rigid_pt v[STONES_CORNERS];
     for (int k = 0; k < s->n; k++)
         v[k] = rigid_vec(s->v[k].x / unit, s->v[k].y / unit);
-    return rigid_add(r, v, s->n, mass, rigid_vec(s->centre.x / unit,
-                                                 s->centre.y / unit));
+    return rigid_add(r, v, s->n, mass,
+                     rigid_vec(s->centre.x / unit, s->centre.y / unit));
 }
 
 /* The farthest that a stone may go sideways. */
-static double drop_way(const struct stone *s)
-{
-    return 2 * s->reach;
-}
+static double drop_way(const struct stone *s) { return 2 * s->reach; }
 
 /* The stone, and what of the wall it may meet on a way of drop_way(). Returns
    its block, or -1. */
@@ -79,12 +76,12 @@ static int drop_world(struct rigid_world *r, const struct stack_wall *w,
     r->step = 1 / drop_rate;
     for (int i = 0; i < 4; i++)
         ground[i] = rigid_vec(w->ground[i].x / unit, w->ground[i].y / unit);
-    if (rigid_add(r, ground, 4, 0, ground[0]) < 0) return -1;
+    if (rigid_add(r, ground, 4, 0, ground[0]) < 0)
+        return -1;
     for (int i = 0; i < w->laid; i++) {
         const struct stone *o = &w->stone[i];
-        if (o->low.x < s->centre.x + within &&
-            o->high.x > s->centre.x - within &&
-            drop_add(r, o, 0, unit) < 0)
+        if (o->low.x < s->centre.x + within && o->high.x > s->centre.x - within
+            && drop_add(r, o, 0, unit) < 0)
             return -1;
     }
     return drop_add(r, s, s->area, unit);
@@ -115,11 +112,14 @@ STACK_API int drop_release(const struct stack_wall *w, struct stone *s)
     int calm = 0, bad = block < 0;
     for (int i = 1; i <= steps && !bad && calm < 2; i++) {
         bad = rigid_step(&r);
-        if (i % look > 0) continue;
+        if (i % look > 0)
+            continue;
         calm = drop_speed(&r.block[block]) < drop_calm ? calm + 1 : 0;
-        if (fabs(r.block[block].at.x * unit - s->centre.x) > drop_way(s)) break;
+        if (fabs(r.block[block].at.x * unit - s->centre.x) > drop_way(s))
+            break;
     }
-    if (calm == 2) drop_follow(s, &r.block[block], unit);
+    if (calm == 2)
+        drop_follow(s, &r.block[block], unit);
     rigid_free(&r);
     return bad ? -1 : calm == 2;
 }
@@ -127,9 +127,8 @@ STACK_API int drop_release(const struct stack_wall *w, struct stone *s)
 /* ---- Candidates ---------------------------------------------------------- */
 
 /* Is a pose of the last stone about the same as one that is known? */
-static int drop_known(const struct stack_wall *w,
-                      const struct stack_list *list, int stone,
-                      const struct stone *s)
+static int drop_known(const struct stack_wall *w, const struct stack_list *list,
+                      int stone, const struct stone *s)
 {
     const double within = drop_alike * w->stock->size;
     struct stack_place place;
@@ -137,7 +136,8 @@ static int drop_known(const struct stack_wall *w,
     place.at = s->centre;
     place.turn = s->turn;
     for (int i = 0; i < list->count; i++)
-        if (stack_same(&list->one[i].place, &place, within)) return 1;
+        if (stack_same(&list->one[i].place, &place, within))
+            return 1;
     return 0;
 }
 
@@ -153,14 +153,18 @@ static int drop_once(struct stack_wall *w, struct stack_list *list, int stone,
     int rests;
     stone_turn(&s, s.centre, stones_vec(turn.x, turn.y));
     x = -s.low.x + share * (w->options.width - (s.high.x - s.low.x));
-    for (int i = 0; i < w->columns; i++) high = fmax(high, w->sky[i]);
+    for (int i = 0; i < w->columns; i++)
+        high = fmax(high, w->sky[i]);
     stone_move(&s, stones_vec(x, high - s.low.y + w->stock->size));
     stack_look_below(w, &s, x);
-    if (!rest_drop(&w->around, &s)) return 0;
+    if (!rest_drop(&w->around, &s))
+        return 0;
     rests = drop_release(w, &s);
-    if (rests <= 0) return rests;
+    if (rests <= 0)
+        return rests;
     w->tried++;
-    if (drop_known(w, list, stone, &s)) return 0;
+    if (drop_known(w, list, stone, &s))
+        return 0;
     stack_look_below(w, &s, s.centre.x);
     return stack_note(w, list, stone, &s);
 }
@@ -181,15 +185,17 @@ STACK_API int drop_propose(struct stack_wall *w, struct stack_list *list,
    edges; -1: none is left. */
 static int drop_filter(struct stack_wall *w, struct stack_list *list)
 {
-    const int levels = w->options.planner == STACK_COMBINED
-                     ? w->options.levels : -1;
-    for (int i = 0; i < list->count; i++) list->one[i].out = 0;
+    const int levels = w->options.planner == STACK_COMBINED ? w->options.levels
+                                                            : -1;
+    for (int i = 0; i < list->count; i++)
+        list->one[i].out = 0;
     for (int k = 0; k <= STACK_FILTERS; k++) {
         if (k == levels) {
             stack_drop_falling(w, list);
             stack_sift_levels(w, list);
         }
-        if (k < STACK_FILTERS) stack_sift(w, list, k);
+        if (k < STACK_FILTERS)
+            stack_sift(w, list, k);
     }
     return stack_most_edges(list);
 }
@@ -207,9 +213,10 @@ static int drop_take(struct stack_wall *w, const struct stack_place *place,
         kern_block block;
         w->place[i] = place[i];
         *s = stack_placed(w, &place[i]);
-        bad = kern_block_init(&block, s->v, s->n, 1, NULL) != KERN_OK ||
-              stack_add(w, &block) < 0;
-        if (bad) break;
+        bad = kern_block_init(&block, s->v, s->n, 1, NULL) != KERN_OK
+           || stack_add(w, &block) < 0;
+        if (bad)
+            break;
         stack_raise(w, i);
         w->used[place[i].stone] = 1;
         w->upright += stack_on_end(s);
@@ -235,7 +242,8 @@ STACK_API int drop_settle(const struct stack_wall *w, double moved,
     for (int i = 1; i <= steps && !bad && fast > drop_calm && gone <= moved;
          i++) {
         bad = rigid_step(&r);
-        if (i % look > 0) continue;
+        if (i % look > 0)
+            continue;
         fast = 0;
         for (int k = 1; k < r.blocks; k++) {
             const struct stone *s = k <= w->laid ? &w->stone[k - 1] : &last;
@@ -263,11 +271,14 @@ static int drop_lay(struct stack_wall *w, const struct drop_options *o,
     for (int i = 0; i < o->tries; i++) {
         const int best = drop_filter(w, list);
         int rests;
-        if (best < 0) return 0;
+        if (best < 0)
+            return 0;
         w->swayed++;
         rests = drop_settle(w, o->moved, &list->one[best], room);
-        if (rests < 0) return -1;
-        if (rests) return drop_take(w, room, w->laid + 1) ? -1 : 1;
+        if (rests < 0)
+            return -1;
+        if (rests)
+            return drop_take(w, room, w->laid + 1) ? -1 : 1;
         w->slipped++;
         stack_strike(list, best);
     }
@@ -280,20 +291,23 @@ static int drop_lay(struct stack_wall *w, const struct drop_options *o,
 STACK_API int drop_build(struct stack_wall *w, const struct drop_options *o)
 {
     struct stack_place *room = malloc((size_t)w->stock->stones * sizeof *room);
-    struct stack_list list = { NULL, 0, 0 };
+    struct stack_list list = {NULL, 0, 0};
     uint64_t chance = random_from(w->options.seed + 1);
     int bad = !room;
     w->plan.task.options = kern_near(&w->plan.task.options, w->stock->size);
     for (int round = 0; round < 2; round++)
         for (int k = 0; k < w->stock->stones && !bad; k++) {
-            if (w->used[k] || w->laid == w->options.most) continue;
-            bad = drop_propose(w, &list, k, o->drops, &chance) ||
-                  drop_lay(w, o, &list, room) < 0;
+            if (w->used[k] || w->laid == w->options.most)
+                continue;
+            bad = drop_propose(w, &list, k, o->drops, &chance)
+               || drop_lay(w, o, &list, room) < 0;
         }
     free(room);
     free(list.one);
-    if (bad) return -1;
-    if (!stack_ends(w)) stack_give_up(w);
+    if (bad)
+        return -1;
+    if (!stack_ends(w))
+        stack_give_up(w);
     return kern_measure(&w->plan.task, &w->m, NULL) < 0 ? -1 : 0;
 }
 

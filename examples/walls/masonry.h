@@ -24,29 +24,29 @@
 #endif
 
 struct masonry {
-    double bed;             /* mean length of a stone's bed, in its sizes   */
-    double bedless;         /* share of stones with a bed below 0.15        */
-    double upright;         /* share of the long stones that stand on end   */
-    double on_two;          /* share of the stones above the ground that rest
+    double bed;         /* mean length of a stone's bed, in its sizes   */
+    double bedless;     /* share of stones with a bed below 0.15        */
+    double upright;     /* share of the long stones that stand on end   */
+    double on_two;      /* share of the stones above the ground that rest
                                on two or more stones, or on one and the
                                ground                                       */
-    double end_columns;     /* share of the two ends that hold a column: four
+    double end_columns; /* share of the two ends that hold a column: four
                                stones or more, each on the one below alone  */
-    double joint;           /* length of the shortest way up through the
+    double joint;       /* length of the shortest way up through the
                                joints over its height: 1 is a running joint */
-    double running;         /* joints that run up through three courses      */
+    double running;     /* joints that run up through three courses      */
 };
 
-static const double masonry_long = 1.25;  /* aspect of a long stone         */
-static const double masonry_steep = 65;   /* its axis, standing; degrees    */
+static const double masonry_long = 1.25;   /* aspect of a long stone         */
+static const double masonry_steep = 65;    /* its axis, standing; degrees    */
 static const double masonry_level = 0.866; /* normal of a bed: 30 degrees   */
-static const double masonry_point = 0.15; /* a shorter bed is none          */
-static const double masonry_rests = 0.5; /* normal of what carries: 60 deg  */
-static const double masonry_pin = 0.2;    /* below so much of a mean square */
-static const double masonry_apart = 0.15; /* of joints that run on, in sizes */
-static const double masonry_step = 0.06;  /* of the ways, in mean sizes     */
-static const double masonry_side = 0.6;   /* no way runs nearer to the ends */
-static const double masonry_high = 0.8;   /* of the mean top: the end       */
+static const double masonry_point = 0.15;  /* a shorter bed is none          */
+static const double masonry_rests = 0.5;   /* normal of what carries: 60 deg  */
+static const double masonry_pin = 0.2;     /* below so much of a mean square */
+static const double masonry_apart = 0.15;  /* of joints that run on, in sizes */
+static const double masonry_step = 0.06;   /* of the ways, in mean sizes     */
+static const double masonry_side = 0.6;    /* no way runs nearer to the ends */
+static const double masonry_high = 0.8;    /* of the mean top: the end       */
 
 /* ---- Stones on end ------------------------------------------------------- */
 
@@ -92,9 +92,11 @@ static double masonry_upright(const kern_structure *s, double size)
     for (int i = 0; i < s->blocks; i++) {
         const kern_block *b = &s->block[i];
         double aspect, angle;
-        if (!masonry_is_stone(b, size)) continue;
+        if (!masonry_is_stone(b, size))
+            continue;
         angle = masonry_axis(b->vertex, b->vertices, b->centre, &aspect);
-        if (aspect <= masonry_long) continue;
+        if (aspect <= masonry_long)
+            continue;
         longs++;
         upright += angle > masonry_steep;
     }
@@ -105,15 +107,16 @@ static double masonry_upright(const kern_structure *s, double size)
 
 /* Mean length of the contacts that carry a stone face to face, at most 30
    degrees off the level; the share of stones without. */
-static int masonry_beds(const kern_structure *s, double size,
-                        struct masonry *m)
+static int masonry_beds(const kern_structure *s, double size, struct masonry *m)
 {
     double *bed = calloc((size_t)s->blocks + 1, sizeof *bed);
     int stones = 0;
-    if (!bed) return -1;
+    if (!bed)
+        return -1;
     for (int k = 0; k + 1 < s->contacts; k++) {
         const kern_contact *c = &s->contact[k], *d = c + 1;
-        if (!c->line || !d->line || c->a != d->a || c->b != d->b) continue;
+        if (!c->line || !d->line || c->a != d->a || c->b != d->b)
+            continue;
         k++;
         if (fabs(c->n.y) >= masonry_level)
             bed[c->n.y > 0 ? c->b : c->a] += hypot(c->p.x - d->p.x,
@@ -122,7 +125,8 @@ static int masonry_beds(const kern_structure *s, double size,
     m->bed = m->bedless = 0;
     for (int i = 0; i < s->blocks; i++) {
         const double sizes = bed[i] / sqrt(fabs(s->block[i].area));
-        if (!masonry_is_stone(&s->block[i], size)) continue;
+        if (!masonry_is_stone(&s->block[i], size))
+            continue;
         stones++;
         m->bed += sizes;
         m->bedless += sizes < masonry_point;
@@ -152,14 +156,18 @@ static void masonry_carries(const kern_structure *s, int i, double size,
     for (int k = 0; k < s->contacts; k++) {
         const kern_contact *c = &s->contact[k];
         const int over = c->n.y > 0 ? c->b : c->a, under = c->a + c->b - over;
-        if (over != i || fabs(c->n.y) < masonry_rests) continue;
+        if (over != i || fabs(c->n.y) < masonry_rests)
+            continue;
         if (s->block[under].fixed) {
             r->ground = 1;
         } else if (!masonry_is_stone(&s->block[under], size)) {
-            if (deep > 0) masonry_carries(s, under, size, deep - 1, r);
+            if (deep > 0)
+                masonry_carries(s, under, size, deep - 1, r);
         } else {
-            if (r->below == MASONRY_NONE || under < r->below) r->below = under;
-            if (under > r->last) r->last = under;
+            if (r->below == MASONRY_NONE || under < r->below)
+                r->below = under;
+            if (under > r->last)
+                r->last = under;
         }
     }
 }
@@ -168,22 +176,21 @@ static void masonry_carries(const kern_structure *s, int i, double size,
 static struct masonry_rest masonry_rest_on(const kern_structure *s, int i,
                                            double size)
 {
-    struct masonry_rest r = { 0, MASONRY_NONE, MASONRY_NONE, 0 };
+    struct masonry_rest r = {0, MASONRY_NONE, MASONRY_NONE, 0};
     masonry_carries(s, i, size, MASONRY_PINS, &r);
     r.stones = (r.below != MASONRY_NONE) + (r.last > r.below);
     return r;
 }
 
 /* Is a stone the last one to a side (-1 left, 1 right) at its own height? */
-static int masonry_is_end(const kern_structure *s, int i, double size,
-                          int side)
+static int masonry_is_end(const kern_structure *s, int i, double size, int side)
 {
     const kern_vec at = s->block[i].centre;
     for (int k = 0; k < s->blocks; k++) {
         const kern_block *b = &s->block[k];
-        if (k != i && masonry_is_stone(b, size) &&
-            side * (b->centre.x - at.x) > 0 &&
-            b->box.low.y < at.y && at.y < b->box.high.y)
+        if (k != i && masonry_is_stone(b, size)
+            && side * (b->centre.x - at.x) > 0 && b->box.low.y < at.y
+            && at.y < b->box.high.y)
             return 0;
     }
     return 1;
@@ -196,13 +203,17 @@ static int masonry_column(const kern_structure *s, double size,
     int longest = 0;
     for (int i = 0; i < s->blocks; i++) {
         int count = 0, k = i;
-        if (!masonry_is_stone(&s->block[i], size)) continue;
-        for (; k != MASONRY_NONE && masonry_is_end(s, k, size, side) &&
-               count < s->blocks; k = r[k].below) {
+        if (!masonry_is_stone(&s->block[i], size))
+            continue;
+        for (; k != MASONRY_NONE && masonry_is_end(s, k, size, side)
+               && count < s->blocks;
+             k = r[k].below) {
             count++;
-            if (r[k].stones != 1 || r[k].ground) break;
+            if (r[k].stones != 1 || r[k].ground)
+                break;
         }
-        if (count > longest) longest = count;
+        if (count > longest)
+            longest = count;
     }
     return longest;
 }
@@ -219,8 +230,8 @@ MASONRY_API void masonry_courses(const kern_structure *s, double size,
             const kern_contact *c = &s->contact[k];
             const int over = c->n.y > 0 ? c->b : c->a;
             const int under = c->a + c->b - over;
-            if (over == i && under < i && fabs(c->n.y) >= masonry_rests &&
-                course[under] > course[i])
+            if (over == i && under < i && fabs(c->n.y) >= masonry_rests
+                && course[under] > course[i])
                 course[i] = course[under];
         }
         course[i] += masonry_is_stone(&s->block[i], size);
@@ -235,18 +246,23 @@ static double masonry_head_joint(const kern_structure *s, double size,
     const kern_block *b = &s->block[i], *next = NULL;
     for (int k = 0; k < s->blocks; k++) {
         const kern_block *c = &s->block[k];
-        if (course[k] != course[i] || c->centre.x <= b->centre.x ||
-            !masonry_is_stone(c, size) || c->box.low.y >= b->box.high.y ||
-            b->box.low.y >= c->box.high.y)
+        if (course[k] != course[i] || c->centre.x <= b->centre.x
+            || !masonry_is_stone(c, size) || c->box.low.y >= b->box.high.y
+            || b->box.low.y >= c->box.high.y)
             continue;
-        if (!next || c->centre.x < next->centre.x) next = c;
+        if (!next || c->centre.x < next->centre.x)
+            next = c;
     }
     return next && masonry_is_stone(b, size)
-         ? (b->box.high.x + next->box.low.x) / 2 : HUGE_VAL;
+             ? (b->box.high.x + next->box.low.x) / 2
+             : HUGE_VAL;
 }
 
 /* Through how many courses a joint has come, from below. */
-struct masonry_line { double x; int courses; };
+struct masonry_line {
+    double x;
+    int courses;
+};
 
 /* How many joints run on from course to course through three. */
 static int masonry_running(const kern_structure *s, double size,
@@ -256,17 +272,19 @@ static int masonry_running(const kern_structure *s, double size,
     struct masonry_line *line = malloc(blocks * sizeof *line);
     int *course = malloc(blocks * sizeof *course), left = s->blocks;
     m->running = 0;
-    if (line && course) masonry_courses(s, size, course);
+    if (line && course)
+        masonry_courses(s, size, course);
     for (int now = 0; line && course && left > 0; now++)
         for (int i = 0; i < s->blocks; i++) {
-            if (course[i] != now) continue;
+            if (course[i] != now)
+                continue;
             left--;
             line[i].x = masonry_head_joint(s, size, course, i);
             line[i].courses = 1;
             for (int k = 0; k < s->blocks && line[i].x < HUGE_VAL; k++)
-                if (course[k] == now - 1 &&
-                    fabs(line[k].x - line[i].x) < masonry_apart * size &&
-                    line[k].courses >= line[i].courses)
+                if (course[k] == now - 1
+                    && fabs(line[k].x - line[i].x) < masonry_apart * size
+                    && line[k].courses >= line[i].courses)
                     line[i].courses = line[k].courses + 1;
             m->running += line[i].courses == 3;
         }
@@ -275,21 +293,23 @@ static int masonry_running(const kern_structure *s, double size,
     return left > 0 ? -1 : 0;
 }
 
-static int masonry_bond(const kern_structure *s, double size,
-                        struct masonry *m)
+static int masonry_bond(const kern_structure *s, double size, struct masonry *m)
 {
     struct masonry_rest *r = malloc(((size_t)s->blocks + 1) * sizeof *r);
     int above = 0, bonded = 0;
-    if (!r) return -1;
+    if (!r)
+        return -1;
     for (int i = 0; i < s->blocks; i++) {
         r[i] = masonry_rest_on(s, i, size);
-        if (!masonry_is_stone(&s->block[i], size) || r[i].stones == 0) continue;
+        if (!masonry_is_stone(&s->block[i], size) || r[i].stones == 0)
+            continue;
         above++;
         bonded += r[i].stones + r[i].ground >= 2;
     }
     m->on_two = above > 0 ? (double)bonded / above : 0;
-    m->end_columns = ((masonry_column(s, size, r, -1) >= MASONRY_COLUMN) +
-                      (masonry_column(s, size, r, 1) >= MASONRY_COLUMN)) / 2.0;
+    m->end_columns = ((masonry_column(s, size, r, -1) >= MASONRY_COLUMN)
+                      + (masonry_column(s, size, r, 1) >= MASONRY_COLUMN))
+                   / 2.0;
     free(r);
     return 0;
 }
@@ -311,13 +331,15 @@ static int masonry_outline(const kern_structure *s, double step,
     for (int i = 0; i < s->blocks; i++) {
         const kern_block *b = &s->block[i];
         const int first = n;
-        if (b->fixed) continue;
+        if (b->fixed)
+            continue;
         for (int k = 0; k < b->vertices; k++) {
             kern_vec p = b->vertex[k];
             kern_vec q = b->vertex[k + 1 < b->vertices ? k + 1 : 0];
             const int pieces = (int)ceil(hypot(q.x - p.x, q.y - p.y) / step);
             for (int j = 0; j < pieces; j++, n++) {
-                if (!at) continue;
+                if (!at)
+                    continue;
                 at[n].x = p.x + (q.x - p.x) * j / pieces;
                 at[n].y = p.y + (q.y - p.y) * j / pieces;
                 at[n].stone = i;
@@ -325,7 +347,8 @@ static int masonry_outline(const kern_structure *s, double step,
                 at[n].next = n + 1;
             }
         }
-        if (!at || n == first) continue;
+        if (!at || n == first)
+            continue;
         at[first].before = n - 1;
         at[n - 1].next = first;
     }
@@ -337,13 +360,14 @@ static double masonry_top(const struct masonry_place *at, int n, double left,
                           double right)
 {
     enum { COLUMNS = 24 };
-    double top[COLUMNS] = { 0 }, sum = 0;
+    double top[COLUMNS] = {0}, sum = 0;
     for (int i = 0; i < n; i++) {
         int c = (int)((at[i].x - left) / (right - left) * COLUMNS);
         c = c < 0 ? 0 : c < COLUMNS ? c : COLUMNS - 1;
         top[c] = fmax(top[c], at[i].y);
     }
-    for (int c = 0; c < COLUMNS; c++) sum += top[c] / COLUMNS;
+    for (int c = 0; c < COLUMNS; c++)
+        sum += top[c] / COLUMNS;
     return sum;
 }
 
@@ -369,9 +393,10 @@ static void masonry_go_on(struct masonry_place *at, int n, double step,
     for (int i = 0; i < n; i++) {
         const double x = at[i].x - p->x, y = at[i].y - p->y;
         const int beside = i == p->next || i == p->before;
-        const int across = at[i].stone != p->stone &&
-                           x * x + y * y <= step * step;
-        if (beside || across) at[i].way = fmin(at[i].way, p->way + hypot(x, y));
+        const int across = at[i].stone != p->stone
+                        && x * x + y * y <= step * step;
+        if (beside || across)
+            at[i].way = fmin(at[i].way, p->way + hypot(x, y));
     }
 }
 
@@ -383,10 +408,13 @@ static double masonry_climb(struct masonry_place *at, int n, double step,
     struct masonry_place *p;
     for (int i = 0; i < n; i++)
         at[i].way = at[i].y < step && at[i].x > left && at[i].x < right
-                  ? at[i].y : HUGE_VAL;
+                      ? at[i].y
+                      : HUGE_VAL;
     while ((p = masonry_next(at, n)) != NULL) {
-        if (p->y >= high) return p->way / p->y;
-        if (p->x >= left && p->x <= right) masonry_go_on(at, n, step, p);
+        if (p->y >= high)
+            return p->way / p->y;
+        if (p->x >= left && p->x <= right)
+            masonry_go_on(at, n, step, p);
         p->way = -1;
     }
     return HUGE_VAL;
@@ -399,19 +427,20 @@ static int masonry_joints(const kern_structure *s, double size,
     double left = HUGE_VAL, right = -HUGE_VAL, step = masonry_step * size;
     struct masonry_place *at;
     int n = masonry_outline(s, step, NULL);
-    if (n > most) step *= n / most;
+    if (n > most)
+        step *= n / most;
     n = masonry_outline(s, step, NULL);
     at = malloc(((size_t)n + 1) * sizeof *at);
-    if (!at) return -1;
+    if (!at)
+        return -1;
     masonry_outline(s, step, at);
     for (int i = 0; i < n; i++) {
         left = fmin(left, at[i].x);
         right = fmax(right, at[i].x);
     }
-    m->joint = masonry_climb(at, n, step, left + masonry_side * size,
-                             right - masonry_side * size,
-                             masonry_high * masonry_top(at, n, left, right)
-                             - 1e-6 * size);
+    m->joint = masonry_climb(
+        at, n, step, left + masonry_side * size, right - masonry_side * size,
+        masonry_high * masonry_top(at, n, left, right) - 1e-6 * size);
     free(at);
     return 0;
 }
@@ -422,8 +451,10 @@ MASONRY_API int masonry_of(const kern_structure *s, double size,
                            struct masonry *m)
 {
     m->upright = masonry_upright(s, size);
-    return masonry_beds(s, size, m) || masonry_bond(s, size, m) ||
-           masonry_running(s, size, m) || masonry_joints(s, size, m) ? -1 : 0;
+    return masonry_beds(s, size, m) || masonry_bond(s, size, m)
+                || masonry_running(s, size, m) || masonry_joints(s, size, m)
+             ? -1
+             : 0;
 }
 
 #endif /* MASONRY_H */

@@ -44,8 +44,7 @@
 static int stack_is_filler(const struct stack_wall *w,
                            const struct stack_candidate *c)
 {
-    return w->stock->stone[c->place.stone].area
-           < stack_filler * w->stock->area;
+    return w->stock->stone[c->place.stone].area < stack_filler * w->stock->area;
 }
 
 /* Drops what is worse than the best in a feature by more than its threshold. */
@@ -57,8 +56,8 @@ static void stack_sift(const struct stack_wall *w, struct stack_list *list,
         if (!list->one[i].out)
             best = fmax(best, list->one[i].feature[feature]);
     for (int i = 0; i < list->count; i++)
-        if (list->one[i].feature[feature] < best
-                                            - w->options.threshold[feature])
+        if (list->one[i].feature[feature]
+            < best - w->options.threshold[feature])
             list->one[i].out = 1;
 }
 
@@ -81,8 +80,8 @@ static void stack_sift_levels(const struct stack_wall *w,
             count++;
         }
     for (int i = 0; i < list->count; i++)
-        if (!list->one[i].out && !stack_is_filler(w, &list->one[i]) &&
-            (double)stack_level_of(&list->one[i]) * count < sum)
+        if (!list->one[i].out && !stack_is_filler(w, &list->one[i])
+            && (double)stack_level_of(&list->one[i]) * count < sum)
             list->one[i].out = 1;
 }
 
@@ -97,8 +96,8 @@ static int stack_drop_falling(struct stack_wall *w, struct stack_list *list)
 {
     int fell = 0;
     for (int i = 0; i < list->count; i++) {
-        if (list->one[i].out || list->one[i].known ||
-            stack_ask(w, &list->one[i]))
+        if (list->one[i].out || list->one[i].known
+            || stack_ask(w, &list->one[i]))
             continue;
         stack_strike(list, i--);
         fell++;
@@ -112,9 +111,10 @@ static int stack_most_edges(const struct stack_list *list)
 {
     int best = -1;
     for (int i = 0; i < list->count; i++)
-        if (!list->one[i].out &&
-            (best < 0 || list->one[i].feature[STACK_EDGES]
-                             > list->one[best].feature[STACK_EDGES]))
+        if (!list->one[i].out
+            && (best < 0
+                || list->one[i].feature[STACK_EDGES]
+                       > list->one[best].feature[STACK_EDGES]))
             best = i;
     return best;
 }
@@ -125,17 +125,22 @@ static int stack_most_edges(const struct stack_list *list)
 static int stack_filter(struct stack_wall *w, struct stack_list *list)
 {
     const int levels = w->options.planner == STACK_HEURISTIC
-                     ? -1 : w->options.levels;
+                         ? -1
+                         : w->options.levels;
     int k = 0;
     while (k <= STACK_FILTERS) {
         if (k == 0)
-            for (int i = 0; i < list->count; i++) list->one[i].out = 0;
-        if ((k == levels || k == STACK_FILTERS) && stack_drop_falling(w, list) > 0) {
+            for (int i = 0; i < list->count; i++)
+                list->one[i].out = 0;
+        if ((k == levels || k == STACK_FILTERS)
+            && stack_drop_falling(w, list) > 0) {
             k = 0;
             continue;
         }
-        if (k == levels) stack_sift_levels(w, list);
-        if (k < STACK_FILTERS) stack_sift(w, list, k);
+        if (k == levels)
+            stack_sift_levels(w, list);
+        if (k < STACK_FILTERS)
+            stack_sift(w, list, k);
         k++;
     }
     return stack_most_edges(list);
@@ -146,15 +151,15 @@ static int stack_filter(struct stack_wall *w, struct stack_list *list)
 /* How `best` builds a wall: the cost of a candidate is a weighted sum. Areas are
    in squares of a stone's size, lengths in sizes. */
 struct stack_weights {
-    double notch;           /* narrower ones are dead, sizes               */
-    double height;          /* of the top of a stone, against a dead area  */
-    double stable;          /* a load factor of 1/20, where that is the goal */
+    double notch;  /* narrower ones are dead, sizes               */
+    double height; /* of the top of a stone, against a dead area  */
+    double stable; /* a load factor of 1/20, where that is the goal */
     double slope, bond, edges; /* the features                             */
-    double bed, step;       /* length of beds; unevenness of a course      */
-    double end;             /* area of what ends a course                  */
-    double one;             /* a stone on one alone, while these are many  */
+    double bed, step;          /* length of beds; unevenness of a course      */
+    double end;                /* area of what ends a course                  */
+    double one;                /* a stone on one alone, while these are many  */
     double noise;
-    double share;           /* of the candidates that are looked at        */
+    double share; /* of the candidates that are looked at        */
 };
 
 /* Room for the skies that a cost compares. */
@@ -163,13 +168,13 @@ struct stack_skies {
 };
 
 struct stack_search {
-    struct stack_list list;     /* candidates for the next stone          */
-    uint64_t chance;            /* state of the random numbers            */
-    struct stack_place *kept;   /* the stones of the best wall so far     */
-    int keep;                   /* how many these are                     */
-    int retreats;               /* of stack_build()                       */
-    struct stack_skies skies;   /* the rest is for `best`                 */
-    double value;               /* of the best wall, and how it was built */
+    struct stack_list list;   /* candidates for the next stone          */
+    uint64_t chance;          /* state of the random numbers            */
+    struct stack_place *kept; /* the stones of the best wall so far     */
+    int keep;                 /* how many these are                     */
+    int retreats;             /* of stack_build()                       */
+    struct stack_skies skies; /* the rest is for `best`                 */
+    double value;             /* of the best wall, and how it was built */
     struct stack_weights good;
 };
 
@@ -185,7 +190,8 @@ static int stack_search_open(const struct stack_wall *w, uint64_t chance,
     s->value = -HUGE_VAL;
     s->kept = malloc((size_t)w->stock->stones * sizeof *s->kept);
     s->skies.then = malloc(4 * n * sizeof *s->skies.then);
-    if (!s->kept || !s->skies.then) return -1;
+    if (!s->kept || !s->skies.then)
+        return -1;
     s->skies.room = s->skies.then + n;
     s->skies.closed[0] = s->skies.room + n;
     s->skies.closed[1] = s->skies.closed[0] + n;
@@ -219,7 +225,8 @@ static void stack_cut(struct stack_wall *w, int keep)
         kern_plan_remove(&w->plan, w->laid + 1);
     }
     stack_clear_sky(w);
-    for (int i = 0; i < w->laid; i++) stack_raise(w, i);
+    for (int i = 0; i < w->laid; i++)
+        stack_raise(w, i);
 }
 
 /* Takes all stones off and lays others. Returns 0, or -1. */
@@ -228,7 +235,8 @@ static int stack_restore(struct stack_wall *w, const struct stack_place *place,
 {
     int bad = 0;
     stack_cut(w, 0);
-    for (int i = 0; i < laid && !bad; i++) bad = stack_lay(w, &place[i]);
+    for (int i = 0; i < laid && !bad; i++)
+        bad = stack_lay(w, &place[i]);
     return bad;
 }
 
@@ -236,17 +244,20 @@ static int stack_restore(struct stack_wall *w, const struct stack_place *place,
 static int stack_ends(struct stack_wall *w)
 {
     const int left = stack_left(w);
-    if (left > 0 && w->laid - w->pins < w->options.most) return 0;
-    snprintf(w->message, sizeof w->message, "%s", left == 0 ?
-             "every stone of the stock is laid" :
-             "as many stones as asked for are laid");
+    if (left > 0 && w->laid - w->pins < w->options.most)
+        return 0;
+    snprintf(w->message, sizeof w->message, "%s",
+             left == 0 ? "every stone of the stock is laid"
+                       : "as many stones as asked for are laid");
     return 1;
 }
 
 static void stack_give_up(struct stack_wall *w)
 {
-    snprintf(w->message, sizeof w->message, "none of the %d stones that are "
-             "left finds a place in the frame where it stands", stack_left(w));
+    snprintf(w->message, sizeof w->message,
+             "none of the %d stones that are "
+             "left finds a place in the frame where it stands",
+             stack_left(w));
 }
 
 /* ---- Search: one wall by the filters ------------------------------------- */
@@ -260,7 +271,8 @@ STACK_API int stack_choose(struct stack_wall *w, struct stack_list *list)
 {
     for (int i = 0; i < STACK_TRIES; i++) {
         int best = stack_filter(w, list);
-        if (best < 0 || stack_holds(w, &list->one[best])) return best;
+        if (best < 0 || stack_holds(w, &list->one[best]))
+            return best;
         stack_strike(list, best);
     }
     return -1;
@@ -273,7 +285,8 @@ static int stack_step(struct stack_wall *w, struct stack_search *s)
     const double share = s->retreats > 0 ? 0.5 : 1;
     int best = -1;
     for (int all = 0; all < 2 && best < 0; all++) {
-        if (stack_propose(w, &s->list, share, &s->chance, all)) return -1;
+        if (stack_propose(w, &s->list, share, &s->chance, all))
+            return -1;
         best = stack_choose(w, &s->list);
     }
     return best >= 0 && !stack_lay(w, &s->list.one[best].place);
@@ -293,9 +306,11 @@ static int stack_retreat(struct stack_wall *w, struct stack_search *s)
 {
     enum { RETREATS = 20 };
     int bad = 0, off;
-    if (w->laid > s->keep) stack_keep(w, s);
+    if (w->laid > s->keep)
+        stack_keep(w, s);
     if (!stack_asked(w) || s->retreats == RETREATS) {
-        if (w->laid < s->keep) bad = stack_restore(w, s->kept, s->keep);
+        if (w->laid < s->keep)
+            bad = stack_restore(w, s->kept, s->keep);
         stack_give_up(w);
         return bad;
     }
@@ -313,9 +328,11 @@ STACK_API int stack_build(struct stack_wall *w)
     struct stack_search s;
     int goes_on = stack_search_open(w, w->options.seed + 1, &s) ? -1 : 1;
     while (goes_on > 0 && !stack_is_done(w)) {
-        if (w->options.progress) w->options.progress(w, 1);
+        if (w->options.progress)
+            w->options.progress(w, 1);
         goes_on = stack_ends(w) ? 0 : stack_step(w, &s);
-        if (goes_on == 0) goes_on = stack_retreat(w, &s);
+        if (goes_on == 0)
+            goes_on = stack_retreat(w, &s);
     }
     stack_search_free(&s);
     return goes_on < 0 ? -1 : 0;
@@ -331,8 +348,10 @@ static void stack_windows(const double *a, int n, int k, double sign,
 {
     const int all = n + 2 * k - 2;
     int wide = 1;
-    for (int i = 0; i < all; i++) out[i] = sign * beyond;
-    for (int i = 0; i < n; i++) out[i + k - 1] = sign * a[i];
+    for (int i = 0; i < all; i++)
+        out[i] = sign * beyond;
+    for (int i = 0; i < n; i++)
+        out[i + k - 1] = sign * a[i];
     for (; 2 * wide <= k; wide *= 2)
         for (int i = 0; i + wide < all; i++)
             out[i] = rigid_most(out[i], out[i + wide]);
@@ -361,7 +380,8 @@ static double stack_dead(const struct stack_wall *w, const struct stone *s,
     int from = stack_column(w, s->low.x) - 2 * k;
     int to = stack_column(w, s->high.x) + 2 * k, n, left = k, right = k;
     double sum = 0;
-    if (from < 0) from = left = 0;
+    if (from < 0)
+        from = left = 0;
     if (to > w->columns) {
         to = w->columns;
         right = 0;
@@ -402,12 +422,13 @@ static int stack_is_end(const struct stack_wall *w, const struct stone *s,
                         int side)
 {
     const double fits = 1.2 * w->stock->size;
-    if ((side < 0 ? s->low.x : w->options.width - s->high.x) > fits) return 0;
+    if ((side < 0 ? s->low.x : w->options.width - s->high.x) > fits)
+        return 0;
     for (int i = 0; i < w->laid; i++) {
         const struct stone *t = &w->stone[i];
-        if (side * (t->centre.x - s->centre.x) > 0 &&
-            t->low.y < s->centre.y && s->centre.y < t->high.y &&
-            !stack_keeps_back(w, w->place[i].stone))
+        if (side * (t->centre.x - s->centre.x) > 0 && t->low.y < s->centre.y
+            && s->centre.y < t->high.y
+            && !stack_keeps_back(w, w->place[i].stone))
             return 0;
     }
     return 1;
@@ -424,14 +445,16 @@ static int stack_column_of(const struct stack_wall *w, const struct stone *s,
         const struct stone *t = s;
         int below = 0, k = alone;
         while (k > 0 && stack_is_end(w, t, side)) {
-            const struct masonry_rest r = masonry_rest_on(
-                &w->plan.task.s, k, w->stock->size);
-            if (r.stones > 1) break;
+            const struct masonry_rest r = masonry_rest_on(&w->plan.task.s, k,
+                                                          w->stock->size);
+            if (r.stones > 1)
+                break;
             t = &w->stone[k - 1];
             below += stack_is_end(w, t, side);
             k = r.ground ? MASONRY_NONE : r.below;
         }
-        if (below > most) most = below;
+        if (below > most)
+            most = below;
     }
     return most - 1;
 }
@@ -445,7 +468,8 @@ static double stack_on_two(const struct stack_wall *w)
     for (int i = 1; i <= w->laid; i++) {
         const struct masonry_rest r = masonry_rest_on(&w->plan.task.s, i,
                                                       w->stock->size);
-        if (stack_keeps_back(w, w->place[i - 1].stone)) continue;
+        if (stack_keeps_back(w, w->place[i - 1].stone))
+            continue;
         above += r.stones > 0;
         two += r.stones > 0 && r.stones + r.ground > 1;
     }
@@ -459,8 +483,8 @@ static int stack_founds_badly(const struct stack_wall *w,
 {
     const double small = 1.0 / 3;
     const struct stone s = stack_placed(w, place);
-    return s.low.y < masonry_step * w->stock->size &&
-           s.area < small * w->stock->area;
+    return s.low.y < masonry_step * w->stock->size
+        && s.area < small * w->stock->area;
 }
 
 /* A fixed cost for each fault, whatever the weights: a stone without a bed, a
@@ -471,9 +495,10 @@ static double stack_fault(const struct stack_wall *w, const struct stone *s,
 {
     const double fault = 0.5, bond = 0.15;
     const double column = 1;
-    return fault * ((c->bed < masonry_point) + (c->upright != 0) +
-                    (c->feature[STACK_BOND] < bond)) +
-           column * stack_column_of(w, s, c->alone);
+    return fault
+             * ((c->bed < masonry_point) + (c->upright != 0)
+                + (c->feature[STACK_BOND] < bond))
+         + column * stack_column_of(w, s, c->alone);
 }
 
 /* What a stone at a side of the frame has more than the mean area, as a share
@@ -502,12 +527,10 @@ static double stack_cost(const struct stack_wall *w,
     struct stone s = stack_placed(w, &c->place);
     return stack_dead(w, &s, c->inside, k, r) / (size * size)
          + g->height * (s.high.y - low) / size
-         - g->slope * c->feature[STACK_SLOPE]
-         - g->bond * c->feature[STACK_BOND]
-         - g->edges * c->feature[STACK_EDGES]
-         - g->bed * fmin(c->bed, 1) + g->step * c->step
-         - g->end * stack_end(w, &s) + g->one * stack_on_one(w, &s, c)
-         + stack_fault(w, &s, c);
+         - g->slope * c->feature[STACK_SLOPE] - g->bond * c->feature[STACK_BOND]
+         - g->edges * c->feature[STACK_EDGES] - g->bed * fmin(c->bed, 1)
+         + g->step * c->step - g->end * stack_end(w, &s)
+         + g->one * stack_on_one(w, &s, c) + stack_fault(w, &s, c);
 }
 
 static int stack_tries(const struct stack_wall *w)
@@ -526,20 +549,24 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
     const int most = stack_tries(w);
     int stand = 0, tries = 0;
     double low = HUGE_VAL;
-    if (stack_on_two(w) > stack_bonded) g.one = 0;
-    for (int i = 0; i < w->columns; i++) low = fmin(low, w->sky[i]);
+    if (stack_on_two(w) > stack_bonded)
+        g.one = 0;
+    for (int i = 0; i < w->columns; i++)
+        low = fmin(low, w->sky[i]);
     stack_close(w->sky, w->columns, (int)(g.notch * STACK_COLUMNS),
                 s->skies.room, s->skies.closed[0]);
     for (int i = 0; i < list->count; i++)
         list->one[i].cost = stack_cost(w, &list->one[i], low, &g, &s->skies)
                           + g.noise * random_uniform(&s->chance, 0, 1);
-    if (list->count == 0) return -1;
+    if (list->count == 0)
+        return -1;
     qsort(list->one, (size_t)list->count, sizeof *list->one, stack_compare);
     for (int from = 0; from < list->count && tries < most; from += stand) {
         stand = 0;
         for (int i = from; i < list->count && stand < ask; i++) {
             struct stack_candidate c = list->one[i];
-            if (c.out) continue;
+            if (c.out)
+                continue;
             if (stack_founds_badly(w, &c.place) || !stack_ask(w, &c)) {
                 list->one[i].out = 1;
                 continue;
@@ -548,11 +575,13 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
             list->one[i] = list->one[from + stand];
             list->one[from + stand++] = c;
         }
-        if (stand == 0) break;
+        if (stand == 0)
+            break;
         qsort(list->one + from, (size_t)stand, sizeof *list->one,
               stack_compare);
         for (int i = from; i < from + stand; i++, tries++)
-            if (stack_holds(w, &list->one[i])) return i;
+            if (stack_holds(w, &list->one[i]))
+                return i;
     }
     return -1;
 }
@@ -565,11 +594,13 @@ static int stack_grow(struct stack_wall *w, struct stack_search *s,
     int bad = 0;
     while (!bad && !stack_ends(w)) {
         int best = -1;
-        if (w->options.progress) w->options.progress(w, w->walls + 1);
+        if (w->options.progress)
+            w->options.progress(w, w->walls + 1);
         for (int all = 0; all < 2 && best < 0 && !bad; all++) {
             w->lie = !all || w->upright + 1 > stack_soldiers * (w->laid + 1);
             bad = stack_propose(w, &s->list, g->share, &s->chance, all);
-            if (!bad) best = stack_pick(w, s, *g);
+            if (!bad)
+                best = stack_pick(w, s, *g);
         }
         if (!bad && (best < 0 || stack_lay(w, &s->list.one[best].place))) {
             stack_give_up(w);
@@ -603,7 +634,8 @@ static double stack_value_of_load(struct stack_wall *w)
     const double enough = 1.05, *beat = w->options.beat;
     double fill = stack_fill(w);
     double limit = stack_limit(&w->plan.task, w->plan.contact);
-    if (limit < 0) limit = 1e-3 * w->m.margin / w->stock->size;
+    if (limit < 0)
+        limit = 1e-3 * w->m.margin / w->stock->size;
     if (beat[0] > 0 && fill > beat[0] && limit > beat[1])
         return 1 + fmin(fill / beat[0], limit / beat[1]);
     if (beat[0] > 0) {
@@ -621,11 +653,12 @@ static double stack_value_of_masonry(const struct stack_wall *w)
     const double half = 0.51, runs = 0.5;
     struct masonry m;
     double bond;
-    if (masonry_of(&w->plan.task.s, w->stock->size, &m)) return 0;
+    if (masonry_of(&w->plan.task.s, w->stock->size, &m))
+        return 0;
     bond = pow(fmin(1, m.on_two / half), 4);
-    return stack_worth_of_filling(w)
-         * fmin(1, 0.7 + 3 * (m.joint - 1)) * (1 - m.upright) * (1 - m.bedless)
-         * bond * (1 - 0.8 * m.end_columns) * pow(runs, m.running);
+    return stack_worth_of_filling(w) * fmin(1, 0.7 + 3 * (m.joint - 1))
+         * (1 - m.upright) * (1 - m.bedless) * bond * (1 - 0.8 * m.end_columns)
+         * pow(runs, m.running);
 }
 
 /* What `best` wants to be high. A wall that lacks stones that were asked for is
@@ -637,27 +670,30 @@ static double stack_value(struct stack_wall *w, double most)
     double worth;
     if (stack_asked(w) && w->laid - w->pins < w->options.most)
         return w->laid - w->pins - w->options.most;
-    if (w->options.goal == STACK_LOAD) return stack_value_of_load(w);
+    if (w->options.goal == STACK_LOAD)
+        return stack_value_of_load(w);
     worth = stack_value_of_masonry(w);
     if (w->options.goal == STACK_DROP)
         return worth * fmax(0, stack_predicted_level(w));
     return worth * stack_endured_high > most
-           ? worth * stack_endured_level(w, better * most / worth) : 0;
+             ? worth * stack_endured_level(w, better * most / worth)
+             : 0;
 }
 
 /* Weights that a search multiplies, and between what it draws them first. */
-static const struct { size_t at; double low, high; } stack_factors[] = {
-    { offsetof(struct stack_weights, height), 0.4, 2 },
-    { offsetof(struct stack_weights, stable), 0.01, 0.3 },
-    { offsetof(struct stack_weights, slope), 0.02, 0.5 },
-    { offsetof(struct stack_weights, bond), 0.1, 1 },
-    { offsetof(struct stack_weights, edges), 0.02, 0.5 },
-    { offsetof(struct stack_weights, bed), 0.15, 0.9 },
-    { offsetof(struct stack_weights, step), 0.2, 1.2 },
-    { offsetof(struct stack_weights, end), 0.15, 1 },
-    { offsetof(struct stack_weights, one), 0.8, 1.6 },
-    { offsetof(struct stack_weights, noise), 0.005, 0.1 }
-};
+static const struct {
+    size_t at;
+    double low, high;
+} stack_factors[] = {{offsetof(struct stack_weights, height), 0.4, 2},
+                     {offsetof(struct stack_weights, stable), 0.01, 0.3},
+                     {offsetof(struct stack_weights, slope), 0.02, 0.5},
+                     {offsetof(struct stack_weights, bond), 0.1, 1},
+                     {offsetof(struct stack_weights, edges), 0.02, 0.5},
+                     {offsetof(struct stack_weights, bed), 0.15, 0.9},
+                     {offsetof(struct stack_weights, step), 0.2, 1.2},
+                     {offsetof(struct stack_weights, end), 0.15, 1},
+                     {offsetof(struct stack_weights, one), 0.8, 1.6},
+                     {offsetof(struct stack_weights, noise), 0.005, 0.1}};
 enum { STACK_FACTORS = sizeof stack_factors / sizeof stack_factors[0] };
 
 static double *stack_factor(struct stack_weights *g, int i)
@@ -672,11 +708,12 @@ static struct stack_weights stack_weigh(const struct stack_options *o,
     g.notch = random_uniform(chance, 1.15, 1.75);
     for (int i = 0; i < STACK_FACTORS; i++) {
         const double low = stack_factors[i].low, high = stack_factors[i].high;
-        *stack_factor(&g, i) = low * pow(high / low,
-                                         random_uniform(chance, 0, 1));
+        *stack_factor(&g, i) = low
+                             * pow(high / low, random_uniform(chance, 0, 1));
     }
     g.share = random_uniform(chance, 0.15, 0.6);
-    if (o->goal == STACK_LOAD) g.share = fmin(1, 2 * g.share);
+    if (o->goal == STACK_LOAD)
+        g.share = fmin(1, 2 * g.share);
     return g;
 }
 
@@ -686,7 +723,8 @@ static struct stack_weights stack_vary(struct stack_weights g, uint64_t *chance)
     for (int i = 0; i < STACK_FACTORS; i++)
         *stack_factor(&g, i) *= exp(random_uniform(chance, -0.4, 0.4));
     g.share *= exp(random_uniform(chance, -0.4, 0.4));
-    g.notch = fmin(1.85, fmax(0.9, g.notch + random_uniform(chance, -0.1, 0.1)));
+    g.notch = fmin(1.85,
+                   fmax(0.9, g.notch + random_uniform(chance, -0.1, 0.1)));
     return g;
 }
 
@@ -717,8 +755,10 @@ static double stack_grown(struct stack_wall *w, struct stack_search *s,
             stack_cut(w, stay);
             w->runs = STACK_RUNS;
         }
-        if (stack_grow(w, s, g)) value = -HUGE_VAL;
-        else value = stack_value(w, s->value);
+        if (stack_grow(w, s, g))
+            value = -HUGE_VAL;
+        else
+            value = stack_value(w, s->value);
         stay = value > s->value ? stack_stay(w, known) : w->laid;
     }
     w->runs = STACK_RUNS;
@@ -739,7 +779,8 @@ static int stack_next_wall(struct stack_wall *w, struct stack_search *s,
         if (random_uniform(&s->chance, 0, 1) < 0.6)
             g = stack_vary(s->good, &s->chance);
     }
-    if (stack_restore(w, s->kept, from)) return -1;
+    if (stack_restore(w, s->kept, from))
+        return -1;
     value = stack_grown(w, s, &g, from);
     if (value > s->value) {
         s->value = value;
@@ -763,7 +804,8 @@ STACK_API int stack_best(struct stack_wall *w)
          w->walls++)
         bad = stack_next_wall(w, &s, s.keep == 0 || w->walls < STACK_FRESH);
     bad = bad || stack_restore(w, s.kept, s.keep);
-    if (!stack_ends(w)) stack_give_up(w);
+    if (!stack_ends(w))
+        stack_give_up(w);
     stack_search_free(&s);
     return bad ? -1 : 0;
 }
@@ -776,8 +818,10 @@ STACK_API int stack_finish(struct stack_wall *w)
     enum { FEW = 6 };
     struct stack_wall part = *w;
     while (part.laid > 0 && !stack_rests(&part))
-        if (--part.laid < w->laid - FEW) return 0;
-    if (part.laid == w->laid) return 0;
+        if (--part.laid < w->laid - FEW)
+            return 0;
+    if (part.laid == w->laid)
+        return 0;
     stack_give_up(&part);
     memcpy(w->message, part.message, sizeof w->message);
     return stack_restore(w, w->place, part.laid);
@@ -793,7 +837,8 @@ STACK_API void stack_pin_all(struct stack_wall *w)
             stack_pin(w, i);
             stack_heart(w, i);
         }
-    while (w->laid > stones && !stack_rests(w)) stack_cut(w, w->laid - 1);
+    while (w->laid > stones && !stack_rests(w))
+        stack_cut(w, w->laid - 1);
 }
 
 /* Builds a wall with the planner of the options. Returns 0, or -1 where memory
@@ -802,7 +847,8 @@ STACK_API int stack_plan(struct stack_wall *w)
 {
     int bad = w->options.planner == STACK_BEST ? stack_best(w) : stack_build(w);
     bad = bad || stack_finish(w);
-    if (!bad) stack_pin_all(w);
+    if (!bad)
+        stack_pin_all(w);
     return bad ? -1 : 0;
 }
 

@@ -16,12 +16,12 @@ static const double stack_joint = 0.5; /* wider gaps are none, in sizes */
 
 /* What is looked for, and the pin that is found so far. */
 struct stack_pinned {
-    int block;              /* the stone to be pinned                        */
-    int alone;              /* what carries it alone; 0: a pin is looked for
+    int block;   /* the stone to be pinned                        */
+    int alone;   /* what carries it alone; 0: a pin is looked for
                                that goes beside it, else below it            */
-    double gap;             /* below it                                      */
-    double most;            /* area of a pin                                 */
-    double area;            /* 0: none is found                              */
+    double gap;  /* below it                                      */
+    double most; /* area of a pin                                 */
+    double area; /* 0: none is found                              */
     struct stack_place place;
 };
 
@@ -47,7 +47,8 @@ static int stack_serves(struct stack_wall *w, const struct stone *s,
         const kern_contact *c = &w->close[i];
         const int other = c->a + c->b - pin;
         const double up = c->b == pin ? c->n.y : -c->n.y; /* to the pin */
-        if (other == 0) return 0;
+        if (other == 0)
+            return 0;
         carries |= other == p->block && up <= -masonry_rests;
         lies |= other != p->block && other != p->alone && up >= masonry_rests;
     }
@@ -60,8 +61,8 @@ static void stack_note_pin(struct stack_wall *w, int stone,
                            const struct stone *s, struct stack_pinned *p)
 {
     w->tried++;
-    if (s->area <= p->area || s->area >= p->most || s->low.x < 0 ||
-        s->high.x > w->options.width || !stack_serves(w, s, p))
+    if (s->area <= p->area || s->area >= p->most || s->low.x < 0
+        || s->high.x > w->options.width || !stack_serves(w, s, p))
         return;
     p->area = s->area;
     p->place.stone = stone;
@@ -82,13 +83,16 @@ static void stack_push_pin(struct stack_wall *w, int stone, struct stone s,
         deep = fmin(deep, stones_dot(e->n, s.v[i]));
         top = fmax(top, stones_dot(e->n, s.v[i]));
     }
-    if (top - deep < p->gap * e->n.y) return;
+    if (top - deep < p->gap * e->n.y)
+        return;
     /* of its centre: above e at x by so much that its bed is on e */
     way = (stones_dot(e->n, e->a) - deep - e->n.x * x) / e->n.y;
     stone_move(&s, stones_vec(x, way));
-    if (stack_touches(w, &s) < 0) return;
+    if (stack_touches(w, &s) < 0)
+        return;
     way = rest_way(&w->around, &s, d);
-    if (!(way < most)) return;
+    if (!(way < most))
+        return;
     stone_move(&s, stones_vec(way * d.x, way * d.y));
     stack_note_pin(w, stone, &s, p);
 }
@@ -105,8 +109,7 @@ static void stack_try_below(struct stack_wall *w, int stone,
         struct stone s = *pin;
         const kern_vec b = s.bed[bed];
         stone_turn(&s, s.centre, stones_turned(along, stones_vec(b.x, -b.y)));
-        stack_push_pin(w, stone, s, e, above->high.x - s.low.x + aside, -1,
-                       p);
+        stack_push_pin(w, stone, s, e, above->high.x - s.low.x + aside, -1, p);
         stack_push_pin(w, stone, s, e, above->low.x - s.high.x - aside, 1, p);
     }
 }
@@ -120,12 +123,13 @@ static double stack_gap(const struct stack_wall *w, const struct stone *above,
     const double right = fmin(e->a.x, above->high.x);
     const double x = (left + right) / 2;
     double low, high, gap;
-    if (e->n.y < stack_steep || right - left < 0.02 * w->stock->size ||
-        !stack_sides(above, x, &low, &high))
+    if (e->n.y < stack_steep || right - left < 0.02 * w->stock->size
+        || !stack_sides(above, x, &low, &high))
         return 0;
     gap = low - (e->a.y - e->n.x / e->n.y * (x - e->a.x));
     return gap > 0.01 * w->stock->size && gap < stack_joint * w->stock->size
-         ? gap : 0;
+             ? gap
+             : 0;
 }
 
 /* The ends of what a stone covers at height y; left is the larger where it covers
@@ -138,7 +142,8 @@ static void stack_level_ends(const struct stone *s, double y, double *left,
     for (int i = 0; i < s->n; i++) {
         const kern_vec p = s->v[i], q = s->v[i + 1 < s->n ? i + 1 : 0];
         double x;
-        if ((p.y < y) == (q.y < y)) continue;
+        if ((p.y < y) == (q.y < y))
+            continue;
         x = p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x);
         *left = fmin(*left, x);
         *right = fmax(*right, x);
@@ -155,10 +160,12 @@ static double stack_joint_at(const struct stack_wall *w, int block, double side,
     from = side < 0 ? left : right;
     for (int i = 0; i < w->laid; i++) {
         double way;
-        if (i == block - 1) continue;
+        if (i == block - 1)
+            continue;
         stack_level_ends(&w->stone[i], y, &left, &right);
         way = side < 0 ? from - right : left - from;
-        if (way >= 0) wide = fmin(wide, way);
+        if (way >= 0)
+            wide = fmin(wide, way);
     }
     return wide < stack_joint * w->stock->size ? from + side * wide / 2
                                                : HUGE_VAL;
@@ -170,19 +177,21 @@ static void stack_try_beside(struct stack_wall *w, int stone, double x,
                              double y, struct stack_pinned *p)
 {
     const struct stone *pin = &w->stock->stone[stone];
-    const kern_vec d = stones_vec(
-        x < w->stone[p->block - 1].centre.x ? 1 : -1, 0);
+    const kern_vec d = stones_vec(x < w->stone[p->block - 1].centre.x ? 1 : -1,
+                                  0);
     for (int bed = 0; bed < pin->beds; bed++) {
         struct stone s = *pin;
         const kern_vec b = s.bed[bed];
         double way;
         stone_turn(&s, s.centre, stones_vec(b.x, -b.y));
         stone_move(&s, stones_vec(x, y));
-        if (stack_touches(w, &s) < 0 || !rest_settle(&w->around, &s)) continue;
+        if (stack_touches(w, &s) < 0 || !rest_settle(&w->around, &s))
+            continue;
         way = rest_way(&w->around, &s, d);
         if (way < stack_joint * w->stock->size) {
             stone_move(&s, stones_vec(way * d.x, 0));
-            if (!rest_settle(&w->around, &s)) continue;
+            if (!rest_settle(&w->around, &s))
+                continue;
         }
         stack_note_pin(w, stone, &s, p);
     }
@@ -194,9 +203,11 @@ static void stack_try_faces(struct stack_wall *w, int stone,
 {
     for (int i = 0; i < w->around.edges; i++) {
         const struct rest_edge *e = &w->around.edge[i];
-        if (e->block == p->block || e->block == p->alone) continue;
+        if (e->block == p->block || e->block == p->alone)
+            continue;
         p->gap = stack_gap(w, &w->stone[p->block - 1], e);
-        if (p->gap > 0) stack_try_below(w, stone, e, p);
+        if (p->gap > 0)
+            stack_try_below(w, stone, e, p);
     }
 }
 
@@ -210,10 +221,13 @@ static void stack_find_pin(struct stack_wall *w, double x, double y,
     int pins = 0;
     stack_look(w, s->low.x - size, s->high.x + size, s->low.y - size);
     for (int k = 0; k < w->stock->stones && pins < STACK_PINS; k++) {
-        if (w->used[k] || !stack_keeps_back(w, k)) continue;
+        if (w->used[k] || !stack_keeps_back(w, k))
+            continue;
         pins++;
-        if (p->alone) stack_try_faces(w, k, p);
-        else stack_try_beside(w, k, x, y, p);
+        if (p->alone)
+            stack_try_faces(w, k, p);
+        else
+            stack_try_beside(w, k, x, y, p);
     }
 }
 
@@ -221,15 +235,14 @@ static void stack_find_pin(struct stack_wall *w, double x, double y,
 static void stack_pin_at(struct stack_wall *w, int block, int alone, double x,
                          double y)
 {
-    struct stack_pinned p = { block, alone, 0, HUGE_VAL, 0,
-                              { 0, { 0, 0 }, { 1, 0 } } };
+    struct stack_pinned p = {block, alone, 0, HUGE_VAL, 0, {0, {0, 0}, {1, 0}}};
     for (int i = 0; i < STACK_PINS_ASKED; i++) {
         struct stack_candidate c;
         p.area = 0;
         stack_find_pin(w, x, y, &p);
         c.place = p.place;
-        if (!(p.area > 0) ||
-            (stack_holds(w, &c) && stack_lay(w, &p.place) == 0))
+        if (!(p.area > 0)
+            || (stack_holds(w, &c) && stack_lay(w, &p.place) == 0))
             return;
         p.most = p.area;
     }
@@ -252,7 +265,8 @@ STACK_API void stack_heart(struct stack_wall *w, int block)
     for (int k = 0; k < 4 && w->stock->pins > w->pins; k++) {
         const double y = s->low.y + (k / 2 + 1) * (s->high.y - s->low.y) / 3;
         const double x = stack_joint_at(w, block, k % 2 ? 1 : -1, y);
-        if (x < HUGE_VAL) stack_pin_at(w, block, 0, x, y);
+        if (x < HUGE_VAL)
+            stack_pin_at(w, block, 0, x, y);
     }
 }
 

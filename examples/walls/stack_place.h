@@ -22,17 +22,17 @@
 struct stack_candidate {
     struct stack_place place;
     double feature[STACK_FILTERS]; /* signed so that more is better      */
-    double inside;          /* area within the frame                     */
-    double bed, step;       /* of stack_bed() and stack_step_up()        */
-    int upright;            /* stands on end                             */
-    int alone;              /* the one stone that carries it; 0: several,
+    double inside;    /* area within the frame                     */
+    double bed, step; /* of stack_bed() and stack_step_up()        */
+    int upright;      /* stands on end                             */
+    int alone;        /* the one stone that carries it; 0: several,
                                or the ground                             */
-    double cost;            /* to `best`                                 */
-    int out;                /* a filter dropped it, or it falls          */
-    int known;              /* kern was asked: what follows is the wall's
+    double cost;      /* to `best`                                 */
+    int out;          /* a filter dropped it, or it falls          */
+    int known;        /* kern was asked: what follows is the wall's
                                with it                                   */
     kern_margin m;
-    double stable;          /* its load factor, where that is the goal   */
+    double stable; /* its load factor, where that is the goal   */
 };
 
 struct stack_list {
@@ -43,10 +43,10 @@ struct stack_list {
 static int stack_same(const struct stack_place *a, const struct stack_place *b,
                       double within)
 {
-    return a->stone == b->stone && fabs(a->at.x - b->at.x) < within &&
-           fabs(a->at.y - b->at.y) < within &&
-           fabs(a->turn.x - b->turn.x) < within &&
-           fabs(a->turn.y - b->turn.y) < within;
+    return a->stone == b->stone && fabs(a->at.x - b->at.x) < within
+        && fabs(a->at.y - b->at.y) < within
+        && fabs(a->turn.x - b->turn.x) < within
+        && fabs(a->turn.y - b->turn.y) < within;
 }
 
 /* Notes a stone at rest, if it lies in the frame and is not known yet; one of
@@ -64,9 +64,11 @@ static int stack_note(struct stack_wall *w, struct stack_list *list, int stone,
     c.place.at = s->centre;
     c.place.turn = s->turn;
     c.out = c.known = 0;
-    c.inside = s->high.y <= w->options.height ? s->area :
-               stone_area_in(s, w->options.width, w->options.height);
-    if (c.inside < s->area / 2) return 0;
+    c.inside = s->high.y <= w->options.height
+                 ? s->area
+                 : stone_area_in(s, w->options.width, w->options.height);
+    if (c.inside < s->area / 2)
+        return 0;
     for (int i = list->count - 1; i >= 0 && list->one[i].place.stone == stone;
          i--)
         if (stack_same(&list->one[i].place, &c.place, within))
@@ -80,9 +82,11 @@ static int stack_note(struct stack_wall *w, struct stack_list *list, int stone,
     c.step = stack_step_up(w, s);
     c.upright = stack_on_end(s);
     c.alone = 0;
-    if (stack_carriers(&w->around, s, &c.alone) > 1) c.alone = 0;
+    if (stack_carriers(&w->around, s, &c.alone) > 1)
+        c.alone = 0;
     more = rigid_room(list->one, list->count, 1, &list->room, sizeof *more);
-    if (!more) return -1;
+    if (!more)
+        return -1;
     list->one = more;
     list->one[list->count++] = c;
     return 0;
@@ -98,10 +102,10 @@ struct stack_anchor {
 static const double stack_grid = 0.4; /* between anchors, in sizes          */
 static const double stack_fine = 0.1; /* where none of these will do        */
 static const double stack_soldiers = 0.1; /* share of stones on end, `best`  */
-static const double stack_slide = 0.8; /* most that a stone slides, in sizes */
-static const double stack_level = 0.1; /* depth of a notch, in sizes         */
+static const double stack_slide = 0.8;  /* most that a stone slides, in sizes */
+static const double stack_level = 0.1;  /* depth of a notch, in sizes         */
 static const double stack_across = 0.3; /* unevenness that a stone crosses    */
-static const double stack_steep = 0.9; /* cosine of the steepest bed        */
+static const double stack_steep = 0.9;  /* cosine of the steepest bed        */
 
 /* The middle of every notch of the sky, between what rises on either side or the
    side of the frame: a stone that just fits is let down nowhere else. */
@@ -118,7 +122,8 @@ static int stack_notches(const struct stack_wall *w, struct stack_anchor *a)
             down = 1;
         } else if (rise > level && down) {
             const double right = c < w->columns
-                ? w->stone[w->owner[c] - 1].low.x : w->options.width;
+                                   ? w->stone[w->owner[c] - 1].low.x
+                                   : w->options.width;
             a[n].x = (left + right) / 2;
             a[n++].along = stones_vec(1, 0);
             down = 0;
@@ -166,8 +171,8 @@ static int stack_anchors(const struct stack_wall *w, double step,
             double x = (e.a.x + e.b.x) / 2;
             double least = (s->n > STONES_BEDS ? 0.3 : 0.15) * size;
             int column = stack_column(w, x);
-            if (e.n.y < stack_steep || e.a.x - e.b.x < least ||
-                column >= w->columns || w->owner[column] != b)
+            if (e.n.y < stack_steep || e.a.x - e.b.x < least
+                || column >= w->columns || w->owner[column] != b)
                 continue;
             a[n].x = x;
             a[n++].along = stones_vec(e.n.y, -e.n.x);
@@ -176,7 +181,8 @@ static int stack_anchors(const struct stack_wall *w, double step,
         a[n].x = (i + 0.5) * w->options.width / grid;
         a[n++].along = stones_vec(1, 0);
     }
-    if (w->options.planner != STACK_BEST) return n;
+    if (w->options.planner != STACK_BEST)
+        return n;
     n += stack_notches(w, a + n);
     return n + stack_joints(w, a + n);
 }
@@ -186,17 +192,18 @@ static int stack_anchors(const struct stack_wall *w, double step,
 static int stack_slide_on(struct stack_wall *w, struct stack_list *list,
                           int stone, struct stone s, double side)
 {
-    kern_vec left, right, d = { side, 0 };
+    kern_vec left, right, d = {side, 0};
     double way, room;
     rest_holds(&w->around, &s, &left, &right);
     if (right.x - left.x > 0.05 * w->stock->size)
         d = stones_unit(stones_sub(right, left));
-    if (side * d.x < 0) d = stones_vec(-d.x, -d.y);
-    if (fabs(d.x) < stack_steep) return 0;
+    if (side * d.x < 0)
+        d = stones_vec(-d.x, -d.y);
+    if (fabs(d.x) < stack_steep)
+        return 0;
     room = (side > 0 ? w->options.width - s.high.x : s.low.x) / fabs(d.x);
     way = fmin(rest_way(&w->around, &s, d), room);
-    if (!(way > 0.01 * w->stock->size &&
-          way < stack_slide * w->stock->size))
+    if (!(way > 0.01 * w->stock->size && way < stack_slide * w->stock->size))
         return 0;
     stone_move(&s, stones_vec(way * d.x, way * d.y));
     return rest_settle(&w->around, &s) ? stack_note(w, list, stone, &s) : 0;
@@ -210,18 +217,18 @@ static int stack_let_down(struct stack_wall *w, struct stack_list *list,
     const kern_vec b = s.bed[bed];
     double x, high = 0;
     stone_turn(&s, s.centre, stones_turned(a->along, stones_vec(b.x, -b.y)));
-    if (s.high.x - s.low.x > w->options.width ||
-        (w->lie && stack_on_end(&s)))
+    if (s.high.x - s.low.x > w->options.width || (w->lie && stack_on_end(&s)))
         return 0;
     x = fmin(fmax(a->x, -s.low.x), w->options.width - s.high.x);
     for (int i = 0; i < w->around.edges; i++)
         high = fmax(high, w->around.edge[i].a.y);
     stone_move(&s, stones_vec(x, high - s.low.y + 1));
-    if (!rest_settle(&w->around, &s)) return 0;
+    if (!rest_settle(&w->around, &s))
+        return 0;
     w->tried++;
-    return stack_note(w, list, stone, &s) ||
-           stack_slide_on(w, list, stone, s, -1) ||
-           stack_slide_on(w, list, stone, s, 1);
+    return stack_note(w, list, stone, &s)
+        || stack_slide_on(w, list, stone, s, -1)
+        || stack_slide_on(w, list, stone, s, 1);
 }
 
 /* Is a number of stones asked for? */
@@ -261,8 +268,8 @@ static int stack_propose_one(struct stack_wall *w, struct stack_list *list,
         const struct stack_anchor *a = &scan->anchor[i];
         stack_look_below(w, s, a->x);
         for (int bed = 0; bed < s->beds && !bad; bed++)
-            if (scan->share >= 1 ||
-                random_uniform(scan->chance, 0, 1) < scan->share)
+            if (scan->share >= 1
+                || random_uniform(scan->chance, 0, 1) < scan->share)
                 bad = stack_let_down(w, list, stone, bed, a);
     }
     return bad;
@@ -275,21 +282,25 @@ static int stack_propose_one(struct stack_wall *w, struct stack_list *list,
 STACK_API int stack_propose(struct stack_wall *w, struct stack_list *list,
                             double share, uint64_t *chance, int all)
 {
-    const int fine = all && (stack_asked(w) ||
-                             w->options.planner != STACK_BEST);
+    const int fine = all
+                  && (stack_asked(w) || w->options.planner != STACK_BEST);
     const double step = (fine ? stack_fine : stack_grid) * w->stock->size;
-    struct stack_scan scan = { NULL, 0, fine ? 1 : share, chance };
+    struct stack_scan scan = {NULL, 0, fine ? 1 : share, chance};
     int stones = 0, bad = 0;
-    int room = (int)(w->options.width / step) + 2 +
-               (STACK_ACROSS + 1) * w->columns;
-    for (int i = 0; i < w->laid; i++) room += w->stone[i].n;
+    int room = (int)(w->options.width / step) + 2
+             + (STACK_ACROSS + 1) * w->columns;
+    for (int i = 0; i < w->laid; i++)
+        room += w->stone[i].n;
     scan.anchor = malloc((size_t)room * sizeof *scan.anchor);
-    if (!scan.anchor) return -1;
+    if (!scan.anchor)
+        return -1;
     scan.anchors = stack_anchors(w, step, scan.anchor);
     list->count = 0;
-    for (int k = 0; k < w->stock->stones && !bad &&
-         (all || stones < w->options.look); k++) {
-        if (w->used[k] || stack_keeps_back(w, k)) continue;
+    for (int k = 0;
+         k < w->stock->stones && !bad && (all || stones < w->options.look);
+         k++) {
+        if (w->used[k] || stack_keeps_back(w, k))
+            continue;
         stones++;
         bad = stack_propose_one(w, list, k, &scan);
     }
@@ -306,10 +317,11 @@ static const double stack_levels_a_load = 20;
 /* The smaller load factor of the plan as it is. */
 static double stack_load(struct stack_wall *w)
 {
-    kern_real factor[2] = { 0, 0 };
+    kern_real factor[2] = {0, 0};
     for (int k = 0; k < 2; k++)
         if (kern_load_factor(&w->plan.task, 0, k ? KERN_RIGHT : KERN_LEFT,
-                             &factor[k], NULL) != KERN_STANDS)
+                             &factor[k], NULL)
+            != KERN_STANDS)
             return 0;
     return fmin(factor[0], factor[1]);
 }
@@ -323,7 +335,7 @@ static double stack_load(struct stack_wall *w)
 STACK_API double stack_predicted_level(struct stack_wall *w)
 {
     const double at_one = 3.26, slope = 2.9, least = 0.01;
-    const kern_side side[2] = { KERN_LEFT, KERN_RIGHT };
+    const kern_side side[2] = {KERN_LEFT, KERN_RIGHT};
     kern_task task = w->plan.task;
     double drop = 0;
     task.options = kern_near(&task.options, w->stock->size);
@@ -332,10 +344,12 @@ STACK_API double stack_predicted_level(struct stack_wall *w)
                                     w->close, w->plan.contact_room, task.work);
     task.known.motion = NULL;
     task.known.force = NULL;
-    if (task.s.contacts < 0) return 0;
+    if (task.s.contacts < 0)
+        return 0;
     for (int k = 0; k < 2; k++) {
         kern_collapse c;
-        if (kern_profile(&task, side[k], w->load, &c) != KERN_OK) return 0;
+        if (kern_profile(&task, side[k], w->load, &c) != KERN_OK)
+            return 0;
         drop += c.drop;
     }
     return at_one - slope * log(drop + least);
@@ -393,11 +407,11 @@ static int stack_ask(struct stack_wall *w, struct stack_candidate *c)
 /* What forces allow may still slide or tip over: a wall is let go. Lengths in
    sizes, seconds where gravity is 9.81. */
 struct stack_run {
-    double rate;            /* steps a second                              */
+    double rate; /* steps a second                              */
     int substeps;
-    double noise;           /* of every place and angle                    */
-    double push;            /* sideways, as a share of gravity             */
-    double least, seconds;  /* it ends after so long where all are calm    */
+    double noise;          /* of every place and angle                    */
+    double push;           /* sideways, as a share of gravity             */
+    double least, seconds; /* it ends after so long where all are calm    */
 };
 
 /* How far a stone may go, in steps longer than 1/90 s and in others. */
@@ -409,19 +423,18 @@ static const double stack_soft = 0.04, stack_still = 0.02;
    longer, and as the stones lie. `best` asks the first ones of every stone. */
 enum { STACK_FIRST_RUNS = 3 };
 static const struct stack_run stack_runs[STACK_RUNS] = {
-    { 60, 4, 1e-4, 0, 1, 6 }, { 120, 6, 2e-4, -0.02, 0, 4 },
-    { 240, 4, 2e-4, 0.02, 0, 4 }, { 90, 6, 2e-4, 0, 0.5, 6 },
-    { 240, 4, 0, 0, 0, 4 }
-};
+    {60, 4, 1e-4, 0, 1, 6},
+    {120, 6, 2e-4, -0.02, 0, 4},
+    {240, 4, 2e-4, 0.02, 0, 4},
+    {90, 6, 2e-4, 0, 0.5, 6},
+    {240, 4, 0, 0, 0, 4}};
 
 /* The runs of the step test, which no planner sees, and how far a stone may go
    there. */
 enum { STACK_TESTS = 6 };
 static const struct stack_run stack_tests[STACK_TESTS] = {
-    { 240, 4, 0, 0, 1, 6 }, { 240, 4, 1e-4, 0, 1, 6 },
-    { 240, 4, 1e-4, 0, 1, 6 }, { 60, 4, 1e-4, 0, 1, 6 },
-    { 120, 16, 1e-4, 0, 1, 6 }, { 480, 32, 1e-4, 0, 1, 4 }
-};
+    {240, 4, 0, 0, 1, 6},   {240, 4, 1e-4, 0, 1, 6},  {240, 4, 1e-4, 0, 1, 6},
+    {60, 4, 1e-4, 0, 1, 6}, {120, 16, 1e-4, 0, 1, 6}, {480, 32, 1e-4, 0, 1, 4}};
 static const double stack_moved = 0.05;
 
 /* An error of a pose, in -1 to 1. */
@@ -443,15 +456,18 @@ static int stack_world(struct rigid_world *r, const struct stack_wall *w,
     r->slop = 5e-4; /* stones sink in by this */
     for (int i = 0; i < 4; i++)
         v[i] = rigid_vec(w->ground[i].x / unit, w->ground[i].y / unit);
-    if (rigid_add(r, v, 4, 0, v[0]) < 0) return -1;
+    if (rigid_add(r, v, 4, 0, v[0]) < 0)
+        return -1;
     for (int i = 0; i <= w->laid; i++) {
         const struct stone *s = i < w->laid ? &w->stone[i] : last;
         struct rigid_pt at;
-        if (!s) continue;
+        if (!s)
+            continue;
         at = rigid_vec(s->centre.x / unit, s->centre.y / unit);
         for (int k = 0; k < s->n; k++)
             v[k] = rigid_vec(s->v[k].x / unit, s->v[k].y / unit);
-        if (rigid_add(r, v, s->n, s->area, at) < 0) return -1;
+        if (rigid_add(r, v, s->n, s->area, at) < 0)
+            return -1;
         at.x += noise * stack_error(&state);
         at.y += noise * stack_error(&state);
         rigid_put(r, i + 1, at, noise * stack_error(&state));
@@ -480,15 +496,19 @@ STACK_API double stack_sway(struct stack_wall *w, const struct stone *last,
     const int look = (int)(run->rate / 10);
     struct rigid_world r;
     double sway = 0, fast = 1;
-    if (stack_world(&r, w, last, run->noise, seed)) sway = HUGE_VAL;
+    if (stack_world(&r, w, last, run->noise, seed))
+        sway = HUGE_VAL;
     r.step = 1 / run->rate;
     r.substeps = run->substeps;
     r.gravity.x = -run->push * r.gravity.y;
-    for (int i = 1; i <= run->seconds * run->rate && sway <= most &&
-         (fast > calm || i <= run->least * run->rate); i++) {
-        if (rigid_step(&r)) sway = HUGE_VAL;
+    for (int i = 1; i <= run->seconds * run->rate && sway <= most
+                    && (fast > calm || i <= run->least * run->rate);
+         i++) {
+        if (rigid_step(&r))
+            sway = HUGE_VAL;
         w->passes += r.substeps * r.contacts;
-        if (i % look > 0) continue;
+        if (i % look > 0)
+            continue;
         fast = 0;
         for (int k = 1; k < r.blocks; k++) {
             const struct rigid_block *b = &r.block[k];
@@ -521,10 +541,9 @@ static int stack_stays(struct stack_wall *w, const struct stone *last, int from,
    for. */
 enum { STACK_LAST = 6 };
 static const struct stack_run stack_last[STACK_LAST] = {
-    { 240, 16, 5e-4, 0, 1, 4 }, { 240, 16, 5e-4, 0, 1, 4 },
-    { 240, 16, 5e-4, 0, 1, 4 }, { 240, 16, 5e-4, 0, 1, 4 },
-    { 60, 4, 1e-4, 0, 1, 6 }, { 60, 4, 5e-4, 0, 1, 6 }
-};
+    {240, 16, 5e-4, 0, 1, 4}, {240, 16, 5e-4, 0, 1, 4},
+    {240, 16, 5e-4, 0, 1, 4}, {240, 16, 5e-4, 0, 1, 4},
+    {60, 4, 1e-4, 0, 1, 6},   {60, 4, 5e-4, 0, 1, 6}};
 
 /* Does a finished wall stay where it is, in every run of the last look? */
 static int stack_rests(struct stack_wall *w)
@@ -532,7 +551,8 @@ static int stack_rests(struct stack_wall *w)
     int rests = 1;
     for (int i = 0; i < STACK_LAST && rests; i++)
         rests = stack_sway(w, NULL, &stack_last[i], (uint64_t)(10 + i),
-                           stack_moved) <= stack_moved;
+                           stack_moved)
+             <= stack_moved;
     return rests;
 }
 
@@ -544,7 +564,8 @@ STACK_API int stack_moves(const struct stack_wall *w, int stones)
     part.laid = stones;
     for (int i = 0; i < STACK_TESTS; i++)
         moves += stack_sway(&part, NULL, &stack_tests[i], (uint64_t)(100 + i),
-                            stack_moved) > stack_moved;
+                            stack_moved)
+               > stack_moved;
     return moves;
 }
 
@@ -567,7 +588,8 @@ static int stack_endures(struct stack_wall *w, double level, uint64_t seed)
     const struct rigid_pt on = rigid_unit(2 * table_pi * table_frequency
                                           * r.step);
     struct rigid_pt q = rigid_unit(2 * table_pi * (double)seed / 5);
-    for (int i = 1; !bad && time < stack_endured_ends && mean < 2 * allowed; i++) {
+    for (int i = 1; !bad && time < stack_endured_ends && mean < 2 * allowed;
+         i++) {
         struct rigid_pt to, *at = &r.block[0].at;
         time = i * r.step;
         to = table_eight(q, table_amplitude * level * table_strength(time));
@@ -576,7 +598,8 @@ static int stack_endures(struct stack_wall *w, double level, uint64_t seed)
         bad = rigid_step(&r);
         w->passes += r.substeps * r.contacts;
         q = rigid_turned(q, on);
-        if (i % table_look_every > 0) continue;
+        if (i % table_look_every > 0)
+            continue;
         mean = 0;
         for (int k = 1; k < r.blocks; k++) {
             struct rigid_block b = r.block[k];
@@ -601,8 +624,8 @@ STACK_API double stack_endured_level(struct stack_wall *w, double least)
     double level = fmax(least, stack_endured_low);
     if (!stack_endures_twice(w, level))
         return least > stack_endured_low ? 0 : stack_endured_low;
-    while (level < stack_endured_high &&
-           stack_endures_twice(w, level * stack_endured_step))
+    while (level < stack_endured_high
+           && stack_endures_twice(w, level * stack_endured_step))
         level *= stack_endured_step;
     return level;
 }
@@ -625,8 +648,8 @@ static int stack_sticks(struct stack_wall *w, const kern_block *block)
     found = kern_touch(w->plan.block, last, &w->plan.task.options, w->close,
                        w->plan.contact_room, &w->work);
     for (int i = 0; i < found; i++)
-        sticks |= !w->close[i].line &&
-                  fabs(w->close[i].travel) > 1e-9 * w->stock->size;
+        sticks |= !w->close[i].line
+               && fabs(w->close[i].travel) > 1e-9 * w->stock->size;
     return sticks;
 }
 
@@ -639,12 +662,12 @@ static int stack_holds(struct stack_wall *w, const struct stack_candidate *c)
     kern_raising raising;
     kern_real reserve;
     w->raised++;
-    return kern_block_init(&block, s.v, s.n, 1, NULL) == KERN_OK &&
-           !stack_sticks(w, &block) &&
-           kern_plan_raised(&w->plan, &block, &raising, &reserve, NULL)
-               == KERN_STANDS &&
-           raising == KERN_RAISED && reserve >= stack_reserve &&
-           stack_stays(w, &s, 0, w->runs);
+    return kern_block_init(&block, s.v, s.n, 1, NULL) == KERN_OK
+        && !stack_sticks(w, &block)
+        && kern_plan_raised(&w->plan, &block, &raising, &reserve, NULL)
+               == KERN_STANDS
+        && raising == KERN_RAISED && reserve >= stack_reserve
+        && stack_stays(w, &s, 0, w->runs);
 }
 
 /* How many of the stones of a wall, whose first ones are known to, stay when they
@@ -652,8 +675,9 @@ static int stack_holds(struct stack_wall *w, const struct stack_candidate *c)
 static int stack_stay(struct stack_wall *w, int known)
 {
     struct stack_wall part = *w;
-    for (part.laid = known; part.laid < w->laid &&
-         stack_stays(&part, &w->stone[part.laid], w->runs, STACK_RUNS);)
+    for (part.laid = known;
+         part.laid < w->laid
+         && stack_stays(&part, &w->stone[part.laid], w->runs, STACK_RUNS);)
         part.laid++;
     w->passes = part.passes;
     return part.laid;

@@ -32,18 +32,18 @@
 
 /* ---- Options ------------------------------------------------------------- */
 
-#define STACK_FILTER_LIST(X)                                                  \
-    X(EDGES, "edges", 0.20, "common edges / perimeter")                       \
-    X(HOLE, "hole", 0.25, "area of the hole below / area of the stone")       \
-    X(NEIGHBOURS, "neighbours", 0.04, "height of the neighbours / size")      \
-    X(SLOPE, "slope", 0.03, "slope of the top, as a tangent")                 \
+#define STACK_FILTER_LIST(X)                                             \
+    X(EDGES, "edges", 0.20, "common edges / perimeter")                  \
+    X(HOLE, "hole", 0.25, "area of the hole below / area of the stone")  \
+    X(NEIGHBOURS, "neighbours", 0.04, "height of the neighbours / size") \
+    X(SLOPE, "slope", 0.03, "slope of the top, as a tangent")            \
     X(BOND, "bond", 0.30, "distance to the joints below / size")
 
 enum stack_filter {
 #define STACK_FILTER_ID(id, name, threshold, words) STACK_##id,
     STACK_FILTER_LIST(STACK_FILTER_ID)
 #undef STACK_FILTER_ID
-    STACK_FILTERS
+        STACK_FILTERS
 };
 
 static const char *const stack_filter_name[] = {
@@ -58,18 +58,22 @@ static const double stack_threshold[] = {
 #undef STACK_FILTER_THRESHOLD
 };
 
-enum stack_planner { STACK_HEURISTIC, STACK_COMBINED, STACK_BEST,
-                     STACK_PLANNERS };
+enum stack_planner {
+    STACK_HEURISTIC,
+    STACK_COMBINED,
+    STACK_BEST,
+    STACK_PLANNERS
+};
 
-static const char *const stack_planner_name[] = { "heuristic", "combined",
-                                                  "best" };
+static const char *const stack_planner_name[] = {"heuristic", "combined",
+                                                 "best"};
 
 /* What `best` wants to be high beside the filling: the level of shaking that a
    finished wall endures in the simulator, the one that the expected drop
    predicts, or the load factor. */
 enum stack_goal { STACK_SHAKING, STACK_DROP, STACK_LOAD, STACK_GOALS };
 
-static const char *const stack_goal_name[] = { "shaking", "drop", "load" };
+static const char *const stack_goal_name[] = {"shaking", "drop", "load"};
 
 struct stack_wall;
 
@@ -77,28 +81,32 @@ struct stack_wall;
    how many candidates it takes to ask whether the wall stands with one, and
    whether its load raises the forces; and how many stones of the stock may be the
    next one, if nothing else is asked for. */
-enum { STACK_PASSES = 160, STACK_ASKING = 2, STACK_RAISING = 70,
-       STACK_LOOK = 6 };
+enum {
+    STACK_PASSES = 160,
+    STACK_ASKING = 2,
+    STACK_RAISING = 70,
+    STACK_LOOK = 6
+};
 
 /* Runs of the simulator that are asked of a stone, see stack_place.h. */
 enum { STACK_RUNS = 5 };
 
 struct stack_options {
     enum stack_planner planner;
-    double width, height;   /* of the frame, whose lower left is 0, 0     */
-    int most;               /* stones that are laid at the most           */
-    int look;               /* stones of the stock that may be the next   */
+    double width, height; /* of the frame, whose lower left is 0, 0     */
+    int most;             /* stones that are laid at the most           */
+    int look;             /* stones of the stock that may be the next   */
     double threshold[STACK_FILTERS];
-    int levels;             /* filters before that by kern's levels       */
+    int levels; /* filters before that by kern's levels       */
     double friction;
-    double joints;          /* friction in head joints; < 0: the same     */
-    uint64_t seed;          /* of what `best` leaves to chance            */
-    int walls;              /* that `best` builds                         */
-    int effort;             /* where it begins no further one, see
+    double joints;        /* friction in head joints; < 0: the same     */
+    uint64_t seed;        /* of what `best` leaves to chance            */
+    int walls;            /* that `best` builds                         */
+    int effort;           /* where it begins no further one, see
                                stack_spent(): in candidates, in proportion to
                                `look`, up to twice as much; 0: no limit   */
-    enum stack_goal goal;   /* what it wants to be high                   */
-    double beat[2];         /* with STACK_LOAD: a filling and a limit
+    enum stack_goal goal; /* what it wants to be high                   */
+    double beat[2];       /* with STACK_LOAD: a filling and a limit
                                multiplier that both are to be exceeded    */
     /* called before each stone, if not NULL, where someone may wait      */
     void (*progress)(const struct stack_wall *w, int wall);
@@ -106,10 +114,11 @@ struct stack_options {
 
 STACK_API struct stack_options stack_defaults(void)
 {
-    struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, STACK_LOOK,
-                               { 0 }, 0, 0.4, -1, 1, 400, 420000, STACK_SHAKING,
-                               { 0, 0 }, NULL };
-    for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
+    struct stack_options o = {
+        STACK_BEST, 8, 4.5, STONES_MOST, STACK_LOOK,    {0},    0,   0.4,
+        -1,         1, 400, 420000,      STACK_SHAKING, {0, 0}, NULL};
+    for (int k = 0; k < STACK_FILTERS; k++)
+        o.threshold[k] = stack_threshold[k];
     return o;
 }
 
@@ -119,42 +128,42 @@ static const double stack_filler = 0.25;
 /* ---- A wall -------------------------------------------------------------- */
 
 struct stack_place {
-    int stone;              /* of the stock                     */
-    kern_vec at, turn;      /* centre; cosine and sine          */
+    int stone;         /* of the stock                     */
+    kern_vec at, turn; /* centre; cosine and sine          */
 };
 
 struct stack_wall {
     const struct stones *stock;
     struct stack_options options;
-    struct stone *stone;    /* as they lie; block i + 1 of the plan      */
+    struct stone *stone; /* as they lie; block i + 1 of the plan      */
     struct stack_place *place;
     int laid;
-    int pins;               /* of them: stack_keeps_back()               */
-    kern_vec ground[4];     /* block 0                                   */
-    char *used;             /* one a stone of the stock                  */
+    int pins;           /* of them: stack_keeps_back()               */
+    kern_vec ground[4]; /* block 0                                   */
+    char *used;         /* one a stone of the stock                  */
     kern_plan plan;
     kern_work work;
-    kern_motion *motion;    /* room for what a plan knows                */
+    kern_motion *motion; /* room for what a plan knows                */
     kern_force *force;
     kern_margin m;
-    double filled;          /* area within the frame                     */
-    double *sky;            /* height of what is highest, column by column */
-    int *owner;             /* block which that is                       */
-    int upright;            /* long stones that stand on end             */
-    int lie;                /* nonzero: no further stone may stand so    */
-    kern_contact *close;    /* room for contacts that are nearly closed  */
-    kern_real *load;        /* and for the load factor of every block    */
+    double filled;       /* area within the frame                     */
+    double *sky;         /* height of what is highest, column by column */
+    int *owner;          /* block which that is                       */
+    int upright;         /* long stones that stand on end             */
+    int lie;             /* nonzero: no further stone may stand so    */
+    kern_contact *close; /* room for contacts that are nearly closed  */
+    kern_real *load;     /* and for the load factor of every block    */
     int columns;
-    struct rest_near around;  /* room for the edges of all                 */
-    int walls;              /* that `best` has built                     */
-    int runs;               /* of the simulator before a stone is laid   */
-    int tried;              /* stones let down that came to rest         */
-    int asked;              /* candidates that kern was asked about      */
-    int raised;             /* of them, whether they are raised          */
-    double asking;          /* CPU seconds that took                     */
-    int swayed, slipped;    /* let go in the simulator; moved            */
-    double passes;          /* of the simulator over a contact           */
-    char message[200];      /* why the wall ended                        */
+    struct rest_near around; /* room for the edges of all                 */
+    int walls;               /* that `best` has built                     */
+    int runs;                /* of the simulator before a stone is laid   */
+    int tried;               /* stones let down that came to rest         */
+    int asked;               /* candidates that kern was asked about      */
+    int raised;              /* of them, whether they are raised          */
+    double asking;           /* CPU seconds that took                     */
+    int swayed, slipped;     /* let go in the simulator; moved            */
+    double passes;           /* of the simulator over a contact           */
+    char message[200];       /* why the wall ended                        */
 };
 
 enum { STACK_COLUMNS = 24 }; /* in a stone of mean size */
@@ -209,7 +218,8 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->runs = STACK_RUNS;
     w->stock = stock;
     w->options = *options;
-    for (int i = 0; i < stock->stones; i++) corners += stock->stone[i].n;
+    for (int i = 0; i < stock->stones; i++)
+        corners += stock->stone[i].n;
     w->plan = room_plan(blocks, contacts, &w->work);
     w->motion = malloc((size_t)blocks * sizeof(kern_motion));
     w->force = malloc((size_t)contacts * sizeof(kern_force));
@@ -225,9 +235,9 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->sky = malloc((size_t)w->columns * sizeof *w->sky);
     w->owner = malloc((size_t)w->columns * sizeof *w->owner);
     w->around.edge = malloc((size_t)corners * sizeof *w->around.edge);
-    if (!room_is_there(&w->plan) || !w->stone || !w->motion || !w->place ||
-        !w->force || !w->used || !w->sky || !w->owner || !w->around.edge ||
-        !w->close || !w->load)
+    if (!room_is_there(&w->plan) || !w->stone || !w->motion || !w->place
+        || !w->force || !w->used || !w->sky || !w->owner || !w->around.edge
+        || !w->close || !w->load)
         return -1;
     w->ground[0] = stones_vec(-1, -0.5);
     w->ground[1] = stones_vec(options->width + 1, -0.5);
@@ -244,7 +254,8 @@ static int stack_sides(const struct stone *s, double x, double *low,
     *high = -HUGE_VAL;
     for (int i = 0; i < s->n; i++) {
         kern_vec p = s->v[i], q = s->v[i + 1 < s->n ? i + 1 : 0];
-        if ((p.x < x) == (q.x < x)) continue;
+        if ((p.x < x) == (q.x < x))
+            continue;
         double y = p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y);
         *low = rigid_least(*low, y);
         *high = rigid_most(*high, y);
@@ -279,8 +290,10 @@ static void stack_raise(struct stack_wall *w, int i)
     const struct stone *s = &w->stone[i];
     for (int c = stack_column(w, s->low.x); c < w->columns; c++) {
         double low, high;
-        if (!stack_sides(s, stack_column_x(w, c), &low, &high)) break;
-        if (high <= w->sky[c]) continue;
+        if (!stack_sides(s, stack_column_x(w, c), &low, &high))
+            break;
+        if (high <= w->sky[c])
+            continue;
         w->sky[c] = high;
         w->owner[c] = i + 1;
     }
@@ -313,8 +326,8 @@ static int stack_on_end(const struct stone *s)
 /* Is a stone of the stock a pin, that `best` keeps back for others? */
 STACK_API int stack_keeps_back(const struct stack_wall *w, int stone)
 {
-    return w->options.planner == STACK_BEST &&
-           stones_is_pin(w->stock, &w->stock->stone[stone]);
+    return w->options.planner == STACK_BEST
+        && stones_is_pin(w->stock, &w->stock->stone[stone]);
 }
 
 /* Stones that are left, without pins. */
@@ -330,8 +343,8 @@ STACK_API int stack_lay(struct stack_wall *w, const struct stack_place *place)
     struct stone *s = &w->stone[w->laid];
     kern_block block;
     *s = stack_placed(w, place);
-    if (kern_block_init(&block, s->v, s->n, 1, NULL) != KERN_OK ||
-        stack_add(w, &block) < 0)
+    if (kern_block_init(&block, s->v, s->n, 1, NULL) != KERN_OK
+        || stack_add(w, &block) < 0)
         return -1;
     if (kern_measure(&w->plan.task, &w->m, NULL) != KERN_STANDS) {
         kern_plan_remove(&w->plan, w->laid + 1);
@@ -379,10 +392,11 @@ STACK_API double stack_limit(const kern_task *as_it_is, kern_contact *contact)
     const double friction = 0.58;
     const int contacts = as_it_is->s.contacts;
     kern_task task = *as_it_is;
-    kern_real factor[2] = { 0, 0 };
+    kern_real factor[2] = {0, 0};
     kern_real *mu = calloc((size_t)contacts + 1, sizeof *mu);
     int falls = 0;
-    if (!mu) return -1;
+    if (!mu)
+        return -1;
     task.options = kern_defaults();
     for (int i = 0; i < contacts; i++) {
         mu[i] = contact[i].mu;
@@ -390,8 +404,10 @@ STACK_API double stack_limit(const kern_task *as_it_is, kern_contact *contact)
     }
     for (int k = 0; k < 2; k++)
         falls |= kern_load_factor(&task, 0, k ? KERN_RIGHT : KERN_LEFT,
-                                  &factor[k], NULL) != KERN_STANDS;
-    for (int i = 0; i < contacts; i++) contact[i].mu = mu[i];
+                                  &factor[k], NULL)
+              != KERN_STANDS;
+    for (int i = 0; i < contacts; i++)
+        contact[i].mu = mu[i];
     free(mu);
     return falls ? -1 : fmin(factor[0], factor[1]);
 }
@@ -407,14 +423,14 @@ STACK_API void stack_look(struct stack_wall *w, double left, double right,
     w->around.edges = 0;
     for (int b = 0; b < s->blocks; b++) {
         const kern_block *block = &s->block[b];
-        if (block->box.high.y < low || block->box.low.x > right ||
-            block->box.high.x < left)
+        if (block->box.high.y < low || block->box.low.x > right
+            || block->box.high.x < left)
             continue;
         for (int i = 0; i < block->vertices; i++) {
             kern_vec p = block->vertex[i];
             kern_vec q = block->vertex[i + 1 < block->vertices ? i + 1 : 0];
-            if (rigid_most(p.y, q.y) < low || rigid_least(p.x, q.x) > right ||
-                rigid_most(p.x, q.x) < left)
+            if (rigid_most(p.y, q.y) < low || rigid_least(p.x, q.x) > right
+                || rigid_most(p.x, q.x) < left)
                 continue;
             w->around.edge[w->around.edges] = rest_edge_of(p, q);
             w->around.edge[w->around.edges++].block = b;
@@ -430,10 +446,12 @@ STACK_API double stack_common(const struct rest_edge *a,
     const double cosine = 0.99984769515639127; /* of 1 degree */
     kern_vec t = stones_vec(-a->n.y, a->n.x);
     double from, to, length = stones_dot(t, stones_sub(a->b, a->a));
-    if (stones_dot(a->n, b->n) > -cosine) return 0;
+    if (stones_dot(a->n, b->n) > -cosine)
+        return 0;
     from = rigid_most(0, stones_dot(t, stones_sub(b->b, a->a)));
     to = rigid_least(length, stones_dot(t, stones_sub(b->a, a->a)));
-    if (to <= from) return 0;
+    if (to <= from)
+        return 0;
     /* the gap in the middle of what they share */
     kern_vec m = stones_vec(a->a.x + (from + to) / 2 * t.x,
                             a->a.y + (from + to) / 2 * t.y);
@@ -461,8 +479,9 @@ STACK_API double stack_edges(const struct rest_near *around,
 STACK_API double stack_hole(const struct stack_wall *w, const struct stone *s)
 {
     double sum = 0, low, high;
-    for (int i = stack_column(w, s->low.x); i < w->columns &&
-         stack_sides(s, stack_column_x(w, i), &low, &high); i++)
+    for (int i = stack_column(w, s->low.x);
+         i < w->columns && stack_sides(s, stack_column_x(w, i), &low, &high);
+         i++)
         sum += fmax(0, low - w->sky[i]);
     return sum * w->options.width / w->columns / s->area;
 }
@@ -473,7 +492,8 @@ static double stack_mean_sky(const struct stack_wall *w, double x, double way)
     int from = stack_column(w, rigid_least(x, x + way));
     int to = stack_column(w, rigid_most(x, x + way));
     double sum = 0;
-    for (int i = from; i < to; i++) sum += w->sky[i];
+    for (int i = from; i < to; i++)
+        sum += w->sky[i];
     return to > from ? sum / (to - from) : HUGE_VAL;
 }
 
@@ -486,8 +506,10 @@ STACK_API double stack_neighbours(const struct stack_wall *w,
     const double size = w->stock->size;
     double left = stack_mean_sky(w, s->low.x, -size / 2);
     double right = stack_mean_sky(w, s->high.x, size / 2);
-    if (!(left < HUGE_VAL)) left = right;
-    if (!(right < HUGE_VAL)) right = left;
+    if (!(left < HUGE_VAL))
+        left = right;
+    if (!(right < HUGE_VAL))
+        right = left;
     return right < HUGE_VAL ? ((left + right) / 2 - s->low.y) / size : 0;
 }
 
@@ -498,7 +520,8 @@ STACK_API double stack_slope(const struct stone *s)
     double rise = 0, run = 0;
     for (int i = 0; i < s->n; i++) {
         struct rest_edge e = rest_edge_at(s, i);
-        if (e.n.y < 0.5) continue;
+        if (e.n.y < 0.5)
+            continue;
         rise += fabs(e.b.y - e.a.y);
         run += fabs(e.b.x - e.a.x);
     }
@@ -516,8 +539,8 @@ STACK_API double stack_bond(const struct stack_wall *w, const struct stone *s)
     int to = stack_column(w, s->high.x + most);
     for (int i = from + 1; i < to; i++) {
         double x = i * w->options.width / w->columns;
-        if (w->owner[i] == w->owner[i - 1] || w->sky[i] > top ||
-            w->sky[i - 1] > top)
+        if (w->owner[i] == w->owner[i - 1] || w->sky[i] > top
+            || w->sky[i - 1] > top)
             continue;
         least = fmin(least, fmin(fabs(x - s->low.x), fabs(x - s->high.x)));
     }
@@ -533,7 +556,8 @@ STACK_API double stack_bed(const struct rest_near *around,
     double sum = 0;
     for (int i = 0; i < s->n; i++) {
         struct rest_edge own = rest_edge_at(s, i);
-        if (own.n.y > -masonry_level) continue;
+        if (own.n.y > -masonry_level)
+            continue;
         for (int k = 0; k < around->edges; k++)
             sum += stack_common(&own, &around->edge[k], 1e-3 * size);
     }
@@ -541,13 +565,13 @@ STACK_API double stack_bed(const struct rest_near *around,
 }
 
 /* Do two edges touch within `gap`, the second below the first? */
-static int stack_carries(const struct rest_edge *own,
-                         const struct rest_edge *e, double gap)
+static int stack_carries(const struct rest_edge *own, const struct rest_edge *e,
+                         double gap)
 {
-    return (e->n.y >= masonry_rests && rest_on(e, own->a) &&
-            fabs(stones_dot(e->n, stones_sub(own->a, e->a))) < gap) ||
-           (own->n.y <= -masonry_rests && rest_on(own, e->a) &&
-            fabs(stones_dot(own->n, stones_sub(e->a, own->a))) < gap);
+    return (e->n.y >= masonry_rests && rest_on(e, own->a)
+            && fabs(stones_dot(e->n, stones_sub(own->a, e->a))) < gap)
+        || (own->n.y <= -masonry_rests && rest_on(own, e->a)
+            && fabs(stones_dot(own->n, stones_sub(e->a, own->a))) < gap);
 }
 
 /* How many blocks carry a stone, two for more; *below is the first of them, as
@@ -560,10 +584,11 @@ STACK_API int stack_carriers(const struct rest_near *around,
         const struct rest_edge own = rest_edge_at(s, i);
         for (int k = 0; k < around->edges && count < 2; k++) {
             const struct rest_edge *e = &around->edge[k];
-            if ((count > 0 && e->block == *below) ||
-                !stack_carries(&own, e, 1e-3 * sqrt(s->area)))
+            if ((count > 0 && e->block == *below)
+                || !stack_carries(&own, e, 1e-3 * sqrt(s->area)))
                 continue;
-            if (count++ == 0) *below = e->block;
+            if (count++ == 0)
+                *below = e->block;
         }
     }
     return count;
@@ -577,12 +602,13 @@ STACK_API double stack_step_up(const struct stack_wall *w,
                                const struct stone *s)
 {
     const double size = w->stock->size, middle = (s->low.y + s->high.y) / 2;
-    const double top[2] = { stack_mean_sky(w, s->low.x, -size / 8),
-                            stack_mean_sky(w, s->high.x, size / 8) };
+    const double top[2] = {stack_mean_sky(w, s->low.x, -size / 8),
+                           stack_mean_sky(w, s->high.x, size / 8)};
     double sum = 0;
     int sides = 0;
     for (int k = 0; k < 2; k++) {
-        if (top[k] <= middle) continue;
+        if (top[k] <= middle)
+            continue;
         sides++;
         if (top[k] < HUGE_VAL)
             sum += fmin(0.5, fabs(top[k] - s->high.y) / size);
@@ -597,7 +623,8 @@ STACK_API double stack_step_up(const struct stack_wall *w,
 STACK_API int stack_write(const struct stack_wall *w, const char *path)
 {
     FILE *out = fopen(path, "w");
-    if (!out) return -1;
+    if (!out)
+        return -1;
     fprintf(out, "friction %g\ngravity 0 -9.81\nepsilon %.9g\nfixed base",
             w->options.friction, w->plan.task.options.epsilon);
     for (int i = 0; i < 4; i++)
@@ -634,7 +661,8 @@ STACK_API void stack_draw_frame(const struct stack_wall *w,
     draw_rect(v->out, ground.x, ground.y, (v->high.x - v->low.x) * v->scale,
               -v->low.y * v->scale, "fill=\"#d8d3c8\"");
     draw_rect(v->out, top.x, top.y, w->options.width * v->scale,
-              w->options.height * v->scale, "fill=\"none\" stroke=\"" DRAW_EDGE
+              w->options.height * v->scale,
+              "fill=\"none\" stroke=\"" DRAW_EDGE
               "\" stroke-width=\"0.8\" stroke-dasharray=\"5 4\"");
 }
 
@@ -643,7 +671,8 @@ STACK_API void stack_draw_stone(const struct stack_wall *w,
 {
     const int fills = (int)(sizeof draw_stone / sizeof draw_stone[0]);
     char style[120];
-    snprintf(style, sizeof style, "fill=\"%s\" stroke=\"" DRAW_EDGE "\" "
+    snprintf(style, sizeof style,
+             "fill=\"%s\" stroke=\"" DRAW_EDGE "\" "
              "stroke-width=\"0.9\" stroke-linejoin=\"round\"",
              draw_stone[i % fills]);
     draw_block(v, &w->plan.task.s.block[i + 1], NULL, 0, style);

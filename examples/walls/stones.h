@@ -41,9 +41,9 @@ struct stone {
     int n;
     kern_vec centre;
     double area;
-    double reach;           /* of the farthest corner, from the centre */
-    kern_vec low, high;     /* its box                                 */
-    kern_vec turn;          /* by which it was turned: cosine, sine    */
+    double reach;              /* of the farthest corner, from the centre */
+    kern_vec low, high;        /* its box                                 */
+    kern_vec turn;             /* by which it was turned: cosine, sine    */
     kern_vec bed[STONES_BEDS]; /* directions of the longest edges of its
                                   hull, as in the stock                */
     int beds;
@@ -52,17 +52,17 @@ struct stone {
 struct stones {
     struct stone *stone;
     int stones;
-    int pins;               /* of them: stones_is_pin()                */
-    double size;            /* mean square root of the areas, no pins  */
-    double area;            /* mean, no pins                           */
-    char message[600];      /* what is wrong                           */
+    int pins;          /* of them: stones_is_pin()                */
+    double size;       /* mean square root of the areas, no pins  */
+    double area;       /* mean, no pins                           */
+    char message[600]; /* what is wrong                           */
 };
 
 /* ---- Vectors ------------------------------------------------------------- */
 
 static kern_vec stones_vec(double x, double y)
 {
-    const kern_vec v = { x, y };
+    const kern_vec v = {x, y};
     return v;
 }
 
@@ -138,25 +138,29 @@ static void stone_find_beds(struct stone *s)
     struct rigid_pt p[STONES_CORNERS], hull[2 * STONES_CORNERS];
     double last = HUGE_VAL;
     int n;
-    for (int i = 0; i < s->n; i++) p[i] = rigid_vec(s->v[i].x, s->v[i].y);
+    for (int i = 0; i < s->n; i++)
+        p[i] = rigid_vec(s->v[i].x, s->v[i].y);
     n = build_hull(p, s->n, hull);
     s->beds = 0;
     while (s->beds < most) {
         double longest = 0.04 * s->area;
-        kern_vec bed = { 0, 0 };
+        kern_vec bed = {0, 0};
         for (int i = 0; i < n; i++) {
             struct rigid_pt e = rigid_sub(hull[(i + 1) % n], hull[i]);
             double square = rigid_dot(e, e);
-            if (square <= longest || square >= last) continue;
+            if (square <= longest || square >= last)
+                continue;
             longest = square;
             bed = stones_unit(stones_vec(e.x, e.y));
         }
-        if (!(longest > 0.04 * s->area)) break;
+        if (!(longest > 0.04 * s->area))
+            break;
         last = longest;
         int like = 0;
         for (int k = 0; k < s->beds; k++)
             like |= stones_dot(bed, s->bed[k]) > alike;
-        if (!like) s->bed[s->beds++] = bed;
+        if (!like)
+            s->bed[s->beds++] = bed;
     }
 }
 
@@ -190,7 +194,8 @@ static int stones_cut(const kern_vec *v, int n, kern_vec normal, double limit,
         kern_vec p = v[i], q = v[i + 1 < n ? i + 1 : 0];
         double a = stones_dot(normal, p) - limit;
         double b = stones_dot(normal, q) - limit;
-        if (a <= 0) out[k++] = p;
+        if (a <= 0)
+            out[k++] = p;
         if ((a < 0 && b > 0) || (a > 0 && b < 0))
             out[k++] = stones_vec(p.x + a / (a - b) * (q.x - p.x),
                                   p.y + a / (a - b) * (q.y - p.y));
@@ -202,12 +207,13 @@ static int stones_cut(const kern_vec *v, int n, kern_vec normal, double limit,
 STONES_API double stone_area_in(const struct stone *s, double width,
                                 double height)
 {
-    const kern_vec normal[4] = { { -1, 0 }, { 1, 0 }, { 0, -1 }, { 0, 1 } };
-    const double limit[4] = { 0, width, 0, height };
+    const kern_vec normal[4] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+    const double limit[4] = {0, width, 0, height};
     kern_vec v[2][STONES_CORNERS * 16];
     double sum = 0;
     int n = s->n;
-    for (int i = 0; i < n; i++) v[0][i] = s->v[i];
+    for (int i = 0; i < n; i++)
+        v[0][i] = s->v[i];
     for (int k = 0; k < 4; k++)
         n = stones_cut(v[k % 2], n, normal[k], limit[k], v[(k + 1) % 2]);
     for (int i = 0; i < n; i++)
@@ -290,20 +296,22 @@ STONES_API int stones_load(struct stones *s, const char *path)
     s->stone = NULL;
     if (bad) {
         snprintf(line, sizeof line, "line %d", t.line);
-        if (t.line) stones_fail(s, line, t.message);
-        else stones_fail(s, t.message, "");
+        if (t.line)
+            stones_fail(s, line, t.message);
+        else
+            stones_fail(s, t.message, "");
     } else if (stones > STONES_MOST) {
         bad = stones_fail(s, "more than 1000 stones", "");
     } else {
         s->stone = calloc((size_t)stones, sizeof *s->stone);
-        if (!s->stone) bad = stones_fail(s, "not enough memory", "");
+        if (!s->stone)
+            bad = stones_fail(s, "not enough memory", "");
     }
     for (int i = 0; i < t.blocks && !bad; i++)
-        if (!t.block[i].fixed &&
-            stone_of(&s->stone[s->stones++], t.block[i].vertex,
-                     t.block[i].vertices))
-            bad = stones_fail(s, t.name[i],
-                              "a stone of more than 64 corners");
+        if (!t.block[i].fixed
+            && stone_of(&s->stone[s->stones++], t.block[i].vertex,
+                        t.block[i].vertices))
+            bad = stones_fail(s, t.name[i], "a stone of more than 64 corners");
     text_free(&t);
     return bad ? -1 : stones_sum_up(s);
 }
@@ -319,8 +327,8 @@ STONES_API void stone_make(uint64_t *state, double level, struct stone *s)
     do {
         struct rigid_pt p[8], hull[2 * 8];
         kern_vec v[8];
-        double area = 1 + (0.15 + 0.2 * f) * sqrt(3)
-                          * random_uniform(state, -1, 1);
+        double area = 1
+                    + (0.15 + 0.2 * f) * sqrt(3) * random_uniform(state, -1, 1);
         double high = sqrt(area / 1.5), wide = 1.5 * high;
         int n = 4, k;
         for (int i = 0; i < 4; i++)
@@ -333,10 +341,10 @@ STONES_API void stone_make(uint64_t *state, double level, struct stone *s)
                                    q.y + at * (r.y - q.y));
             }
         for (int i = 0; i < n; i++) {
-            p[i].x = shrink * (p[i].x + 0.75 * f * wide
-                               * random_uniform(state, -1, 1));
-            p[i].y = shrink * (p[i].y + 0.75 * f * high
-                               * random_uniform(state, -1, 1));
+            p[i].x = shrink
+                   * (p[i].x + 0.75 * f * wide * random_uniform(state, -1, 1));
+            p[i].y = shrink
+                   * (p[i].y + 0.75 * f * high * random_uniform(state, -1, 1));
         }
         n = build_hull(p, n, hull);
         for (int i = k = 0; i < n; i++) {
@@ -348,7 +356,8 @@ STONES_API void stone_make(uint64_t *state, double level, struct stone *s)
                 v[k++] = stones_vec(hull[i].x, hull[i].y);
         }
         s->area = 0;
-        if (k >= 3) stone_of(s, v, k);
+        if (k >= 3)
+            stone_of(s, v, k);
     } while (s->area < 0.12);
 }
 
@@ -361,9 +370,9 @@ STONES_API void stone_make_chip(uint64_t *state, struct stone *s)
     const double length = sqrt(area * random_uniform(state, 1.2, 3));
     const double thin = random_uniform(state, 0.1, 0.6);
     const double thick = 2 * area / (length * (1 + thin));
-    const kern_vec v[4] = { stones_vec(0, 0), stones_vec(length, 0),
-                            stones_vec(length, thick),
-                            stones_vec(0, thin * thick) };
+    const kern_vec v[4] = {stones_vec(0, 0), stones_vec(length, 0),
+                           stones_vec(length, thick),
+                           stones_vec(0, thin * thick)};
     stone_of(s, v, 4);
 }
 
@@ -374,8 +383,10 @@ STONES_API int stones_make(struct stones *s, double level, int stones,
     uint64_t state = random_start(seed);
     s->stones = stones + chips;
     s->stone = calloc((size_t)s->stones, sizeof *s->stone);
-    if (!s->stone) return stones_fail(s, "not enough memory", "");
-    for (int i = 0; i < stones; i++) stone_make(&state, level, &s->stone[i]);
+    if (!s->stone)
+        return stones_fail(s, "not enough memory", "");
+    for (int i = 0; i < stones; i++)
+        stone_make(&state, level, &s->stone[i]);
     for (int i = stones; i < s->stones; i++)
         stone_make_chip(&state, &s->stone[i]);
     return stones_sum_up(s);
@@ -384,9 +395,9 @@ STONES_API int stones_make(struct stones *s, double level, int stones,
 /* ---- What a stone may meet ----------------------------------------------- */
 
 struct rest_edge {
-    kern_vec a, b;          /* the stone is on the left of it */
-    kern_vec n;             /* outer normal, unit             */
-    int block;              /* whose it is, where that is asked */
+    kern_vec a, b; /* the stone is on the left of it */
+    kern_vec n;    /* outer normal, unit             */
+    int block;     /* whose it is, where that is asked */
 };
 
 /* Edges near a place. */
@@ -401,7 +412,7 @@ static const double rest_touch = 1e-7, rest_beside = 1e-9;
 
 static struct rest_edge rest_edge_of(kern_vec a, kern_vec b)
 {
-    struct rest_edge e = { a, b, { 0, 0 }, 0 };
+    struct rest_edge e = {a, b, {0, 0}, 0};
     kern_vec t = stones_unit(stones_sub(b, a));
     e.n = stones_vec(t.y, -t.x);
     return e;
@@ -416,31 +427,36 @@ static struct rest_edge rest_edge_at(const struct stone *s, int i)
 static int rest_on(const struct rest_edge *e, kern_vec p)
 {
     kern_vec t = stones_vec(-e->n.y, e->n.x);
-    return stones_dot(t, stones_sub(p, e->a)) > -rest_beside &&
-           stones_dot(t, stones_sub(e->b, p)) > -rest_beside;
+    return stones_dot(t, stones_sub(p, e->a)) > -rest_beside
+        && stones_dot(t, stones_sub(e->b, p)) > -rest_beside;
 }
 
 /* The way along unit vector d after which point p meets edge e from outside. */
 static double rest_way_one(const struct rest_edge *e, kern_vec p, kern_vec d)
 {
     double into = -stones_dot(e->n, d), gap, way;
-    if (into < 1e-9) return HUGE_VAL;
+    if (into < 1e-9)
+        return HUGE_VAL;
     gap = stones_dot(e->n, stones_sub(p, e->a));
-    if (gap < -rest_touch) return HUGE_VAL;
+    if (gap < -rest_touch)
+        return HUGE_VAL;
     way = gap / into;
     return rest_on(e, stones_vec(p.x + way * d.x, p.y + way * d.y))
-           ? rigid_most(way, 0) : HUGE_VAL;
+             ? rigid_most(way, 0)
+             : HUGE_VAL;
 }
 
 /* Lengths within which nothing that might touch is passed over. */
 static const double rest_skip = 1e-6;
 
 /* What a stone covers across a direction, and how far it reaches along it. */
-struct rest_span { double low, high, reach; };
+struct rest_span {
+    double low, high, reach;
+};
 
 static struct rest_span rest_span_of(const struct stone *s, kern_vec d)
 {
-    struct rest_span span = { HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
+    struct rest_span span = {HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     for (int i = 0; i < s->n; i++) {
         const double across = stones_cross(d, s->v[i]);
         span.low = rigid_least(span.low, across);
@@ -456,16 +472,17 @@ static int rest_may_meet(const struct rest_span *span,
                          const struct rest_edge *e, kern_vec d, double way)
 {
     const double a = stones_cross(d, e->a), b = stones_cross(d, e->b);
-    return rigid_most(a, b) > span->low + rest_beside &&
-           rigid_least(a, b) < span->high - rest_beside &&
-           rigid_least(stones_dot(d, e->a), stones_dot(d, e->b)) - span->reach
+    return rigid_most(a, b) > span->low + rest_beside
+        && rigid_least(a, b) < span->high - rest_beside
+        && rigid_least(stones_dot(d, e->a), stones_dot(d, e->b)) - span->reach
                < way + rest_skip;
 }
 
 /* The edges of a stone in place, in the order of its corners. */
 static void rest_edges_of(const struct stone *s, struct rest_edge *own)
 {
-    for (int i = 0; i < s->n; i++) own[i] = rest_edge_at(s, i);
+    for (int i = 0; i < s->n; i++)
+        own[i] = rest_edge_at(s, i);
 }
 
 /* How far a stone can go along d before it touches something. */
@@ -479,7 +496,8 @@ STONES_API double rest_way(const struct rest_near *around,
     rest_edges_of(s, own);
     for (int k = 0; k < around->edges; k++) {
         const struct rest_edge *e = &around->edge[k];
-        if (!rest_may_meet(&span, e, d, way)) continue;
+        if (!rest_may_meet(&span, e, d, way))
+            continue;
         for (int i = 0; i < s->n; i++) {
             way = rigid_least(way, rest_way_one(e, own[i].a, d));
             if (stones_dot(own[i].n, d) > 0)
@@ -503,10 +521,12 @@ static double rest_turn_one(const struct rest_edge *e, kern_vec c, kern_vec p,
     kern_vec arm = stones_sub(p, c), to;
     double square = stones_dot(arm, arm);
     double h = stones_dot(e->n, stones_sub(e->a, c)), k = square - h * h;
-    if (k < 0 || square < rest_touch * rest_touch) return HUGE_VAL;
+    if (k < 0 || square < rest_touch * rest_touch)
+        return HUGE_VAL;
     k = side * sqrt(k);
     to = stones_vec(h * e->n.x - k * e->n.y, h * e->n.y + k * e->n.x);
-    if (!rest_on(e, stones_vec(c.x + to.x, c.y + to.y))) return HUGE_VAL;
+    if (!rest_on(e, stones_vec(c.x + to.x, c.y + to.y)))
+        return HUGE_VAL;
     turn->x = stones_dot(arm, to) / square;
     turn->y = side * stones_cross(arm, to) / square;
     if (turn->y < 0 && turn->x > 0 && -turn->y * sqrt(square) < rest_touch)
@@ -515,7 +535,9 @@ static double rest_turn_one(const struct rest_edge *e, kern_vec c, kern_vec p,
 }
 
 /* Squares of the distances from c to an edge's next and farthest point. */
-struct rest_ring { double low, high; };
+struct rest_ring {
+    double low, high;
+};
 
 static struct rest_ring rest_ring_of(const struct rest_edge *e, kern_vec c)
 {
@@ -557,7 +579,8 @@ STONES_API double rest_turn(const struct rest_near *around,
         const struct rest_edge *e = &around->edge[k];
         const struct rest_ring r = rest_ring_of(e, c);
         const kern_vec arm = stones_sub(e->a, c);
-        if (r.low > reach) continue;
+        if (r.low > reach)
+            continue;
         for (int i = 0; i < s->n; i++) {
             kern_vec t;
             double order = HUGE_VAL;
@@ -586,18 +609,21 @@ STONES_API double rest_turn(const struct rest_near *around,
 static int rest_is_beside(const struct rest_edge *e, const struct stone *s,
                           double gap)
 {
-    return rigid_most(e->a.x, e->b.x) > s->low.x - gap &&
-           rigid_least(e->a.x, e->b.x) < s->high.x + gap &&
-           rigid_most(e->a.y, e->b.y) > s->low.y - gap &&
-           rigid_least(e->a.y, e->b.y) < s->high.y + gap;
+    return rigid_most(e->a.x, e->b.x) > s->low.x - gap
+        && rigid_least(e->a.x, e->b.x) < s->high.x + gap
+        && rigid_most(e->a.y, e->b.y) > s->low.y - gap
+        && rigid_least(e->a.y, e->b.y) < s->high.y + gap;
 }
 
 /* Notes a point of contact, if its force has a part that points upward. */
 static void rest_hold(kern_vec p, double up, kern_vec *left, kern_vec *right)
 {
-    if (up < 0.05) return;
-    if (p.x < left->x) *left = p;
-    if (p.x > right->x) *right = p;
+    if (up < 0.05)
+        return;
+    if (p.x < left->x)
+        *left = p;
+    if (p.x > right->x)
+        *right = p;
 }
 
 /* The leftmost and the rightmost point that supports a stone; none: left is to
@@ -611,14 +637,15 @@ static void rest_holds(const struct rest_near *around, const struct stone *s,
     rest_edges_of(s, own);
     for (int k = 0; k < around->edges; k++) {
         const struct rest_edge *e = &around->edge[k];
-        if (!rest_is_beside(e, s, rest_skip)) continue;
+        if (!rest_is_beside(e, s, rest_skip))
+            continue;
         for (int i = 0; i < s->n; i++) {
             const kern_vec p = own[i].a;
-            if (fabs(stones_dot(e->n, stones_sub(p, e->a))) < rest_touch &&
-                rest_on(e, p))
+            if (fabs(stones_dot(e->n, stones_sub(p, e->a))) < rest_touch
+                && rest_on(e, p))
                 rest_hold(p, e->n.y, left, right);
-            if (fabs(stones_dot(own[i].n, stones_sub(e->a, p))) < rest_touch &&
-                rest_on(&own[i], e->a))
+            if (fabs(stones_dot(own[i].n, stones_sub(e->a, p))) < rest_touch
+                && rest_on(&own[i], e->a))
                 rest_hold(e->a, -own[i].n.y, left, right);
         }
     }
@@ -628,7 +655,8 @@ static void rest_holds(const struct rest_near *around, const struct stone *s,
 STONES_API int rest_drop(const struct rest_near *around, struct stone *s)
 {
     double way = rest_way(around, s, stones_vec(0, -1));
-    if (way < HUGE_VAL) stone_move(s, stones_vec(0, -way));
+    if (way < HUGE_VAL)
+        stone_move(s, stones_vec(0, -way));
     return way < HUGE_VAL;
 }
 
@@ -638,19 +666,24 @@ STONES_API int rest_drop(const struct rest_near *around, struct stone *s)
 STONES_API int rest_settle(const struct rest_near *around, struct stone *s)
 {
     enum { ROUNDS = 12 };
-    kern_vec left, right, turn = { 1, 0 }, whole = { 1, 0 };
-    if (!rest_drop(around, s)) return 0;
+    kern_vec left, right, turn = {1, 0}, whole = {1, 0};
+    if (!rest_drop(around, s))
+        return 0;
     for (int i = 0; i < ROUNDS; i++) {
         double side;
         rest_holds(around, s, &left, &right);
-        if (left.x > right.x) return 0;
-        if (left.x < s->centre.x && s->centre.x < right.x) return 1;
+        if (left.x > right.x)
+            return 0;
+        if (left.x < s->centre.x && s->centre.x < right.x)
+            return 1;
         side = s->centre.x >= right.x ? -1 : 1;
         if (!(rest_turn(around, s, side < 0 ? right : left, side, &turn) < 4))
             return 0;
-        if (side * turn.y <= rest_touch) return i > 0 || turn.x > 0;
+        if (side * turn.y <= rest_touch)
+            return i > 0 || turn.x > 0;
         whole = stones_turned(turn, whole);
-        if (turn.x < 0 || whole.x < 0) return 0;
+        if (turn.x < 0 || whole.x < 0)
+            return 0;
         stone_turn(s, side < 0 ? right : left, turn);
     }
     return 0;

@@ -41,34 +41,34 @@
 #include <time.h>
 
 static const char help[] =
-"usage: walls [--quick] [--settled] [--sets N] [--first S] [--steps N]\n"
-"             [--from LIST] FOLDER\n"
-"Builds walls with the planners of stack.h from N stocks a level of\n"
-"irregularity (20), and writes Figs. 8 and 9 of the paper into FOLDER, which\n"
-"must hold a folder `walls`.\n"
-"  --quick     2 stocks a level, 1 for the step test\n"
-"  --settled   heuristic and combined alone: they drop stones in the simulator\n"
-"              and let the wall settle, see drop.h\n"
-"  --first S   the seed of the first stock; default 1\n"
-"  --steps N   the step test, of the walls of the first N stocks a level: each\n"
-"              step is let go in six runs of the simulator; default 0\n"
-"  --from LIST builds nothing: Fig. 9 of walls that are listed, a walls.csv of one\n"
-"              run or of several\n";
+    "usage: walls [--quick] [--settled] [--sets N] [--first S] [--steps N]\n"
+    "             [--from LIST] FOLDER\n"
+    "Builds walls with the planners of stack.h from N stocks a level of\n"
+    "irregularity (20), and writes Figs. 8 and 9 of the paper into FOLDER, which\n"
+    "must hold a folder `walls`.\n"
+    "  --quick     2 stocks a level, 1 for the step test\n"
+    "  --settled   heuristic and combined alone: they drop stones in the simulator\n"
+    "              and let the wall settle, see drop.h\n"
+    "  --first S   the seed of the first stock; default 1\n"
+    "  --steps N   the step test, of the walls of the first N stocks a level: each\n"
+    "              step is let go in six runs of the simulator; default 0\n"
+    "  --from LIST builds nothing: Fig. 9 of walls that are listed, a walls.csv of one\n"
+    "              run or of several\n";
 
 enum { WALLS_LEVELS = 5, WALLS_STONES = 36, WALLS_PATH = 4096 };
 
 /* What quality takes for stability: Eq. (8) of the paper takes the level of
    collapse. */
-#define WALLS_STABILITY_LIST(X)                                               \
-    X(COLLAPSE, "level of collapse")                                          \
-    X(MARGIN, "margin / size")                                                \
+#define WALLS_STABILITY_LIST(X)      \
+    X(COLLAPSE, "level of collapse") \
+    X(MARGIN, "margin / size")       \
     X(LEVEL, "level")
 
 enum walls_stability {
 #define WALLS_STABILITY_ID(id, words) WALLS_##id,
     WALLS_STABILITY_LIST(WALLS_STABILITY_ID)
 #undef WALLS_STABILITY_ID
-    WALLS_STABILITIES
+        WALLS_STABILITIES
 };
 
 static const char *const walls_stability_words[] = {
@@ -77,8 +77,7 @@ static const char *const walls_stability_words[] = {
 #undef WALLS_STABILITY_WORDS
 };
 
-static const char *const walls_colour[] = { DRAW_GHOST, DRAW_KERN,
-                                            "#2f6b3a" };
+static const char *const walls_colour[] = {DRAW_GHOST, DRAW_KERN, "#2f6b3a"};
 
 struct walls_one {
     int laid;
@@ -87,27 +86,24 @@ struct walls_one {
     struct masonry masonry;
     int tried, asked;
     double asking;
-    int tested;             /* by the step test: what follows is known      */
-    int some, all;          /* steps that move in some, in all of its runs  */
-    int falls;              /* runs in which the finished wall moves        */
+    int tested;    /* by the step test: what follows is known      */
+    int some, all; /* steps that move in some, in all of its runs  */
+    int falls;     /* runs in which the finished wall moves        */
 };
 
 struct walls {
     const char *folder;
-    const char *from;       /* a list of walls that were built before       */
+    const char *from; /* a list of walls that were built before       */
     int sets, quick, settled;
-    int planners;           /* the first of stack.h                         */
-    int first, steps;       /* seed of the first set; sets of the step test */
+    int planners;     /* the first of stack.h                         */
+    int first, steps; /* seed of the first set; sets of the step test */
     FILE *list;
     /* one a level, set and planner */
     struct walls_one *one;
 };
 
 /* The irregularity of a level, in per cent. */
-static int walls_percent(int level)
-{
-    return 10 + 10 * level;
-}
+static int walls_percent(int level) { return 10 + 10 * level; }
 
 static struct walls_one *walls_at(const struct walls *f, int level, int set,
                                   int planner)
@@ -154,8 +150,8 @@ static int walls_build(const struct walls *f, const struct stones *stock,
         o.walls = 4;
         drop.drops = 40;
     }
-    if (stack_open(w, stock, &o) ||
-        (f->settled ? drop_build(w, &drop) : stack_plan(w)))
+    if (stack_open(w, stock, &o)
+        || (f->settled ? drop_build(w, &drop) : stack_plan(w)))
         return fail("not enough memory for", "a wall");
     one->seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
     one->laid = w->laid;
@@ -166,12 +162,13 @@ static int walls_build(const struct walls *f, const struct stones *stock,
     one->asked = w->asked;
     one->asking = w->asking;
     snprintf(path, sizeof path, "%s/walls/i%d-%02d-%s.kern", f->folder,
-             walls_percent(level), f->first + set,
-             stack_planner_name[planner]);
+             walls_percent(level), f->first + set, stack_planner_name[planner]);
     if (masonry_of(&w->plan.task.s, stock->size, &one->masonry))
         return fail("not enough memory for", "its figures");
-    if (stack_write(w, path)) return fail("cannot write", path);
-    if (set < f->steps) walls_step_test(w, one);
+    if (stack_write(w, path))
+        return fail("cannot write", path);
+    if (set < f->steps)
+        walls_step_test(w, one);
     return table_once("walls", path, 1, &one->stability[WALLS_COLLAPSE]);
 }
 
@@ -179,16 +176,16 @@ static int walls_build(const struct walls *f, const struct stones *stock,
 static void walls_list(const struct walls *f, int level, int set, int planner)
 {
     const struct walls_one *o = walls_at(f, level, set, planner);
-    fprintf(f->list, "%d,%d,%s,%d,%.4f,%.0f,%.4f,%.4g,%.5f,%.5f,%.4f,%.4f,"
-            "%.4f,%.4f,%.4f,%.1f,%.3g,%.0f,%d,%d,%.0f", walls_percent(level),
-            f->first + set,
-            stack_planner_name[planner], o->laid, o->fill,
-            o->stability[WALLS_LEVEL], o->stability[WALLS_MARGIN],
-            o->stability[WALLS_COLLAPSE], walls_quality(o, WALLS_COLLAPSE),
-            walls_quality(o, WALLS_MARGIN), o->masonry.bed,
-            o->masonry.bedless, o->masonry.upright, o->masonry.joint,
-            o->masonry.on_two, o->masonry.end_columns, o->seconds,
-            o->masonry.running, o->tried, o->asked,
+    fprintf(f->list,
+            "%d,%d,%s,%d,%.4f,%.0f,%.4f,%.4g,%.5f,%.5f,%.4f,%.4f,"
+            "%.4f,%.4f,%.4f,%.1f,%.3g,%.0f,%d,%d,%.0f",
+            walls_percent(level), f->first + set, stack_planner_name[planner],
+            o->laid, o->fill, o->stability[WALLS_LEVEL],
+            o->stability[WALLS_MARGIN], o->stability[WALLS_COLLAPSE],
+            walls_quality(o, WALLS_COLLAPSE), walls_quality(o, WALLS_MARGIN),
+            o->masonry.bed, o->masonry.bedless, o->masonry.upright,
+            o->masonry.joint, o->masonry.on_two, o->masonry.end_columns,
+            o->seconds, o->masonry.running, o->tried, o->asked,
             o->asked / fmax(o->asking, 1e-9));
     if (o->tested)
         fprintf(f->list, ",%d,%d,%d\n", o->some, o->all, o->falls);
@@ -200,8 +197,10 @@ static void walls_list(const struct walls *f, int level, int set, int planner)
 static int walls_open_list(struct walls *f)
 {
     f->list = plot_open(f->folder, "walls.csv");
-    if (!f->list) return -1;
-    fprintf(f->list, "irregularity,seed,planner,stones,filling,level,"
+    if (!f->list)
+        return -1;
+    fprintf(f->list,
+            "irregularity,seed,planner,stones,filling,level,"
             "margin_sizes,collapse,Q,Q_margin,bed,bedless,upright,joint,"
             "on_two,end_columns,seconds,running,candidates,asked,"
             "asked_a_second,moves_some,moves_all,finished_moves\n");
@@ -211,21 +210,23 @@ static int walls_open_list(struct walls *f)
 /* One line of a list; what is not of these sets is passed over. */
 static void walls_line(const struct walls *f, const char *line)
 {
-    struct walls_one o = { 0 };
+    struct walls_one o = {0};
     char planner[20];
-    int level, seed, found = sscanf(line, "%d,%d,%19[a-z],%d,%lf,%lf,%lf,%lf,"
-        "%*f,%*f,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%d,%d,%*f,%d,%d,%d",
-        &level, &seed,
-        planner, &o.laid, &o.fill, &o.stability[WALLS_LEVEL],
-        &o.stability[WALLS_MARGIN], &o.stability[WALLS_COLLAPSE],
-        &o.masonry.bed, &o.masonry.bedless, &o.masonry.upright,
-        &o.masonry.joint, &o.masonry.on_two, &o.masonry.end_columns,
-        &o.seconds, &o.masonry.running, &o.tried, &o.asked, &o.some,
-        &o.all, &o.falls);
+    int level, seed,
+        found = sscanf(
+            line,
+            "%d,%d,%19[a-z],%d,%lf,%lf,%lf,%lf,"
+            "%*f,%*f,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%d,%d,%*f,%d,%d,%d",
+            &level, &seed, planner, &o.laid, &o.fill, &o.stability[WALLS_LEVEL],
+            &o.stability[WALLS_MARGIN], &o.stability[WALLS_COLLAPSE],
+            &o.masonry.bed, &o.masonry.bedless, &o.masonry.upright,
+            &o.masonry.joint, &o.masonry.on_two, &o.masonry.end_columns,
+            &o.seconds, &o.masonry.running, &o.tried, &o.asked, &o.some, &o.all,
+            &o.falls);
     const int set = seed - f->first;
     level = level / 10 - 1;
-    if (found < 18 || set < 0 || set >= f->sets || level < 0 ||
-        level >= WALLS_LEVELS)
+    if (found < 18 || set < 0 || set >= f->sets || level < 0
+        || level >= WALLS_LEVELS)
         return;
     o.tested = found == 21;
     for (int p = 0; p < f->planners; p++)
@@ -238,8 +239,10 @@ static int walls_read(const struct walls *f)
 {
     FILE *in = fopen(f->from, "r");
     char line[400];
-    if (!in) return fail("cannot read", f->from);
-    while (fgets(line, sizeof line, in)) walls_line(f, line);
+    if (!in)
+        return fail("cannot read", f->from);
+    while (fgets(line, sizeof line, in))
+        walls_line(f, line);
     fclose(in);
     for (int i = 0; i < WALLS_LEVELS * f->sets * STACK_PLANNERS; i++)
         if (f->one[i].laid == 0 && i % STACK_PLANNERS < f->planners)
@@ -259,13 +262,15 @@ static int walls_upper(const struct stone *s, kern_vec *at)
     const double up = 0.7071;
     int right = 0, n = 0;
     for (int i = 0; i < s->n; i++) /* edges go from right to left there */
-        if (rest_edge_at(s, i).n.y >= up &&
-            rest_edge_at(s, i + 1 < s->n ? i + 1 : 0).n.y < up)
+        if (rest_edge_at(s, i).n.y >= up
+            && rest_edge_at(s, i + 1 < s->n ? i + 1 : 0).n.y < up)
             right = i;
     for (int i = right + s->n; n < s->n; i--) {
         const struct rest_edge e = rest_edge_at(s, i % s->n);
-        if (e.n.y < up) break;
-        if (n == 0) at[n++] = e.b;
+        if (e.n.y < up)
+            break;
+        if (n == 0)
+            at[n++] = e.b;
         at[n++] = e.a;
     }
     return n;
@@ -278,9 +283,9 @@ static int walls_next(const struct stack_wall *w, const int *course, int which,
 {
     int next = -1;
     for (int i = 0; i < w->laid; i++)
-        if (course[i + 1] == which && w->stone[i].centre.x > x &&
-            !stack_keeps_back(w, w->place[i].stone) &&
-            (next < 0 || w->stone[i].centre.x < w->stone[next].centre.x))
+        if (course[i + 1] == which && w->stone[i].centre.x > x
+            && !stack_keeps_back(w, w->place[i].stone)
+            && (next < 0 || w->stone[i].centre.x < w->stone[next].centre.x))
             next = i;
     return next;
 }
@@ -291,18 +296,20 @@ static int walls_course(const struct stack_wall *w, const struct draw_view *v,
                         const int *course, int which)
 {
     const double apart = 0.5 * w->stock->size;
-    kern_vec last = { -HUGE_VAL, 0 };
+    kern_vec last = {-HUGE_VAL, 0};
     int stones = 0;
     fputs("<path fill=\"none\" stroke=\"" DRAW_FORCE "\" stroke-width=\"1.6\""
-          " stroke-linejoin=\"round\" d=\"", v->out);
+          " stroke-linejoin=\"round\" d=\"",
+          v->out);
     for (int i = walls_next(w, course, which, last.x); i >= 0;
          i = walls_next(w, course, which, w->stone[i].centre.x), stones++) {
         kern_vec top[STONES_CORNERS + 1];
         const int n = walls_upper(&w->stone[i], top);
         for (int k = 0; k < n; k++) {
             const struct draw_pt p = draw_place(v, top[k].x, top[k].y);
-            const int broken = k == 0 && (top[k].x - last.x > apart ||
-                                          fabs(top[k].y - last.y) > apart);
+            const int broken = k == 0
+                            && (top[k].x - last.x > apart
+                                || fabs(top[k].y - last.y) > apart);
             fprintf(v->out, "%c%.2f %.2f", broken ? 'M' : 'L', draw_px(p.x),
                     draw_px(p.y));
             last = top[k];
@@ -313,8 +320,8 @@ static int walls_course(const struct stack_wall *w, const struct draw_view *v,
 }
 
 /* One wall in its place: levels downwards, planners to the right. */
-static void walls_draw(const struct walls *f, FILE *out, int level,
-                       int planner, const struct stack_wall *w)
+static void walls_draw(const struct walls *f, FILE *out, int level, int planner,
+                       const struct stack_wall *w)
 {
     const struct walls_one *one = walls_at(f, level, 0, planner);
     struct draw_view v;
@@ -327,15 +334,17 @@ static void walls_draw(const struct walls *f, FILE *out, int level,
     v.top = walls_top + level * walls_high + walls_high - 34
           - (v.high.y - v.low.y) * v.scale;
     stack_draw_frame(w, &v);
-    for (int i = 0; i < w->laid; i++) stack_draw_stone(w, &v, i);
+    for (int i = 0; i < w->laid; i++)
+        stack_draw_stone(w, &v, i);
     masonry_courses(&w->plan.task.s, w->stock->size, course);
-    for (int k = 1; walls_course(w, &v, course, k) > 0;) k++;
+    for (int k = 1; walls_course(w, &v, course, k) > 0;)
+        k++;
     snprintf(text, sizeof text, "filling %.2f, collapse at %.0f, joints %.2f",
              one->fill, one->stability[WALLS_COLLAPSE], one->masonry.joint);
     draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
-    draw_text(out, v.left + walls_wide / 2 - 14, walls_top
-              + level * walls_high + walls_high - 20, 11, "middle", text,
-              strlen(text));
+    draw_text(out, v.left + walls_wide / 2 - 14,
+              walls_top + level * walls_high + walls_high - 20, 11, "middle",
+              text, strlen(text));
     draw_close(out);
 }
 
@@ -362,19 +371,22 @@ static int walls_make(const struct walls *f)
 {
     FILE *out = plot_open(f->folder, "fig8.svg");
     int bad = !out;
-    if (out) walls_head(f, out);
+    if (out)
+        walls_head(f, out);
     for (int set = 0; set < f->sets && !bad; set++)
         for (int l = 0; l < WALLS_LEVELS && !bad; l++) {
             struct stones stock;
-            fprintf(stderr, "walls: set %d of %d, irregularity %d\n",
-                    set + 1, f->sets, walls_percent(l));
+            fprintf(stderr, "walls: set %d of %d, irregularity %d\n", set + 1,
+                    f->sets, walls_percent(l));
             bad = stones_make(&stock, walls_percent(l), WALLS_STONES, 0,
                               (uint64_t)(f->first + set));
             for (int p = 0; p < f->planners && !bad; p++) {
                 struct stack_wall w;
                 bad = walls_build(f, &stock, l, set, p, &w);
-                if (!bad) walls_list(f, l, set, p);
-                if (!bad && set == 0) walls_draw(f, out, l, p, &w);
+                if (!bad)
+                    walls_list(f, l, set, p);
+                if (!bad && set == 0)
+                    walls_draw(f, out, l, p, &w);
                 stack_free(&w);
             }
             stones_free(&stock);
@@ -392,9 +404,11 @@ static int walls_make(const struct walls *f)
 static void walls_moments(const double *x, int n, double *mean, double *sd)
 {
     double sum = 0, squares = 0;
-    for (int i = 0; i < n; i++) sum += x[i];
+    for (int i = 0; i < n; i++)
+        sum += x[i];
     *mean = sum / n;
-    for (int i = 0; i < n; i++) squares += (x[i] - *mean) * (x[i] - *mean);
+    for (int i = 0; i < n; i++)
+        squares += (x[i] - *mean) * (x[i] - *mean);
     *sd = n > 1 ? sqrt(squares / (n - 1)) : 0;
 }
 
@@ -417,7 +431,8 @@ static void walls_sum_up(const struct walls *f, int level, int planner,
 {
     double *x = malloc((size_t)f->sets * sizeof *x);
     *mean = *sd = 0;
-    if (!x) return;
+    if (!x)
+        return;
     for (int i = 0; i < f->sets; i++) {
         const struct walls_one *a = walls_at(f, level, i, planner);
         const struct walls_one *b = less < 0 ? NULL
@@ -447,9 +462,10 @@ static void walls_difference(const struct walls *f, FILE *out, int more,
 static void walls_differences(const struct walls *f, FILE *out, int more,
                               int less)
 {
-    fprintf(out, "\n%s less %s, mean of the paired differences and its 95 %% "
-            "interval:\n\n| of |", stack_planner_name[more],
-            stack_planner_name[less]);
+    fprintf(out,
+            "\n%s less %s, mean of the paired differences and its 95 %% "
+            "interval:\n\n| of |",
+            stack_planner_name[more], stack_planner_name[less]);
     for (int l = 0; l < WALLS_LEVELS; l++)
         fprintf(out, " %d |", walls_percent(l));
     fprintf(out, "\n|---|---|---|---|---|---|\n| level of collapse |");
@@ -465,6 +481,7 @@ enum { WALLS_FIGURES = 14 };
 /* What the table of means has of a wall, from left to right. */
 static void walls_figures(const struct walls_one *o, double x[WALLS_FIGURES])
 {
+    /* clang-format off */
     const double all[WALLS_FIGURES] = {
         o->laid, o->fill, o->stability[WALLS_COLLAPSE],
         walls_quality(o, WALLS_COLLAPSE), o->stability[WALLS_MARGIN],
@@ -472,19 +489,21 @@ static void walls_figures(const struct walls_one *o, double x[WALLS_FIGURES])
         o->masonry.upright, o->masonry.joint, o->masonry.on_two,
         o->masonry.end_columns, o->masonry.running, o->seconds
     };
+    /* clang-format on */
     memcpy(x, all, sizeof all);
 }
 
 /* Means over all sets of a level. */
 static void walls_means(const struct walls *f, FILE *out)
 {
-    fprintf(out, "| irregularity | planner | stones | filling | collapse | "
+    fprintf(out,
+            "| irregularity | planner | stones | filling | collapse | "
             "Q | margin / size | Q, margin | bed | without bed | upright | "
             "joints | on two | end columns | running | seconds |\n|---|---|"
             "---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (int l = 0; l < WALLS_LEVELS; l++)
         for (int p = 0; p < f->planners; p++) {
-            double sum[WALLS_FIGURES] = { 0 }, x[WALLS_FIGURES];
+            double sum[WALLS_FIGURES] = {0}, x[WALLS_FIGURES];
             for (int set = 0; set < f->sets; set++) {
                 walls_figures(walls_at(f, l, set, p), x);
                 for (int k = 0; k < WALLS_FIGURES; k++)
@@ -503,8 +522,8 @@ static void walls_steps(const struct walls *f, FILE *out)
 {
     const int sets = f->steps < f->sets ? f->steps : f->sets;
     fprintf(out, "\n| planner | walls | with a step that moves in some run | "
-            "in all runs | finished walls that move in some run | steps | "
-            "that move in some run |\n|---|---|---|---|---|---|---|\n");
+                 "in all runs | finished walls that move in some run | steps | "
+                 "that move in some run |\n|---|---|---|---|---|---|---|\n");
     for (int p = 0; p < f->planners; p++) {
         int some = 0, all = 0, falls = 0, steps = 0, moving = 0;
         for (int l = 0; l < WALLS_LEVELS; l++)
@@ -526,9 +545,10 @@ static int walls_tables(const struct walls *f)
 {
     FILE *csv = plot_open(f->folder, "fig9.csv");
     FILE *md = plot_open(f->folder, "fig9.md");
-    if (!csv || !md) return -1;
+    if (!csv || !md)
+        return -1;
     fprintf(csv, "irregularity,planner,sets,mean,deviation,interval,"
-            "margin_mean,margin_deviation,margin_interval\n");
+                 "margin_mean,margin_deviation,margin_interval\n");
     for (int l = 0; l < WALLS_LEVELS; l++)
         for (int p = 0; p < f->planners; p++) {
             fprintf(csv, "%d,%s,%d", walls_percent(l), stack_planner_name[p],
@@ -545,7 +565,8 @@ static int walls_tables(const struct walls *f)
     walls_differences(f, md, STACK_COMBINED, STACK_HEURISTIC);
     for (int p = 0; p < STACK_BEST && f->planners > STACK_BEST; p++)
         walls_differences(f, md, STACK_BEST, p);
-    if (f->steps > 0) walls_steps(f, md);
+    if (f->steps > 0)
+        walls_steps(f, md);
     return fclose(csv) | fclose(md) ? fail("cannot write", "fig9") : 0;
 }
 
@@ -615,8 +636,10 @@ static void walls_panel(const struct walls *f, const struct plot *p,
     q.y1 = most;
     const double step = plot_round(&q.y0, &q.y1);
     plot_axes(&q, plot_round(&q.x0, &q.x1), step);
-    snprintf(title, sizeof title, "Difference to heuristic, %s: mean, 95 %% "
-             "interval", walls_stability_words[stability]);
+    snprintf(title, sizeof title,
+             "Difference to heuristic, %s: mean, 95 %% "
+             "interval",
+             walls_stability_words[stability]);
     plot_text(&q, q.left, 20, 12.5, "start", title);
     plot_text(&q, q.left + q.width / 2, q.top + q.height + 35, 11.5, "middle",
               "irregularity, %");
@@ -640,10 +663,11 @@ static int walls_nine(const struct walls *f, int stability, const char *name,
                       const char *yname)
 {
     FILE *out = plot_open(f->folder, name);
-    struct plot p = { NULL, 5, 55, 0, 0.1, 0, 0, 0, 0 };
+    struct plot p = {NULL, 5, 55, 0, 0.1, 0, 0, 0, 0};
     char title[100];
     int bad;
-    if (!out) return -1;
+    if (!out)
+        return -1;
     for (int l = 0; l < WALLS_LEVELS; l++)
         for (int k = 0; k < f->planners; k++) {
             double mean, sd;
@@ -651,10 +675,13 @@ static int walls_nine(const struct walls *f, int stability, const char *name,
             p.y1 = fmax(p.y1, mean + sd);
         }
     p.y1 *= 1.25; /* the names stand above */
-    snprintf(title, sizeof title, "Quality, %d stocks a level: mean, deviation "
-             "(heuristic: band)", f->sets);
+    snprintf(title, sizeof title,
+             "Quality, %d stocks a level: mean, deviation "
+             "(heuristic: band)",
+             f->sets);
     plot_begin(&p, out, title, "irregularity, %", yname, walls_panel_right);
-    for (int k = 0; k < f->planners; k++) walls_curve(f, &p, k, stability);
+    for (int k = 0; k < f->planners; k++)
+        walls_curve(f, &p, k, stability);
     walls_panel(f, &p, stability);
     bad = plot_end(&p);
     return fclose(out) | bad ? fail("cannot write", name) : 0;
@@ -666,13 +693,14 @@ static int walls_all(struct walls *f)
     int bad;
     f->one = calloc((size_t)(WALLS_LEVELS * f->sets * STACK_PLANNERS),
                     sizeof *f->one);
-    bad = !f->one || (f->from ? walls_read(f)
-                              : walls_open_list(f) || walls_make(f));
-    if (f->list && fclose(f->list)) bad = fail("cannot write", "walls.csv");
-    bad = bad || walls_tables(f) ||
-          walls_nine(f, WALLS_COLLAPSE, "fig9.svg",
-                     "Q: level of collapse x worth of the filling") ||
-          walls_nine(f, WALLS_MARGIN, "fig9-margin.svg",
+    bad = !f->one
+       || (f->from ? walls_read(f) : walls_open_list(f) || walls_make(f));
+    if (f->list && fclose(f->list))
+        bad = fail("cannot write", "walls.csv");
+    bad = bad || walls_tables(f)
+       || walls_nine(f, WALLS_COLLAPSE, "fig9.svg",
+                     "Q: level of collapse x worth of the filling")
+       || walls_nine(f, WALLS_MARGIN, "fig9-margin.svg",
                      "Q: margin in stones x worth of the filling");
     free(f->one);
     return bad;
@@ -682,34 +710,45 @@ static int walls_all(struct walls *f)
 static int walls_option(void *set, char **argv, int *i)
 {
     struct walls *f = set;
-    const struct { const char *name; int most, *out; } number[] = {
-        { "--sets", 1000, &f->sets }, { "--first", 1000000, &f->first },
-        { "--steps", 1000000, &f->steps }
-    };
+    const struct {
+        const char *name;
+        int most, *out;
+    } number[] = {{"--sets", 1000, &f->sets},
+                  {"--first", 1000000, &f->first},
+                  {"--steps", 1000000, &f->steps}};
     const char *word;
     for (int k = 0; k < 3; k++)
         if (args_value(argv, i, number[k].name, &word))
-            return args_integer(&word, 1, number[k].most, number[k].out) ||
-                   *word ? -1 : 0;
-    if (args_value(argv, i, "--from", &f->from)) return f->from ? 0 : -1;
-    if (strcmp(argv[*i], "--quick") == 0) f->quick = 1;
-    else if (strcmp(argv[*i], "--settled") == 0) f->settled = 1;
-    else return -1;
+            return args_integer(&word, 1, number[k].most, number[k].out)
+                        || *word
+                     ? -1
+                     : 0;
+    if (args_value(argv, i, "--from", &f->from))
+        return f->from ? 0 : -1;
+    if (strcmp(argv[*i], "--quick") == 0)
+        f->quick = 1;
+    else if (strcmp(argv[*i], "--settled") == 0)
+        f->settled = 1;
+    else
+        return -1;
     return 0;
 }
 
 int main(int argc, char **argv)
 {
-    struct walls f = { NULL, NULL, 0, 0, 0, 0, 1, 0, NULL, NULL };
+    struct walls f = {NULL, NULL, 0, 0, 0, 0, 1, 0, NULL, NULL};
     const int folders = args_read(argc, argv, walls_option, &f);
-    if (folders == ARGS_HELP) return fputs(help, stdout) < 0 ? 2 : 0;
+    if (folders == ARGS_HELP)
+        return fputs(help, stdout) < 0 ? 2 : 0;
     if (folders != 1) {
         fputs(help, stderr);
         return 2;
     }
     f.folder = argv[0];
-    if (f.sets == 0) f.sets = f.quick ? 2 : 20;
+    if (f.sets == 0)
+        f.sets = f.quick ? 2 : 20;
     f.planners = f.settled ? STACK_BEST : STACK_PLANNERS;
-    if (f.quick && !f.settled && f.steps == 0) f.steps = 1;
+    if (f.quick && !f.settled && f.steps == 0)
+        f.steps = 1;
     return walls_all(&f) ? 2 : 0;
 }
