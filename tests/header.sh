@@ -83,10 +83,16 @@ symbols() { # one global name more than kern_* would be a leak
 
 others() { # every header of the examples and tests includes what it uses
     local header
-    for header in examples/*/*.h tests/*.h; do
+    for header in examples/*/*.h tests/*.h tests/unit/*.h; do
         gcc -std=c99 -Wall -Wextra -Wno-unused-function -Werror \
             -Wno-unused-const-variable -fsyntax-only -x c "$header" || return 1
     done
+}
+
+one_room() { # the tests of one room alone, as tests/kern_test.c says
+    # shellcheck disable=SC2086
+    gcc -O1 $exact -DONLY=push -o "$out/kern_test" tests/kern_test.c -lm &&
+        "$out/kern_test" | grep '^1 tests: .* 0 failed$'
 }
 
 chapter() { # chapter TAG: the lines of kern.h from its ruler to the next

@@ -226,8 +226,9 @@ def functions(*names):
     assert not long, long
 
 
-def rules(header='kern.h', tests='tests/kern_test.c'):
-    """Each rule stands in the map of the tests, each name there is a test's."""
+def rules(header='kern.h', tests='tests/kern_test.c', rooms='tests/unit/*.h'):
+    """Each rule stands in the map of the tests, each name there is a test's,
+    and each room that has tests is listed."""
     with open(header, encoding='utf-8') as file:
         stated = re.search(r'>>rules\n(.*?)>>measures\n', file.read(), re.S)[1]
     with open(tests, encoding='utf-8') as file:
@@ -235,7 +236,14 @@ def rules(header='kern.h', tests='tests/kern_test.c'):
     listed = re.search(r'RULES of the header.*?:\n(.*?)\n\n', text, re.S)[1]
     named = re.findall(r'\w+_\w*|(?<= )overlap(?= \w+_)', listed)
     assert len(named) > 20, named
-    run = ' '.join(re.findall(r'\bTEST\((\w+)\)', text))
+    run = ''
+    for name in sorted(glob.glob(rooms)):
+        with open(name, encoding='utf-8') as file:
+            room = file.read()
+        found = re.findall(r'\bTEST\((\w+)\),', room)
+        run += ' ' + ' '.join(found)
+        room = os.path.basename(name)[:-2]
+        assert not found or 'TESTS_OF(%s)' % room in text, room
     missed = [n for n in named if n not in run]
     missed += [r for r in re.findall(r'^ {5}([a-z]+)  ?(?=[ A-Z])', stated, re.M)
                if not re.search(r' %ss?\b' % r.rstrip('s'), listed)]

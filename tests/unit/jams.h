@@ -1,0 +1,148 @@
+/* jams.h - wedges that hold each other. */
+
+#ifndef UNIT_JAMS_H
+#define UNIT_JAMS_H
+
+#include "harness.h"
+#include "worlds.h"
+
+/* A chockstone in two pieces between two walls that lean; 0 where there is no
+   such thing. */
+static int two_wedges(world *w)
+{
+    const double y0 = uniform(0.05, 0.4), y1 = y0 + uniform(0.8, 2);
+    const double left = uniform(-0.15, 0.6), right = uniform(-0.15, 0.6);
+    const double half = uniform(0.3, 0.8), x = uniform(-0.3, 0.3);
+    const double top = x + uniform(-0.4, 0.4) * (y1 - y0);
+    const double l0 = -half - left * y0, l1 = -half - left * y1;
+    const double r0 = half + right * y0, r1 = half + right * y1;
+    double wall[2][8] = {{-9, 0, 0, 0, 0, 4, -9, 4}, {0, 0, 9, 0, 9, 4, 0, 4}};
+    double piece[2][8];
+    if (x < l0 + 0.05 || top < l1 + 0.05 || x > r0 - 0.05 || top > r1 - 0.05)
+        return 0;
+    wall[0][2] = -half;
+    wall[0][4] = -half - 4 * left;
+    wall[1][0] = half;
+    wall[1][6] = half + 4 * right;
+    piece[0][0] = l0, piece[0][1] = y0, piece[0][2] = x, piece[0][3] = y0;
+    piece[0][4] = top, piece[0][5] = y1, piece[0][6] = l1, piece[0][7] = y1;
+    piece[1][0] = x, piece[1][1] = y0, piece[1][2] = r0, piece[1][3] = y0;
+    piece[1][4] = r1, piece[1][5] = y1, piece[1][6] = top, piece[1][7] = y1;
+    world_reset(w);
+    w->options.mu = R(uniform(0.3, 0.9));
+    world_polygon(w, 0, wall[0], 4);
+    world_polygon(w, 0, wall[1], 4);
+    world_polygon(w, 1, piece[0], 4);
+    world_polygon(w, 1, piece[1], 4);
+    world_touch(w);
+    return 1;
+}
+
+/* Near to critical the forces of a jam grow like 1 / (d* - d), up to the bound.
+   It must not use up the limit of program after program: 211,315 pivots were
+   seen. */
+static void jams_are_bounded(void)
+{
+    static world w;
+    int seed, most = 0, found = 0;
+    for (seed = 0; seed < (quick ? 3000 : 40000); seed++) {
+        kern_work work;
+        kern_margin m;
+        random_seed(730000u + (unsigned long long)seed);
+        sprintf(context, "(two wedges %d)", seed);
+        if (!two_wedges(&w))
+            continue;
+        work = work_of(&w);
+        CHECK(kern_measure(world_task(&w, &work), &m, NULL) >= 0 || SINGLE);
+        most = work.pivots > most ? work.pivots : most;
+        found++;
+    }
+    context[0] = 0;
+    CHECK(found > (quick ? 1000 : 20000));
+    CHECK(most <= 5000);
+}
+
+/* Flat arches of many voussoirs between two walls, laid in any order: about half
+   of their height their thrust is at its bound. Their blocks are at one height
+   but for rounding; were it that to order them, the factors of a basis would
+   fill all the room that there is, and brackets be up to 7e-6 sizes wide. */
+static void jams_fill_the_factors(void)
+{
+    static const double slender[][2] = {{31, 150}, {40, 30}, {50, 25}, {52, 60},
+                                        {54, 90},  {58, 30}, {62, 150}};
+    static world w;
+    int i, k, side;
+    for (k = 0; k < 2 * COUNT_OF(slender) && !SINGLE; k++) {
+        const int n = (int)slender[k / 2][0], stride = k % 2 ? 7 : 1;
+        const double high = n / slender[k / 2][1], lean = 0.45 / n;
+        kern_work work;
+        kern_margin m;
+        sprintf(context, "(flat arch of %d, every %dth)", n, stride);
+        world_reset(&w);
+        w.options.mu = R(0.5);
+        for (i = 0; i < n; i++) {
+            const double a = i * stride % n - n / 2.0, b = a + 1;
+            const double xy[] = {
+                a,   0, b, 0, b + b * lean * high, high, a + a * lean * high,
+                high};
+            world_polygon(&w, 1, xy, 4);
+        }
+        for (side = -1; side <= 1; side += 2) {
+            const double a = side * n / 2.0, b = a + side * n;
+            const double xy[] = {a,   0, b, 0, b, high, a + a * lean * high,
+                                 high};
+            world_polygon(&w, 0, xy, 4);
+        }
+        world_touch(&w);
+        work = work_of(&w);
+        CHECK_INT(kern_measure(world_task(&w, &work), &m, NULL), KERN_STANDS);
+        CHECK_NEAR(m.margin, high / 2, 0.02 * high);
+        CHECK(m.fails - m.holds <= 2e-6 * mean_size(&w));
+    }
+    context[0] = 0;
+}
+
+/* Two small stones on a large one, turned, far from the origin: both proofs hold
+   at one place, where a collapse took nothing away for ever. */
+static void profile_ends(void)
+{
+    static const double corner[4][8] = {
+        {499997.0205986467, 98.94020399325342, 500003.0193986867,
+         99.06019599341343, 500002.99940002, 100.05999600008, 499997.00059998,
+         99.94000399992},
+        {499999.5000999967, 99.99000066665333, 500000.4999000033,
+         100.00999933334667, 500000.4879008033, 100.60987933734661,
+         499999.48810081665, 100.58988067065327},
+        {499999.7174670727, 100.5944686079159, 499999.81744707335,
+         100.59646847458524, 499999.8162471534, 100.65645647498523,
+         499999.71626715275, 100.6544566083159},
+        {499999.86743707367, 100.5974684079199, 499999.96741707437,
+         100.59946827458924, 499999.9662171544, 100.65945627498924,
+         499999.8662371537, 100.6574564083199}};
+    static world w;
+    kern_real value[4];
+    kern_collapse c;
+    kern_work work;
+    int i, side, got;
+    if (SINGLE)
+        return; /* no digits are left there */
+    world_reset(&w);
+    w.gravity = vec(0.19618692026159754, -9.808038065399128);
+    for (i = 0; i < 4; i++)
+        world_polygon(&w, i > 0, corner[i], 4);
+    world_touch(&w);
+    work = work_of(&w);
+    for (side = -1; side <= 1; side++) {
+        got = kern_profile(world_task(&w, &work), side, value, &c);
+        CHECK(got == KERN_OK || got == KERN_UNDECIDED);
+    }
+    CHECK(work.pivots < 1000);
+}
+
+static const test jams_tests[] = {
+    TEST(jams_are_bounded),
+    TEST(jams_fill_the_factors),
+    TEST(profile_ends),
+};
+
+#endif
