@@ -8,7 +8,7 @@
 
 #include "structures.h"
 
-#include "../examples/walls/stones.h"
+#include "../examples/laboratory/stones.h"
 
 enum { WEDGES, FRACTURES, INTERLOCKS, SETTLED, SIZES, FAMILIES };
 

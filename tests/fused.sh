@@ -56,7 +56,7 @@ for precision in "" -DKERN_SINGLE; do
     done
 done
 free_of_fused "kern.c, gcc -O3 $v3" gcc -O3 $v3 $exact examples/kern.c
-for example in walls/stack shaking/shake place; do
+for example in laboratory/stack laboratory/shake place; do
     free_of_fused "examples/$example.c, gcc -O3 $v3" gcc -std=c99 -O3 $v3 \
         $exact -fno-tree-vectorize "examples/$example.c"
 done

@@ -474,7 +474,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
 /* ==== Without libFuzzer ============================================= */
 
 #ifdef FUZZ_PLAIN
-#include "../examples/lab/random.h"
+#include "../examples/parts/random.h"
 
 static uint64_t state;
 

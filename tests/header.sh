@@ -95,6 +95,11 @@ one_room() { # the tests of one room alone, as tests/kern_test.c says
         "$out/kern_test" | grep '^1 tests: .* 0 failed$'
 }
 
+fence() { # no other example needs a file of the laboratory
+    ! grep -rn 'laboratory/' examples --exclude-dir=laboratory \
+        --include='*.[ch]' --include='*.py' --include='*.sh'
+}
+
 chapter() { # chapter TAG: the lines of kern.h from its ruler to the next
     awk -v tag=">>$1 " '
         /^\/\* (----|====).*>>/ { on = index($0 " ", tag) > 0 }

@@ -2,7 +2,7 @@
 
 structures, profiles, each_block: JSON of examples/kern.c; pushes: of
 examples/push.c, of the structure that is built in; figures, walls: the folder that
-examples/shaking/figures.c and examples/walls/walls.c wrote into; svg: pictures;
+figures.c and walls.c of examples/laboratory wrote into; svg: pictures;
 functions: C sources, whose functions must be short and simple; tokens: how
 many the implementation of kern.h has; rules: the map from the rules of kern.h to
 the tests.

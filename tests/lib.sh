@@ -24,6 +24,15 @@ program() { # program NAME SOURCE FLAGS...: builds it once, prints its path
         echo "$programs/$name"
 }
 
+keeps() { # keeps COMMAND...: each refuses to write a picture over a structure
+    local command file=$out/kept.kern
+    cp examples/structures/tower.kern "$file" || return 1
+    for command in "$@"; do
+        $command "$file" examples/structures/falls.kern >"$out/o" 2>"$out/e"
+        [ $? -eq 2 ] && cmp "$file" examples/structures/tower.kern || return 1
+    done
+}
+
 # The check that the command line names.
 run_check() {
     [ "$(type -t "${1:-}")" = function ] ||

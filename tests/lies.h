@@ -9,7 +9,7 @@
 #ifndef LIES_H
 #define LIES_H
 
-#include "../examples/lab/random.h"
+#include "../examples/parts/random.h"
 
 #include <glpk.h>
 #include <stdint.h>

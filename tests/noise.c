@@ -28,7 +28,7 @@
 #define KERN_STATIC
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
-#include "../examples/lab/random.h"
+#include "../examples/parts/random.h"
 #include "../examples/parts/text.h"
 
 enum {

@@ -10,8 +10,8 @@
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
 
-#include "../examples/lab/random.h"
-#include "../examples/lab/rigid.h"
+#include "../examples/parts/random.h"
+#include "../examples/laboratory/rigid.h"
 #include "../examples/parts/text.h"
 
 static const double pi = 3.14159265358979323846;

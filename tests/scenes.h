@@ -18,7 +18,7 @@
 #define KERN_STATIC
 #include "../kern.h"
 
-#include "../examples/lab/random.h"
+#include "../examples/parts/random.h"
 #include "../examples/parts/text.h"
 
 #define MU 0.4         /* of the families                                 */

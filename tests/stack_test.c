@@ -10,13 +10,13 @@
 #include "../kern.h"
 
 #include "../examples/parts/draw.h"
-#include "../examples/lab/rigid.h"
+#include "../examples/laboratory/rigid.h"
 #include "../examples/parts/text.h"
 
-#include "../examples/walls/drop.h"
-#include "../examples/walls/masonry.h"
-#include "../examples/walls/stones.h"
-#include "../examples/walls/stack.h"
+#include "../examples/laboratory/drop.h"
+#include "../examples/laboratory/masonry.h"
+#include "../examples/laboratory/stones.h"
+#include "../examples/laboratory/stack.h"
 
 static const double pi = 3.14159265358979323846;
 static int failures;

@@ -10,7 +10,7 @@
 
 #include "../kern.h"
 
-#include "../examples/lab/random.h"
+#include "../examples/parts/random.h"
 
 #include <stdint.h>
 #include <string.h>

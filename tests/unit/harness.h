@@ -15,7 +15,7 @@
 #define KERN_IMPLEMENTATION
 #include "../../kern.h"
 
-#include "../../examples/lab/random.h"
+#include "../../examples/parts/random.h"
 
 static long passed, failed, failed_here;
 static char context[160]; /* which random case, for messages */

@@ -10,9 +10,9 @@
 #define STACK_PLACE_H
 
 #include "../../kern.h"
-#include "../lab/random.h"
-#include "../lab/rigid.h"
-#include "../lab/table.h"
+#include "../parts/random.h"
+#include "rigid.h"
+#include "table.h"
 #include "stack_wall.h"
 
 #include <time.h>

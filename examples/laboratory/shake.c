@@ -4,7 +4,7 @@
    a figure of eight, harder from level to level, and says how far the stones
    are displaced after each, and at which level the structure collapses.
 
-       cc -O2 -ffp-contract=off -o shake examples/shaking/shake.c -lm
+       cc -O2 -ffp-contract=off -o shake examples/laboratory/shake.c -lm
        ./shake --film wall.svg examples/structures/wall-60.kern
        ./shake --help
 
@@ -16,8 +16,8 @@
 #include "../parts/args.h"
 #include "../parts/draw.h"
 #include "../parts/json.h"
-#include "../lab/rigid.h"
-#include "../lab/table.h"
+#include "rigid.h"
+#include "table.h"
 #include "../parts/text.h"
 
 #include <errno.h>

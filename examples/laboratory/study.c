@@ -6,7 +6,7 @@
    right order, by family and by irregularity; and whether the values of single
    stones tell which of them move first.
 
-       cc -O2 -ffp-contract=off -o study examples/shaking/study.c -lm
+       cc -O2 -ffp-contract=off -o study examples/laboratory/study.c -lm
        ./study --svg pictures FOLDER
 
    FOLDER holds labels.csv (columns name, family, irregularity, level),
@@ -19,7 +19,7 @@
 #include "../../kern.h"
 
 #include "../parts/draw.h"
-#include "../lab/measures.h"
+#include "measures.h"
 #include "../parts/plot.h"
 
 #include <math.h>

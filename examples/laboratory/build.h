@@ -15,7 +15,7 @@
 #ifndef BUILD_H
 #define BUILD_H
 
-#include "random.h"
+#include "../parts/random.h"
 #include "rigid.h"
 
 #include <math.h>

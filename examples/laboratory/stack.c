@@ -4,7 +4,7 @@
    library how safely the wall would stand with each candidate. The stock is
    the blocks of a structure file, in any pose, or is made by the program.
 
-       cc -O2 -ffp-contract=off -o stack examples/walls/stack.c -lm
+       cc -O2 -ffp-contract=off -o stack examples/laboratory/stack.c -lm
        ./stack --irregularity 30 --stones 36
        ./stack --help
 
@@ -15,8 +15,8 @@
 
 #include "../parts/args.h"
 #include "../parts/draw.h"
-#include "../lab/measures.h"
-#include "../lab/table.h"
+#include "measures.h"
+#include "table.h"
 #include "../parts/text.h"
 #include "masonry.h"
 #include "stack.h"

@@ -16,9 +16,9 @@
 #define STONES_H
 
 #include "../../kern.h"
-#include "../lab/build.h"
-#include "../lab/random.h"
-#include "../lab/rigid.h"
+#include "build.h"
+#include "../parts/random.h"
+#include "rigid.h"
 #include "../parts/text.h"
 
 #include <math.h>

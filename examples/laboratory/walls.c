@@ -16,7 +16,7 @@
        fig9.md                  means, figures of masonry, differences between
                                 planners with intervals
 
-       cc -O2 -ffp-contract=off -o walls examples/walls/walls.c -lm
+       cc -O2 -ffp-contract=off -o walls examples/laboratory/walls.c -lm
        mkdir -p out/walls && ./walls out
 
    SPDX-License-Identifier: MIT */
@@ -27,7 +27,7 @@
 #include "../parts/args.h"
 #include "../parts/draw.h"
 #include "../parts/plot.h"
-#include "../lab/table.h"
+#include "table.h"
 #include "drop.h"
 #include "masonry.h"
 #include "stack.h"

@@ -32,7 +32,7 @@
 #ifndef STACK_H
 #define STACK_H
 
-#include "../lab/random.h"
+#include "../parts/random.h"
 #include "masonry.h"
 #include "stack_pin.h"
 #include "stack_place.h"

@@ -13,7 +13,7 @@
 #define TABLE_H
 
 #include "../../kern.h"
-#include "random.h"
+#include "../parts/random.h"
 #include "rigid.h"
 #include "../parts/text.h"
 

@@ -9,7 +9,7 @@
        fig6.svg, fig6.csv       displacement and shaking level (Fig. 6)
        fig7*.svg, fig7.csv      two walls that differ in one stone (Fig. 7)
 
-       cc -O2 -ffp-contract=off -o figures examples/shaking/figures.c -lm
+       cc -O2 -ffp-contract=off -o figures examples/laboratory/figures.c -lm
        mkdir -p out/structures && ./figures out
 
    SPDX-License-Identifier: MIT */
@@ -18,12 +18,12 @@
 #include "../../kern.h"
 
 #include "../parts/args.h"
-#include "../lab/build.h"
+#include "build.h"
 #include "../parts/draw.h"
 #include "../parts/json.h"
-#include "../lab/measures.h"
+#include "measures.h"
 #include "../parts/plot.h"
-#include "../lab/table.h"
+#include "table.h"
 
 #include <math.h>
 #include <stdint.h>
