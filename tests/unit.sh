@@ -89,6 +89,13 @@ published() { # results of the literature and closed forms
         cmp "$out/published.md" tests/PUBLISHED.md
 }
 
+reality() { # experiments, and whether the page is what they say today
+    # shellcheck disable=SC2086
+    gcc $plain -o "$out/reality" tests/reality.c -lm &&
+        "$out/reality" --markdown >"$out/reality.md" &&
+        cmp "$out/reality.md" tests/REALITY.md
+}
+
 noise() { # what nearly stands is not said to stand for certain
     # shellcheck disable=SC2086
     gcc $plain -o "$out/noise" tests/noise.c -lm && "$out/noise"
