@@ -76,6 +76,13 @@ rational_long() { # as many as TRUST.md says
         "$out/exact" 100000 && "$out/exact" families 20000
 }
 
+paper() { # levels against the paper's own algorithm, a program a step
+    # shellcheck disable=SC2086
+    gcc $plain -o "$out/paper" tests/paper.c -lm &&
+        "$out/paper" tests/corpus/odd.txt tests/corpus/even.txt \
+            examples/structures/*.kern
+}
+
 regressions() { # structures on which earlier versions failed
     # shellcheck disable=SC2086
     gcc $plain -o "$out/regressions" tests/regressions.c -lm &&
