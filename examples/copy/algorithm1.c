@@ -134,9 +134,9 @@ enum {
 
 static const kern_vec corner[BLOCKS][4] = {
     {{-3, -1}, {3, -1}, {3, 0}, {-3, 0}},       /* ground */
-    {{-2, 0}, {-1, 0}, {-1, 1}, {-2, 1}},       /* left   */
+    {{-1, 0}, {0, 0}, {0, 1}, {-1, 1}},         /* left   */
     {{1, 0}, {2, 0}, {2, 1}, {1, 1}},           /* right  */
-    {{-2, 1}, {5.3, 1}, {5.3, 1.5}, {-2, 1.5}}, /* beam   */
+    {{-1, 1}, {4.2, 1}, {4.2, 1.5}, {-1, 1.5}}, /* beam   */
 };
 
 static kern_block block[BLOCKS];
@@ -155,7 +155,8 @@ int main(void)
     kern_ground_init(&block[0], corner[0], 4, NULL);
     for (i = 1; i < BLOCKS; i++)
         kern_block_init(&block[i], corner[i], 4, 1, NULL);
-    task.options.epsilon = 0.1;
+    block[3].mass = 3;
+    task.options.epsilon = 0.15;
     task.s.contacts = kern_contacts(block, BLOCKS, &task.options, contact,
                                     CONTACTS, &work);
     if (kern_measure(&task, &m, NULL) != KERN_STANDS)
@@ -163,7 +164,7 @@ int main(void)
     level = algorithm1(&e, &task.s, 0, m.epsilon, m.most, &work);
     printf("%d equations, %d columns\n", e.rows, 2 * task.s.contacts);
     for (k = 0; k <= level; k++)
-        printf("shrunk by %.1f: %s\n", k * m.epsilon,
+        printf("shrunk by %.2f: %s\n", k * m.epsilon,
                solve(&e, &task.s, k * m.epsilon, 0, &work) == KERN_LP_OPTIMAL
                    ? "forces hold it"
                    : "no forces can");
@@ -174,10 +175,9 @@ int main(void)
 
 /* Output:
 9 equations, 16 columns
-shrunk by 0.0: forces hold it
-shrunk by 0.1: forces hold it
-shrunk by 0.2: forces hold it
-shrunk by 0.3: forces hold it
-shrunk by 0.4: no forces can
-level 4; of kern_measure() 4, margin 0.35
+shrunk by 0.00: forces hold it
+shrunk by 0.15: forces hold it
+shrunk by 0.30: forces hold it
+shrunk by 0.45: no forces can
+level 3; of kern_measure() 3, margin 0.4
 */
