@@ -183,7 +183,7 @@ def differences(with_it, without):
         other = without.get(at)
         if other is None or other[0] != one[0]:
             status += 1
-        elif at[2] != "raised" and one[0] > 0 and abs(one[2] - other[2]) \
+        elif at[2] in QUESTIONS and one[0] > 0 and abs(one[2] - other[2]) \
                 > ALIKE * max(abs(one[2]), abs(other[2]), 1):
             answer += 1
     return status, answer
