@@ -3,7 +3,7 @@
 
 Takes one mechanism after the other out of a copy of kern.h and asks all
 questions of tests/work.c again: of the even half of the corpus, and of made
-structures whose seeds no other test uses ("unseen"). Prints the tables of
+structures whose seeds no other test uses ("unseen"). Prints the table of
 tests/DESIGN.md: instructions without the mechanism, as a multiple of those with
 it, summed over the structures; and how many statuses and answers differ.
 
@@ -189,16 +189,24 @@ def differences(with_it, without):
     return status, answer
 
 
-def print_table(title, which, rows):
-    print("\n%s\n" % title)
+def cell(with_it, without, cost, question):
+    """Both ratios; empty where leaving it out changes nothing."""
+    both = [cost(with_it, without, which, question)
+            for which in ("tests/corpus/even.txt", "unseen.txt")]
+    text = ", ".join("%.2f" % (c if c else 1) for c in both)
+    return "" if text == "1.00, 1.00" else text
+
+
+def print_table(rows):
+    print("\nCost without it, as a multiple: even half of the corpus, then %d "
+          "made structures of %d to %d blocks.\n"
+          % (len(FAMILIES) * len(SIZES) * len(NUMBERS), SIZES[0], SIZES[-1]))
     print("| left out | " + " | ".join(QUESTIONS) + " | measure, p90 |")
     print("|---|" + "---:|" * (len(QUESTIONS) + 1))
     for what, with_it, without in rows:
-        cells = [ratio(with_it, without, which, q) for q in QUESTIONS]
-        cells.append(ninth(with_it, without, which, "measure"))
-        print("| %s | %s |" % (what, " | ".join(
-            "" if c is None else "1.00" if abs(c - 1) < 0.005
-            else "%.2f" % c for c in cells)))
+        cells = [cell(with_it, without, ratio, q) for q in QUESTIONS]
+        cells.append(cell(with_it, without, ninth, "measure"))
+        print("| %s | %s |" % (what, " | ".join(cells)))
 
 
 def main():
@@ -224,10 +232,7 @@ def main():
             print("%-36s of %d questions, statuses that differ: %d, answers: %d"
                   % ((what, len(base)) + differences(base, rows[-1][2])),
                   flush=True)
-        print_table("Even half of the corpus", "tests/corpus/even.txt", rows)
-        print_table("Unseen: %d made structures of %d to %d blocks"
-                    % (len(FAMILIES) * len(SIZES) * len(NUMBERS), SIZES[0],
-                       SIZES[-1]), "unseen.txt", rows)
+        print_table(rows)
 
 
 if __name__ == "__main__":

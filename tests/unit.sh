@@ -83,6 +83,11 @@ paper() { # levels against the paper's own algorithm, a program a step
             examples/structures/*.kern
 }
 
+design() { # the examples of DESIGN.md
+    # shellcheck disable=SC2086
+    gcc $plain -o "$out/design" tests/design.c -lm && "$out/design"
+}
+
 regressions() { # structures on which earlier versions failed
     # shellcheck disable=SC2086
     gcc $plain -o "$out/regressions" tests/regressions.c -lm &&
