@@ -8,10 +8,10 @@ tests/DESIGN.md: instructions without the mechanism, as a multiple of those with
 it, summed over the structures; and how many statuses and answers differ.
 
 A mechanism is taken out by statements that are put at the head of a function.
-Where kern.h has no such function any more, or the copy does not compile, the
-script says so and fails. Names are those of MECHANISMS: all, or those given.
---units counts the library's own units of work, in half a minute, instead of
-instructions under valgrind."""
+Where kern.h has no such function any more, where the copy does not compile, or
+where a status differs, the script says so, goes on and fails at the end. Names
+are those of MECHANISMS: all, or those given. --units counts the library's own
+units of work, in a minute, instead of instructions under valgrind."""
 import argparse
 import csv
 import io
@@ -29,8 +29,8 @@ SIZES = [8, 15, 25, 40, 80]
 NUMBERS = [40, 41]  # tests/work.c asks about 0 and 1, tests/bench.c 0 to 8
 ALIKE = 5e-6  # answers that differ by less are one; above 1 as a share
 
-# Name, what it is in the table, and the statements: {function: head}. In order
-# of the sections of DESIGN.md. A tuple of functions: the first that exists.
+# Name, what it is in the table, and the statements: {function: head}, in the
+# order of the sections of DESIGN.md. None: a line before all others.
 MECHANISMS = [
     ("bodies", "bodies first",
      {"kern_body_line": "m->graph.carrier[g] = KERN_OUT; return KERN_OUT;"}),
@@ -71,8 +71,8 @@ MECHANISMS = [
 ]
 
 
-def fail(what):
-    sys.exit("ablate.py: " + what)
+class Fault(Exception):
+    """A mechanism cannot be taken out, or what is left does not run."""
 
 
 def take_out(text, heads):
@@ -85,8 +85,8 @@ def take_out(text, heads):
         found = list(re.finditer(r"^(?:\w[^;{}()]*\b)?" + name
                                  + r"\([^;{}]*\)\n\{\n", text, re.M))
         if len(found) != 1:
-            fail("kern.h defines %s() %d times, not once: mend MECHANISMS"
-                 % (name, len(found)))
+            raise Fault("kern.h defines %s() %d times, not once: mend "
+                        "MECHANISMS" % (name, len(found)))
         at = found[0].end()
         text = text[:at] + "    " + head + "\n" + text[at:]
     return text
@@ -110,8 +110,8 @@ class Copy:
         done = subprocess.run(command, cwd=self.folder, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         if done.returncode:
-            fail(" ".join(command) + "\n" + done.stdout[-999:]
-                 + done.stderr[-999:])
+            raise Fault(" ".join(command) + "\n" + done.stdout[-999:]
+                        + done.stderr[-999:])
         return done.stdout
 
     def compile(self, source, program):
@@ -217,22 +217,30 @@ def main():
     known = [m[0] for m in MECHANISMS]
     for name in options.names:
         if name not in known:
-            fail("no mechanism %s; there are %s" % (name, ", ".join(known)))
+            sys.exit("no mechanism %s; there are %s" % (name, ", ".join(known)))
+    rows, faults = [], []
     with tempfile.TemporaryDirectory() as folder:
         copy = Copy(os.path.join(folder, "kern"), options.units)
-        for _, _, heads in MECHANISMS:
-            take_out(copy.text, heads)  # all that does not apply is told first
         copy.make_unseen()
         base = copy.count({})
-        rows = []
         for name, what, heads in MECHANISMS:
             if options.names and name not in options.names:
                 continue
-            rows.append((what, base, copy.count(heads)))
+            try:
+                without = copy.count(heads)
+            except Fault as fault:
+                faults.append("%s: %s" % (name, fault))
+                print("FAILED  " + faults[-1], flush=True)
+                continue
+            rows.append((what, base, without))
+            status, answer = differences(base, without)
+            if status:
+                faults.append("%s: changes what is answered" % name)
             print("%-36s of %d questions, statuses that differ: %d, answers: %d"
-                  % ((what, len(base)) + differences(base, rows[-1][2])),
-                  flush=True)
-        print_table(rows)
+                  % (what, len(base), status, answer), flush=True)
+    print_table(rows)
+    if faults:
+        sys.exit("\n".join(["", "%d faults:" % len(faults)] + faults))
 
 
 if __name__ == "__main__":
