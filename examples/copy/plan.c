@@ -59,7 +59,7 @@ static int choose_place(kern_plan *plan, int i)
     printf("stone %d:", i + 1);
     for (k = 0; k < 4; k++) {
         kern_block stone;
-        kern_margin m;
+        kern_margin m = {0, 0, 0, 0, 0, 0, 0};
         kern_real chance = 0;
         if (make_stone(&stone, i, k) != KERN_OK
             || kern_plan_try(plan, &stone, &m, NULL) != KERN_STANDS
@@ -81,7 +81,7 @@ static int choose_place(kern_plan *plan, int i)
 static int build(kern_plan *plan)
 {
     kern_block stone;
-    kern_margin m;
+    kern_margin m = {0, 0, 0, 0, 0, 0, 0};
     int i, place;
     if (kern_ground_init(&stone, ground, 4, NULL) != KERN_OK
         || kern_plan_add(plan, &stone) < 0)
@@ -104,7 +104,7 @@ static void remove_each(kern_plan *plan)
     int i;
     for (i = 0; i < STONES; i++) {
         const kern_block stone = block[1];
-        kern_margin m;
+        kern_margin m = {0, 0, 0, 0, 0, 0, 0};
         kern_plan_remove(plan, 1);
         if (kern_measure(&plan->task, &m, NULL) == KERN_STANDS)
             printf("without stone %d: margin %.3f m\n", i + 1, m.margin);
