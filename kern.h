@@ -159,11 +159,6 @@
    those of the options; no tolerance is below 64 roundings of the largest
    coordinate. "Size" is that of the pair's smaller free block. Vertices where
    the outline turns by less than 1e-6 rad do not count.
-     steps     A step turns one way and back. An outline with steps lower than
-               the gap, or with risers of at most 1.6 gaps, carries as its
-               Douglas-Peucker simplification (within the gap, or 1.42 risers)
-               does: contacts lie on its chords and have their normals. Arcs and
-               knees, whose corners all turn to one side, keep their edges.
      line      Two edges, one of each block, antiparallel within `angle`, and
                within the gap over a length of more than the gap or 1e-3 of the
                size, whichever is less. The contact points are the ends of that
@@ -391,6 +386,7 @@ typedef float kern_real;
 #define kern_measured_options kern_measured_options_f32
 #define kern_certain kern_certain_f32
 #define kern_overlaps kern_overlaps_f32
+#define kern_outline_simplify kern_outline_simplify_f32
 #define kern_plan_add kern_plan_add_f32
 #define kern_plan_bears kern_plan_bears_f32
 #define kern_plan_of kern_plan_of_f32
@@ -790,6 +786,11 @@ KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
 /* The same for a fixed block: ground, a wall, a support. */
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
                                       int vertices, kern_fault *fault);
+
+/* Simplifies a closed outline. */
+KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
+                                   kern_real tolerance, kern_vec *out,
+                                   int *kept, int room);
 
 /* Adds a force [N] that acts at a point and a torque [N m] to the block's
    load, which acts at the centre: set the centre first. */
@@ -7339,19 +7340,16 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_ERRORS KERN_R(3.5)
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
 #define KERN_ERROR_EDGE KERN_R(3.0) /* beyond its end; of angle: of cones */
-/* Gaps up to which a riser is one of a drawing and no shear key: the pixel of
-   an image of 900 a stone must not hold. At 2 a kerb of two gaps would go. */
-#define KERN_RISER KERN_R(1.6)
 /* Sine of 10 degrees: by so much ways of steps may turn; by less do the normals
    of a line contact and of a vertex that belongs to it, by more at a corner. */
 #define KERN_SAME_FACE KERN_R(0.17364817766693036)
-/* Largest share of a step: of the smaller free block's size, or it stays with
-   any gap; and of a way whose direction it hardly changes. */
-#define KERN_STEP_MOST KERN_R(0.1)
 /* Strides of the search for overlap to a gap, which may be so much deeper
    unseen; and of a stride to that by which it grows. Fewer miss more, more take
    time. And most triangles of a size that are tried for an inner point. */
 #define KERN_STRIDES 32
+/* How often the tolerance of a simplified outline is halved where its edges
+   would cross. After that the outline keeps all its corners. */
+#define KERN_HALVINGS 8
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
 /* Vertices are counted as written, which may be clockwise: the area is below 0
@@ -7397,20 +7395,12 @@ static kern_real kern_box_largest(const kern_box *box)
 
 /* ---- outlines ---- */
 
-typedef struct kern_span {
-    int start, end; /* corners; equal: the whole outline         */
-    int steps;      /* 1: its chord stands for edges; -1: unknown */
-} kern_span;
-
 /* A block's outline in runs of `each` vertices with a box around the edges that
    start there, from corner to corner. A short outline is one run. */
 typedef struct kern_outline {
     const kern_block *block;
-    int straight, reflex;      /* are there such vertices, or spikes?   */
-    int each;                  /* vertices of a run                     */
-    kern_real step;            /* a corner is so far from its chord [m] */
-    int spans;                 /* so many; 0: not known yet             */
-    kern_span span[KERN_RUNS]; /* each lies in the one before        */
+    int straight, reflex; /* are there such vertices, or spikes?   */
+    int each;             /* vertices of a run                     */
     kern_box box[KERN_RUNS];
 } kern_outline;
 
@@ -7475,11 +7465,6 @@ static inline void kern_edge_set(kern_edge *e, const kern_block *block, int at,
 static kern_real kern_edge_along(const kern_edge *e, kern_vec p)
 {
     return kern_vec_dot(kern_vec_sub(p, e->p), e->d);
-}
-
-static kern_vec kern_edge_foot(const kern_edge *e, kern_vec p)
-{
-    return kern_vec_step(e->p, kern_edge_along(e, p), e->d);
 }
 
 /* Goes to the next edge near the box, behind vertex e->at or -1; 0: none. */
@@ -7651,19 +7636,25 @@ KERN_SHARED static kern_status kern_vertices_check(const kern_vec *v, int n)
                                          : KERN_BAD_POINTER;
 }
 
+/* Returns a fixed block of these vertices that is not measured yet. */
+static kern_block kern_ground_of(const kern_vec *vertex, int vertices)
+{
+    const kern_block made = {vertex,           vertices, 1,      0,
+                             {{0, 0}, {0, 0}}, 0,        {0, 0}, {0, 0, 0}};
+    return made;
+}
+
 /* Leaves a block that every call refuses where the polygon is none. */
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
                                       int vertices, kern_fault *fault)
 {
-    const kern_block made = {vertex,           vertices, 1,      0,
-                             {{0, 0}, {0, 0}}, 0,        {0, 0}, {0, 0, 0}};
     kern_fault ignored;
     kern_status status = kern_vertices_check(vertex, vertices);
     fault = fault ? fault : &ignored;
     kern_fault_clear(fault);
     if (!block)
         return status == KERN_OK ? KERN_BAD_POINTER : status;
-    *block = made;
+    *block = kern_ground_of(vertex, vertices);
     if (status == KERN_OK)
         status = kern_polygon_measure(block, fault);
     if (status != KERN_OK)
@@ -7708,6 +7699,95 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
     return sized ? sum / KERN_R(sized) : KERN_R(0);
 }
 
+/* ---- simplified outlines ---- */
+
+/* Returns the vertex that is farthest from the way from vertex start to end and
+   lies between them, or -1 if none is farther away than the tolerance. All are
+   between a vertex and itself. With `whole` the farthest of all from a point is
+   returned. Of vertices that are equally far, but for rounding, it is the
+   lowest, and of these the leftmost: so the outline may begin anywhere. */
+KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
+                                             int end, kern_vec p, kern_vec q,
+                                             kern_real tolerance)
+{
+    const kern_vec *v = block->vertex;
+    kern_real most = tolerance * tolerance;
+    int i = start, found = -1;
+    do {
+        kern_real square;
+        int lower;
+        i = kern_polygon_next(block, i, 0);
+        square = kern_edge_square(kern_vec_sub(p, v[i]), kern_vec_sub(q, v[i]));
+        lower = found >= 0
+             && (v[i].y < v[found].y
+                 || (!(v[i].y > v[found].y) && v[i].x < v[found].x));
+        if (square > (lower ? 1 - KERN_SLIGHT : 1 + KERN_SLIGHT) * most) {
+            most = square;
+            found = i;
+        }
+    } while (i != end);
+    return found;
+}
+
+/* Writes the vertices that stay to out[0..room) and their indices to kept, from
+   the corner that is farthest from the centre on. Returns how many there are,
+   or KERN_NO_SPACE. Vertices that stay, but are farther on than `end`, wait at
+   the end of `kept` in reverse order. */
+static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
+                               kern_vec *out, int *kept, int room)
+{
+    const kern_vec *v = block->vertex, c = block->centre;
+    const int anchor = kern_outline_farthest(block, 0, 0, c, c, KERN_R(0));
+    int at = anchor, waiting = room, count = 0;
+    if (anchor < 0) /* all vertices are at one place */
+        return (int)KERN_NO_AREA;
+    while (count < waiting) {
+        const int end = waiting < room ? kept[waiting] : anchor;
+        const int split = kern_outline_farthest(block, at, end, v[at], v[end],
+                                                tolerance);
+        if (split >= 0) {
+            kept[--waiting] = split;
+            continue;
+        }
+        kept[count] = at;
+        out[count++] = v[at];
+        if (waiting++ == room)
+            return count;
+        at = end;
+    }
+    return (int)KERN_NO_SPACE;
+}
+
+KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
+                                   kern_real tolerance, kern_vec *out,
+                                   int *kept, int room)
+{
+    kern_block raw = kern_ground_of(vertex, vertices), made;
+    kern_status status = kern_vertices_check(vertex, vertices);
+    int tries, count;
+    if (status != KERN_OK)
+        return (int)status;
+    if (!out || !kept)
+        return (int)KERN_BAD_POINTER;
+    if (!(tolerance >= 0 && tolerance <= KERN_FAR))
+        return (int)KERN_BAD_OPTION;
+    if (!kern_is_finite(kern_polygon_area(&raw))
+        || kern_box_largest(&raw.box) > KERN_FAR)
+        return (int)KERN_BAD_NUMBER;
+
+    /* where edges that remain cross, or hardly any do, leave out fewer */
+    for (tries = KERN_HALVINGS; tries >= 0; tries--, tolerance /= 2) {
+        count = kern_outline_reduce(&raw, tries ? tolerance : KERN_R(0), out,
+                                    kept, room);
+        if (count < 0)
+            return count;
+        status = kern_ground_init(&made, out, count, NULL);
+        if (status == KERN_OK)
+            return count;
+    }
+    return (int)status;
+}
+
 /* ---- Contacts ------------------------------------------------- >>contact */
 /*      line               point              corner in a corner
         ___________             \  b  /         | b
@@ -7719,9 +7799,8 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
    >>rules says:
    1. Overlap: the search fails (kern_overlap_depth()).
    2. Edges make lines (kern_pair_line()) and points (kern_pair_point()).
-   3. Steps: contacts go to the chords of an outline (kern_outline_chord()).
-   4. Faces: what lies on one line is merged (kern_pair_face()).
-   5. Travels: kern_point_travels().
+   3. Faces: what lies on one line is merged (kern_pair_face()).
+   4. Travels: kern_point_travels().
    At the end each line becomes two contact points. */
 
 /* ---- overlap ---- */
@@ -7824,119 +7903,6 @@ KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
     return deep > gap ? deep : KERN_R(0);
 }
 
-/* ---- simplified outlines ---- */
-/* The simplification of an outline with steps (Douglas & Peucker 1973) is not
-   stored: the span of an edge is found from the whole outline, which is split
-   until no corner is farther than a step from the chord. The nested spans on
-   the way serve the next edge, which is a neighbour as a rule. */
-
-/* Does the edge that starts at vertex i of n lie in the span? */
-KERN_SHARED static int kern_span_holds(const kern_span *span, int i, int n)
-{
-    return (i - span->start + n) % n <= (span->end - span->start - 1 + n) % n;
-}
-
-/* Length of the edge from corner i to k if it turns to both sides: a riser. */
-static kern_real kern_riser_length(const kern_block *block, int i, int k)
-{
-    const int turns = kern_polygon_turn(block, i) * kern_polygon_turn(block, k);
-    return turns < 0
-             ? kern_vec_length(kern_vec_sub(block->vertex[k], block->vertex[i]))
-             : KERN_INFINITY;
-}
-
-/* Has the span a riser: of any length inside, of at most a step at its ends? */
-static int kern_span_has_steps(const kern_outline *o, const kern_span *span)
-{
-    int i, k = span->start;
-    do {
-        i = k;
-        k = kern_outline_corner(o, i);
-        if (kern_riser_length(o->block, i, k)
-            < (i == span->start || k == span->end ? o->step : KERN_INFINITY))
-            return 1;
-    } while (k != span->end);
-    return 0;
-}
-
-/* The corner farthest from pq, in an open span by over a step; else the end. */
-static int kern_span_split(const kern_outline *o, int start, int end,
-                           kern_vec p, kern_vec q)
-{
-    const kern_vec d = kern_vec_sub(q, p);
-    kern_real most = start == end ? KERN_R(0) : o->step * o->step;
-    int i = start, at = end;
-    do {
-        const kern_vec r = kern_vec_sub(p, o->block->vertex[i]);
-        const kern_real square = kern_edge_square(r, kern_vec_add(r, d));
-        if (square > most) {
-            most = square;
-            at = i;
-        }
-    } while ((i = kern_outline_corner(o, i)) != end);
-    return at;
-}
-
-/* The whole outline is a span from the corner farthest from the centre. Stairs
-   of low risers, the shorter edges at reflex corners, take what they deviate
-   from their chord: the root of 2 times a riser where treads are as long. */
-static void kern_outline_whole(kern_outline *o)
-{
-    const kern_block *block = o->block;
-    const kern_vec c = block->centre;
-    kern_span *whole = o->span;
-    kern_real riser = KERN_R(0), before = KERN_INFINITY;
-    int i = kern_outline_corner(o, block->vertices - 1);
-    i = kern_span_split(o, i, i, c, c);
-    whole->start = whole->end = i;
-    whole->steps = -1;
-    o->spans = 1;
-    do {
-        const int k = kern_outline_corner(o, i);
-        const kern_real after = kern_riser_length(block, i, k);
-        const kern_real high = kern_min(before, after);
-        if (high <= KERN_RISER * o->step && kern_polygon_turn(block, i) < 0)
-            riser = kern_max(riser, high);
-        before = after;
-        i = k;
-    } while (i != whole->start);
-    o->step = kern_max(o->step, KERN_SQRT(KERN_R(2)) * riser);
-}
-
-/* 1: the chord that stands for edge i; 0: itself, as in a convex outline. */
-static int kern_outline_chord(kern_outline *o, int i, kern_edge *chord)
-{
-    const kern_vec *v = o->block->vertex;
-    const int n = o->block->vertices;
-    kern_span *span, half;
-    if (!o->reflex)
-        return 0;
-    if (!o->spans)
-        kern_outline_whole(o);
-    while (!kern_span_holds(&o->span[o->spans - 1], i, n))
-        o->spans--;
-    while ((span = &o->span[o->spans - 1])->steps < 0) {
-        half = *span;
-        span->steps = kern_span_has_steps(o, span);
-        if (span->steps)
-            half.end = kern_span_split(o, half.start, half.end, v[half.start],
-                                       v[half.end]);
-        if (half.end == span->end)
-            break;
-        if (!kern_span_holds(&half, i, n)) {
-            half.start = half.end;
-            half.end = span->end;
-        }
-        span->steps = -1;
-        if (o->spans == KERN_RUNS) /* all but the whole are found anew */
-            o->spans = 1;
-        o->span[o->spans++] = half;
-    }
-    if (span->steps)
-        kern_edge_set(chord, o->block, span->start, span->end);
-    return span->steps;
-}
-
 /* ---- the pair ---- */
 
 /* Two blocks, and the contacts of all pairs so far, in the caller's array. Here
@@ -7986,89 +7952,6 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
         && kern_abs(kern_vec_cross(e->d, f->d)) <= pair->sine;
 }
 
-/* ---- steps ---- */
-/* Contacts are found at the edges as they are, so that no support is lost by
-   the simplification. A contact at a step then goes to the chord, unless its
-   normal is far from that of the chord: it is that of the step's own edge. */
-
-/* A point at *p on chord e is the nearer end of chord f of the block. 0: that
-   end does not stand there, since one of the ways from it leads inside by more
-   than a chord of steps may be off, as between stones whose corners meet. */
-static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
-                             const kern_outline *o, kern_vec *p)
-{
-    const kern_block *block = o->block;
-    const int back = 2 * kern_edge_along(f, *p) <= f->length;
-    const int corner = back ? f->start : f->end;
-    const kern_vec chord = kern_vec_scale(f->d, back ? KERN_R(1) : KERN_R(-1));
-    kern_vec way;
-    int i = corner;
-    *p = back ? f->p : f->q;
-    do {
-        i = kern_polygon_next(block, i, back == (block->area > 0));
-        way = kern_vec_sub(block->vertex[i], *p);
-    } while (i != corner && KERN_STEP_MOST * kern_vec_length(way) < o->step);
-    return kern_vec_cross(chord, e->d) >= -KERN_SAME_FACE
-        && kern_vec_cross(way, e->d) >= -KERN_SAME_FACE * kern_vec_length(way);
-}
-
-/* The chord of an edge, in *chord, or the edge. At a corner where it starts it
-   may be that of the edge before, where that is low: the end of a step. */
-static const kern_edge *kern_pair_chord(kern_outline *o, const kern_edge *edge,
-                                        int corner, kern_edge *chord)
-{
-    const kern_block *block = o->block;
-    const int out = block->area > 0;
-    const int last = kern_polygon_next(block, edge->start, out);
-    return kern_outline_chord(o, edge->at, chord)
-                || (corner
-                    && kern_vec_length(
-                           kern_vec_sub(block->vertex[last], edge->p))
-                           <= o->step
-                    && kern_outline_chord(o, out ? last : edge->start, chord))
-             ? chord
-             : edge;
-}
-
-/* Adds a contact of two edges, on their chords: midway between two that run
-   against each other, else on the one inside of whose ends it lies farther. A
-   point's corner is of a (0) or b (1): its own chord's end has no normal. */
-static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
-                          kern_vec n, kern_real half, int corner)
-{
-    kern_edge chord[2];
-    const kern_edge *e[2] = {edge, edge + 1};
-    kern_real inside[2];
-    kern_vec t, q;
-    int on, reflex = pair->of[0].reflex | pair->of[1].reflex;
-    for (on = 0; on < 2 && reflex; on++) {
-        e[on] = kern_pair_chord(&pair->of[on], edge + on, corner == on,
-                                chord + on);
-        inside[on] = kern_edge_along(e[on], p);
-        inside[on] = kern_min(inside[on], e[on]->length - inside[on]);
-        if (corner == on && !(inside[on] > 0))
-            inside[on] = -KERN_INFINITY;
-    }
-    if (e[0] == edge && e[1] == edge + 1) {
-        kern_pair_put(pair, p, n, half);
-        return;
-    }
-    on = inside[0] < inside[1];
-    if (kern_pair_opposed(pair, e[0], e[1])) {
-        t = kern_vec_unit(kern_vec_sub(e[0]->d, e[1]->d));
-        q = kern_vec_mid(kern_edge_foot(e[0], p), kern_edge_foot(e[1], p));
-    } else if (2 * half > pair->gap
-               || kern_chord_stands(e[on], e[!on], &pair->of[!on], &p)) {
-        t = on ? kern_vec_scale(e[1]->d, -1) : e[0]->d;
-        q = kern_edge_foot(e[on], p);
-    } else {
-        return;
-    }
-    t = kern_vec_scale(kern_vec_turn(t), -1); /* the outer normal */
-    if (2 * kern_vec_dot(t, n) > 1)           /* less than 60 degrees off */
-        kern_pair_put(pair, q, t, half * kern_vec_dot(t, n));
-}
-
 /* ---- lines and points ---- */
 
 /* The widest gap at p. Errors of angle count by the distance from centres. */
@@ -8107,7 +7990,7 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     if (!(high - low > pair->least))
         return;
     p = kern_vec_step(kern_vec_step(e->p, (low + high) / 2, t), gap / 2, n);
-    kern_pair_add(pair, edge, p, n, (high - low) / 2, KERN_OUT);
+    kern_pair_put(pair, p, n, (high - low) / 2);
 }
 
 /* Is the foot of p inside edge e, or does e end at p in a reflex corner? */
@@ -8146,8 +8029,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
         return;
     if (pair->deep > pair->gap) /* midway, as a line */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
-    kern_pair_add(pair, edge, p,
-                  kern_vec_scale(kern_vec_turn(e->d), on ? 1 : -1), 0, !on);
+    kern_pair_put(pair, p, kern_vec_scale(kern_vec_turn(e->d), on ? 1 : -1), 0);
 }
 
 /* Looks for lines and points at each two edges that are near each other. */
@@ -8323,9 +8205,6 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
     pair->reach = kern_max(s->reach, pair->deep);
     pair->least = kern_max(kern_min(pair->gap, KERN_GAP * size), s->floor);
     pair->foot = kern_max(KERN_SLIGHT * size, s->floor);
-    pair->of[0].step = kern_min(pair->gap, KERN_STEP_MOST * size) + s->floor;
-    pair->of[1].step = pair->of[0].step;
-    pair->of[0].spans = pair->of[1].spans = 0;
 }
 
 /* Whether box or area of the vertices changed since kern_block_init(). */
