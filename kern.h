@@ -7347,8 +7347,11 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
    unseen; and of a stride to that by which it grows. Fewer miss more, more take
    time. And most triangles of a size that are tried for an inner point. */
 #define KERN_STRIDES 32
+/* Share of a squared distance by which two vertices are equally far from an
+   edge: on a grid of pixels many are, but for rounding. */
+#define KERN_EQUALLY_FAR KERN_PICK(1e-6, 1e-5)
 /* How often the tolerance of a simplified outline is halved where its edges
-   would cross. After that the outline keeps all its corners. */
+   cross. After that it is 0. */
 #define KERN_HALVINGS 8
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
@@ -7721,7 +7724,8 @@ KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
         lower = found >= 0
              && (v[i].y < v[found].y
                  || (!(v[i].y > v[found].y) && v[i].x < v[found].x));
-        if (square > (lower ? 1 - KERN_SLIGHT : 1 + KERN_SLIGHT) * most) {
+        if (square
+            > (lower ? 1 - KERN_EQUALLY_FAR : 1 + KERN_EQUALLY_FAR) * most) {
             most = square;
             found = i;
         }
