@@ -40,6 +40,8 @@ double fault[4], answer[6]; /* answer: of the last call                   */
 const int constant[7] = {BLOCKS,       VERTICES,    KERN_STANDS, KERN_FALLS,
                          KERN_OVERLAP, KERN_RAISED, KERN_HANGS};
 
+static kern_vec simple[VERTICES]; /* an outline, and which of its vertices */
+static int kept[VERTICES];
 static kern_block block[BLOCKS];
 static kern_wrench live[BLOCKS]; /* the live load, about the centres          */
 static kern_contact contact[CONTACTS];
@@ -86,6 +88,24 @@ static void put_centre(int i)
 {
     centre[i][0] = block[i].centre.x;
     centre[i][1] = block[i].centre.y;
+}
+
+/* Simplifies an outline, the first vertices of the array, within half a gap.
+   Returns how many vertices there are then, or a status. */
+PAGE(simplify) int page_simplify(int vertices)
+{
+    kern_block raw;
+    kern_fault f;
+    const int status = kern_ground_init(&raw, vertex, vertices, &f);
+    const double size = __builtin_sqrt(__builtin_fabs(raw.area));
+    int i, count;
+    if (status != KERN_OK && status != KERN_CROSSING)
+        return status;
+    count = kern_outline_simplify(vertex, vertices, 0.5e-3 * size, simple, kept,
+                                  VERTICES);
+    for (i = 0; i < count; i++)
+        vertex[i] = simple[i];
+    return count;
 }
 
 /* Block i, the next or one that was there, from vertices of the array; density

@@ -60,8 +60,8 @@ __all__ = [
     "Block", "Contact", "contact_make", "contact_travels", "work_need",
     "Verdict", "Raising", "Raised", "Margin", "Factor", "Profile", "Critical",
     "ContactRate", "BlockRate", "Solution", "Structure", "Plan", "overlaps",
-    "parse", "read", "from_labelme", "from_coco", "lp_solve", "status_text",
-    "build",
+    "parse", "read", "from_labelme", "from_coco", "simplified", "lp_solve",
+    "status_text", "build",
 ]
 
 Point = Tuple[float, float]
@@ -367,6 +367,8 @@ _block_init = _declare("kern_block_init", _i, _p, _p, _i, _r, _p)
 _ground_init = _declare("kern_ground_init", _i, _p, _p, _i, _p)
 _block_load = _declare("kern_block_load", None, _p, _Vec, _Vec, _r)
 _mean_size = _declare("kern_mean_size", _r, _p, _i)
+_outline_simplify = _declare("kern_outline_simplify", _i, _p, _i, _r, _p, _p,
+                             _i)
 _contacts = _declare("kern_contacts", _i, _p, _i, _p, _p, _i, _p)
 _overlaps = _declare("kern_overlaps", _i, _p, _i, _p, _p, _i, _p)
 _certain = _declare("kern_certain", _i, _p, _r, _p, _p, _i)
@@ -1981,29 +1983,19 @@ def _from_dxf(data: bytes, name: str) -> bytes:
 _FARTHEST = 1e15  # whose square is still far from the largest number
 
 
-def _simplified(points: List[Point], tolerance: float) -> List[Point]:
-    """Douglas and Peucker: the points without those nearer than the tolerance
-    to the polygon that remains; see contour.c."""
-    n, kept, first = len(points), [True] + [False] * (len(points) - 1), 0
-    while first < n:
-        last = first + 1
-        while last < n and not kept[last]:
-            last += 1
-        (ax, ay), (bx, by) = points[first], points[last % n]
-        dx, dy = bx - ax, by - ay
-        most, at, square = tolerance * tolerance, -1, dx * dx + dy * dy
-        for i in range(first + 1, last):
-            px, py = points[i][0] - ax, points[i][1] - ay
-            share = (min(max((px * dx + py * dy) / square, 0), 1)
-                     if square else 0)
-            away = (px - share * dx) ** 2 + (py - share * dy) ** 2
-            if away > most:
-                most, at = away, i
-        if at >= 0:
-            kept[at] = True
-        else:
-            first = last
-    return [point for point, keep in zip(points, kept) if keep]
+def simplified(points: Sequence[Point], tolerance: float) -> List[Point]:
+    """kern_outline_simplify(): the vertices of a closed outline without those
+    that are no farther than the tolerance from the polygon that remains.
+
+    >>> simplified([(0, 0), (1, .01), (2, 0), (2, 1), (0, 1)], tolerance=.02)
+    [(0, 0), (2, 0), (2, 1), (0, 1)]
+    """
+    n = len(points)
+    raw, out, kept = (_Vec * n)(*points), (_Vec * n)(), (c_int * n)()
+    count = _outline_simplify(raw, n, tolerance, out, kept, n)
+    if count < 0:
+        raise KernError(count)
+    return [points[i] for i in kept[:count]]
 
 
 def _from_image(polygons: List[Tuple[str, List[Any]]], height: float,
@@ -2026,8 +2018,11 @@ def _from_image(polygons: List[Tuple[str, List[Any]]], height: float,
             raise ValueError("%s: '%s': points are no pairs of numbers, or "
                              "farther than %g m" % (name, label, _FARTHEST)
                              ) from None
-        blocks.append(Block(_unique(label, used),
-                            _simplified(turned, tolerance * pixel), density,
+        try:
+            turned = simplified(turned, tolerance * pixel)
+        except KernError:
+            pass  # body() tells the vertex and the name
+        blocks.append(Block(_unique(label, used), turned, density,
                             fixed=label in fixed))
     if not blocks:
         raise ValueError("%s: no polygons" % name)
