@@ -7977,7 +7977,7 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 {
     const kern_edge *e = edge, *f = edge + 1;
     const kern_vec r = kern_vec_sub(f->q, e->p); /* against round-off */
-    kern_real at, cosine, slope, low, high, gap, wide;
+    kern_real at, cosine, slope, low, high, gap, wide, least;
     kern_vec t, n, p;
     if (!kern_pair_opposed(pair, e, f))
         return;
@@ -7991,7 +7991,8 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     gap = kern_vec_dot(r, n) + slope * at; /* at s = 0 */
     wide = kern_pair_gap(pair, kern_vec_step(e->p, (low + high) / 2, t));
     kern_clip(&low, &high, gap, -2 * slope, -kern_max(wide, pair->deep), wide);
-    if (!(high - low > pair->least))
+    least = kern_min(pair->least, kern_max(e->length, f->length) / 2);
+    if (!(high - low > kern_max(least, pair->foot)))
         return;
     p = kern_vec_step(kern_vec_step(e->p, (low + high) / 2, t), gap / 2, n);
     kern_pair_put(pair, p, n, (high - low) / 2);
@@ -8111,7 +8112,8 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 KERN_SHARED static int kern_carried(const kern_contact *c, kern_vec down)
 {
     const kern_real push = kern_vec_dot(c->n, down);
-    return push < 0 ? c->b : push > 0 ? c->a : KERN_OUT;
+    const kern_real least = KERN_SLIGHT * kern_vec_largest(down);
+    return push < -least ? c->b : push > least ? c->a : KERN_OUT;
 }
 
 /* Are c and d of one interface, or with `down` of what carries one block? */
