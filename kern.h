@@ -158,11 +158,14 @@
    Contacts of two polygons that are not both fixed. `gap` and `angle` are
    those of the options; no tolerance is below 64 roundings of the largest
    coordinate. "Size" is that of the pair's smaller free block. Vertices where
-   the outline turns by less than 1e-6 rad do not count.
+   the outline turns by less than 1e-6 rad do not count. Outlines are taken as
+   they are: every other edge, a step of one pixel too, has its own contacts, so
+   simplify raw outlines first (kern_outline_simplify()).
      line      Two edges, one of each block, antiparallel within `angle`, and
                within the gap over a length of more than the gap or 1e-3 of the
-               size, whichever is less. The contact points are the ends of that
-               stretch, midway between the edges; n is the mean normal.
+               size, whichever is less. Where both edges are shorter than that,
+               half of the longer is enough. The contact points are the ends of
+               that stretch, midway between the edges; n is the mean normal.
      point     A convex vertex within the gap of an edge, its foot more than
                1e-6 of the size from both ends, both edges of the vertex on the
                outer side of that edge within `angle`. The contact point is the
@@ -188,9 +191,9 @@
      one point stays: l = 0, as does every l below 1e-9 of the mean size.
      lone      Where options.lone asks for it, the one point of a pair goes to
                the middle of what carries its block, as in Fig. 2 c, d of the
-               paper: a contact carries the block that its normal pushes up, and
-               the middle is that of the two points farthest apart that carry
-               the same one. Kerns are then not nested (>>limits): a measure
+               paper: a contact carries the block that its normal pushes up, none
+               where the normal is horizontal within 1e-6. The middle is that of
+               the two points farthest apart that carry the same block. Kerns are then not nested (>>limits): a measure
                takes some fifteen times as long.
    It acts at p + min(d, l) u; with options.relative at p + d l u, d <= 1.
    d_max is the largest l (relative: 1). Normals do not change. With lines
@@ -269,11 +272,14 @@
 
    STONES FROM A CAMERA OR A SCANNER                               >>measured
 
-   Outline. Simplify it first (Douglas and Peucker), to one to three pixels:
-   raw points on a grid touch each other (KERN_CROSSING). Steps of a pixel
-   carry no load of their own where a pixel is no more than the gap (>>rules):
-   else set options.gap to a pixel and a half. The density is that of the
-   material times the thickness. examples/copy/contour.c shows these steps.
+   Outline. Simplify it first, within 1.5 to 3 pixels (kern_outline_simplify()).
+   Raw points on a grid touch each other (KERN_CROSSING), and each step of a
+   pixel would hold as a shear key. At 1.3 pixels and more a straight joint is
+   one edge again; below, its steps remain. Two outlines that are simplified may
+   part by twice the tolerance: set options.gap to that, or tell the error.
+   Outlines of drawings and clippers have steps of rounding: simplify them
+   within half a gap. The density is that of the material times the thickness.
+   examples/copy/contour.c shows these steps.
 
    Error. kern_measured_options() takes the standard errors of a stone's place
    (of pixel, simplification and registration the squares are added) and angle.
@@ -787,7 +793,25 @@ KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
                                       int vertices, kern_fault *fault);
 
-/* Simplifies a closed outline. */
+/* Simplifies a closed outline, as of an image: leaves out vertices while none
+   is farther than the tolerance [m] from the edge that replaces it (Douglas and
+   Peucker 1973). A step lower than the tolerance goes, unless one of its
+   vertices is the farthest for another reason; a step higher than twice the
+   tolerance stays. Knees, corners where an outline turns and goes on, obey the
+   same rule.
+   Writes the vertices that stay to out[0..room), from the one farthest from the
+   centroid on, and to kept[0..room) which of `vertex` they are. Returns how many
+   there are, which is the least `room` that is enough. These are a simple
+   polygon, ready for kern_block_init(): where edges would cross, the tolerance
+   is halved, up to eight times, and then 0. The vertices and the way they turn
+   are the same wherever the outline begins. Mirrored or turned, of two vertices
+   that are equally far another one may stay.
+   `vertex` may touch or cross itself, and must not overlap `out`. Returns below
+   0 KERN_NO_SPACE, KERN_FEW_VERTICES, KERN_NO_AREA or KERN_CROSSING (no polygon
+   remains; out means nothing), KERN_BAD_COUNT (above 1,000,000),
+   KERN_BAD_POINTER, KERN_BAD_NUMBER, KERN_BAD_OPTION (the tolerance is below 0
+   or no number). Time: O(n) for each level of halving, some log n; at worst
+   O(n) for each vertex that stays. */
 KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
                                    kern_real tolerance, kern_vec *out,
                                    int *kept, int room);
@@ -806,7 +830,7 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    out[0..room): those of block 1 with block 0, of block 2 with 0 and with 1,
    and so on. A block without vertices has none. Returns how many contact
    points there are, or KERN_NO_SPACE (out means nothing; on the way it takes
-   some seven points for each step of an outline), KERN_OVERLAP (the first
+   some seven points for each short edge of an outline), KERN_OVERLAP (the first
    pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
    KERN_FEW_VERTICES, KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the block's
    vertices have moved, or their array was used for another block). Work
@@ -8878,9 +8902,9 @@ KERN_API kern_options kern_near(const kern_options *options,
           options.error and .turn are .pose_error and .pose_turn. kern_certain()
           takes the margin and fills in a kern_interval. kern_known and
           kern_plan have fewer fields. options.limit is 10,000,000, was 0. More
-          is refused (>>api). Steps in outlines carry as their chords. New:
-          kern_stays(), kern_plan_stays(), kern_raised_load(), options.reserve,
-          .lone, KERN_NO_INTERIOR.
+          is refused (>>api). New: kern_outline_simplify(), kern_stays(),
+          kern_plan_stays(), kern_raised_load(), options.reserve, .lone,
+          KERN_NO_INTERIOR.
    0.1.0  First version. */
 
 /*

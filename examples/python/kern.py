@@ -1991,7 +1991,9 @@ def simplified(points: Sequence[Point], tolerance: float) -> List[Point]:
     [(0, 0), (2, 0), (2, 1), (0, 1)]
     """
     n = len(points)
-    raw, out, kept = (_Vec * n)(*points), (_Vec * n)(), (c_int * n)()
+    raw, out, kept = (_Vec * n)(), (_Vec * n)(), (c_int * n)()
+    for i, (x, y) in enumerate(points):
+        raw[i] = _Vec(x, y)
     count = _outline_simplify(raw, n, tolerance, out, kept, n)
     if count < 0:
         raise KernError(count)
