@@ -7382,13 +7382,16 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* Vertices are counted as written, which may be clockwise: the area is below 0
    then. Those that hardly turn are no corners. */
 
-/* The vertex behind i, or the one before. */
-KERN_SHARED static int kern_polygon_next(const kern_block *block, int i,
-                                         int back)
+/* Returns the vertex after i in the order in which they are written. */
+static int kern_polygon_next(const kern_block *block, int i)
 {
-    if (back)
-        return (i > 0 ? i : block->vertices) - 1;
-    return ++i < block->vertices ? i : 0;
+    return i + 1 < block->vertices ? i + 1 : 0;
+}
+
+/* Returns the vertex before i in the order in which they are written. */
+static int kern_polygon_before(const kern_block *block, int i)
+{
+    return (i > 0 ? i : block->vertices) - 1;
 }
 
 /* How vertex i turns: 1 to the inner side (convex), -1 to the outer side
@@ -7396,8 +7399,8 @@ KERN_SHARED static int kern_polygon_next(const kern_block *block, int i,
 static inline int kern_polygon_turn(const kern_block *block, int i)
 {
     const kern_vec *v = block->vertex;
-    const kern_vec in = kern_vec_sub(v[i], v[kern_polygon_next(block, i, 1)]);
-    const kern_vec out = kern_vec_sub(v[kern_polygon_next(block, i, 0)], v[i]);
+    const kern_vec in = kern_vec_sub(v[i], v[kern_polygon_before(block, i)]);
+    const kern_vec out = kern_vec_sub(v[kern_polygon_next(block, i)], v[i]);
     const kern_real turn = kern_vec_cross(in, out);
     const kern_real least = KERN_SLIGHT * kern_vec_dot(in, out);
     if (kern_abs(turn) < least)
@@ -7435,7 +7438,7 @@ typedef struct kern_outline {
 static int kern_outline_corner(const kern_outline *o, int i)
 {
     do
-        i = kern_polygon_next(o->block, i, 0);
+        i = kern_polygon_next(o->block, i);
     while (o->straight && kern_polygon_turn(o->block, i) == 0);
     return i;
 }
@@ -7455,7 +7458,7 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
     o->box[0] = block->box;
     for (i = 0; n > KERN_RUNS && i < n; i++) {
         kern_box *box = &o->box[i / o->each];
-        const int end = kern_polygon_next(block, i, 0);
+        const int end = kern_polygon_next(block, i);
         if (i % o->each == 0)
             box->low = box->high = block->vertex[i];
         kern_box_add(box, block->vertex[end]);
@@ -7489,7 +7492,7 @@ static inline void kern_edge_set(kern_edge *e, const kern_block *block, int at,
 }
 
 /* Where the foot of p on the line of e is, from its start on. */
-static kern_real kern_edge_along(const kern_edge *e, kern_vec p)
+static kern_real kern_edge_foot(const kern_edge *e, kern_vec p)
 {
     return kern_vec_dot(kern_vec_sub(p, e->p), e->d);
 }
@@ -7543,7 +7546,7 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
     const int n = block->vertices;
     kern_vec u = kern_vec_sub(vertex[*nearest], p);
     kern_real least = kern_edge_square(
-        u, kern_vec_sub(vertex[kern_polygon_next(block, *nearest, 0)], p));
+        u, kern_vec_sub(vertex[kern_polygon_next(block, *nearest)], p));
     int i, start, end, inside = 0;
     u = kern_vec_sub(vertex[0], p);
     for (start = 0; start < n; start = end) {
@@ -7555,8 +7558,8 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
             KERN_R(0.999) * kern_vec_dot(way, way) > least;
         end = n - start > o->each ? start + o->each : n;
         for (i = skip ? end - 1 : start; i < end; i++) {
-            const kern_vec v = kern_vec_sub(
-                vertex[kern_polygon_next(block, i, 0)], p);
+            const kern_vec v = kern_vec_sub(vertex[kern_polygon_next(block, i)],
+                                            p);
             const kern_real square = skip ? least : kern_edge_square(u, v);
             if (square < least) {
                 least = square;
@@ -7594,8 +7597,8 @@ static int kern_polygon_crossing(const kern_block *block)
     kern_edge e, f;
     int i, lowest = 0;
     for (i = 0; i < block->vertices; i++)
-        lowest += v[kern_polygon_next(block, i, 0)].y > v[i].y
-               && v[kern_polygon_next(block, i, 1)].y >= v[i].y;
+        lowest += v[kern_polygon_next(block, i)].y > v[i].y
+               && v[kern_polygon_before(block, i)].y >= v[i].y;
     kern_outline_set(&o, block);
     if (!o.reflex && lowest < 2)
         return -1;
@@ -7743,7 +7746,7 @@ KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
     do {
         kern_real square;
         int lower;
-        i = kern_polygon_next(block, i, 0);
+        i = kern_polygon_next(block, i);
         square = kern_edge_square(kern_vec_sub(p, v[i]), kern_vec_sub(q, v[i]));
         lower = found >= 0
              && (v[i].y < v[found].y
@@ -7836,8 +7839,8 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
    by no more than the way, so each depth gives a step that is safe. */
 
 /* Is no vertex farther than that to a side of an edge, 1 its left, -1 right? */
-static int kern_overlap_beside(const kern_edge *e, const kern_block *b,
-                               kern_real side, kern_real most)
+static int kern_overlap_side(const kern_edge *e, const kern_block *b,
+                             kern_real side, kern_real most)
 {
     const kern_vec d = kern_vec_scale(e->d, side);
     int k;
@@ -7865,10 +7868,10 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
                 return;
             /* as far as the edge stays no deeper than that at the nearest */
             kern_edge_set(&f, b->block, nearest,
-                          kern_polygon_next(b->block, nearest, 0));
+                          kern_polygon_next(b->block, nearest));
             low = KERN_R(0);
             step = e.length - s;
-            kern_clip(&low, &step, kern_edge_along(&f, at),
+            kern_clip(&low, &step, kern_edge_foot(&f, at),
                       kern_vec_dot(e.d, f.d), KERN_R(0), f.length);
             kern_clip(&low, &step, kern_vec_cross(kern_vec_sub(at, f.p), f.d),
                       kern_vec_cross(e.d, f.d), -*deep, *deep);
@@ -7881,8 +7884,8 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
 /* Raises *deep to the depth in b of inner points of a: middles of triangles of
    vertices, which lie inside where the outline turns left, those far apart
    first. Where no boundary is deep, one speaks for all that is around it. */
-static void kern_overlap_within(const kern_outline *a, const kern_outline *b,
-                                kern_real *deep)
+static void kern_overlap_middles(const kern_outline *a, const kern_outline *b,
+                                 kern_real *deep)
 {
     const kern_vec *vertex = a->block->vertex;
     const int n = a->block->vertices;
@@ -7918,16 +7921,16 @@ KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
     for (i = 1; i >= 0; i--) {
         const kern_block *own = side[i]->block, *other = side[i + 1]->block;
         for (k = 0; k < own->vertices && !apart; k++) {
-            kern_edge_set(&e, own, k, kern_polygon_next(own, k, 0));
-            apart = kern_overlap_beside(&e, other, 1, gap / 2)
+            kern_edge_set(&e, own, k, kern_polygon_next(own, k));
+            apart = kern_overlap_side(&e, other, 1, gap / 2)
                  && (side[i]->reflex + side[i]->straight == 0 /* convex */
-                     || kern_overlap_beside(&e, own, -1, gap / 2));
+                     || kern_overlap_side(&e, own, -1, gap / 2));
         }
     }
     for (i = 0; i < 2 && !apart && !(deep > enough); i++)
         kern_overlap_boundary(side[i], side[i + 1], enough, &deep);
     for (i = 0; i < 2 && !apart && !(deep > gap); i++)
-        kern_overlap_within(side[i], side[i + 1], &deep);
+        kern_overlap_middles(side[i], side[i + 1], &deep);
     return deep > gap ? deep : KERN_R(0);
 }
 
@@ -7946,9 +7949,9 @@ typedef struct kern_pair {
     kern_real sine;  /* of the angle of the options                 */
     const kern_options *options;
     kern_contact *out;
-    int room, count;    /* count may exceed the room: no more is stored */
-    int first;          /* of the contacts of this pair                */
-    kern_outline of[2]; /* a and b                                     */
+    int room, count;         /* count may exceed the room: no more is stored */
+    int first;               /* of the contacts of this pair                */
+    kern_outline outline[2]; /* a and b                                     */
 } kern_pair;
 
 /* One end of a line: side is -1 or 1. */
@@ -7985,8 +7988,8 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
 /* The widest gap at p. Errors of angle count by the distance from centres. */
 static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 {
-    const kern_vec u = kern_vec_sub(p, pair->of[0].block->centre);
-    const kern_vec v = kern_vec_sub(p, pair->of[1].block->centre);
+    const kern_vec u = kern_vec_sub(p, pair->outline[0].block->centre);
+    const kern_vec v = kern_vec_sub(p, pair->outline[1].block->centre);
     return !(pair->swing > 0)
              ? pair->gap
              : KERN_SQRT(pair->gap * pair->gap
@@ -8023,17 +8026,18 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 }
 
 /* Is the foot of p inside edge e, or does e end at p in a reflex corner? */
-static int kern_pair_bears(const kern_pair *pair, const kern_edge *e, int on,
+static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
                            kern_vec p, kern_real gap)
 {
-    const kern_real along = kern_edge_along(e, p);
+    const kern_real along = kern_edge_foot(e, p);
     const kern_real inside = pair->foot
                            - KERN_ERROR_EDGE * pair->options->pose_error;
     int end, bears = along > inside && along < e->length - inside;
     for (end = 0; end < 2 && !bears; end++) {
         const kern_vec r = kern_vec_sub(p, end ? e->q : e->p);
         bears = kern_vec_dot(r, r) <= gap * gap
-             && kern_polygon_turn(pair->of[on].block, end ? e->end : e->start)
+             && kern_polygon_turn(pair->outline[on].block,
+                                  end ? e->end : e->start)
                     < 0;
     }
     return bears;
@@ -8046,15 +8050,17 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
     const kern_edge *e = &edge[on], *f = &edge[!on];
     const kern_real wide = kern_pair_gap(pair, f->p);
     const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
-    const kern_block *own = pair->of[!on].block;
+    const kern_block *own = pair->outline[!on].block;
     kern_vec back, p = f->p;
+    int last; /* the corner before f */
     if (high > wide || high < -kern_max(wide, pair->deep))
         return;
-    back = kern_vec_unit(kern_vec_sub(
-        own->vertex[kern_polygon_next(own, f->start, own->area > 0)], f->p));
+    last = own->area > 0 ? kern_polygon_before(own, f->start)
+                         : kern_polygon_next(own, f->start);
+    back = kern_vec_unit(kern_vec_sub(own->vertex[last], f->p));
     if (kern_vec_cross(back, f->d) > 0
         || kern_vec_cross(back, e->d) < -pair->sine
-        || !kern_pair_bears(pair, e, on, p, wide))
+        || !kern_pair_holds(pair, e, on, p, wide))
         return;
     if (pair->deep > pair->gap) /* midway, as a line */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
@@ -8064,7 +8070,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
 /* Looks for lines and points at each two edges that are near each other. */
 static void kern_pair_edges(kern_pair *pair)
 {
-    const kern_outline *a = &pair->of[0], *b = &pair->of[1];
+    const kern_outline *a = &pair->outline[0], *b = &pair->outline[1];
     kern_edge edge[2];
     edge[0].at = -1;
     while (kern_edge_next(&edge[0], a, &b->block->box, pair->reach)) {
@@ -8133,7 +8139,7 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 /* ---- travels ---- */
 
 /* The block that a contact carries where `down` is the direction of gravity. */
-KERN_SHARED static int kern_carried(const kern_contact *c, kern_vec down)
+KERN_SHARED static int kern_carried_block(const kern_contact *c, kern_vec down)
 {
     const kern_real push = kern_vec_dot(c->n, down);
     const kern_real least = KERN_SLIGHT * kern_vec_largest(down);
@@ -8141,10 +8147,10 @@ KERN_SHARED static int kern_carried(const kern_contact *c, kern_vec down)
 }
 
 /* Are c and d of one interface, or with `down` of what carries one block? */
-static int kern_together(const kern_contact *c, const kern_contact *d,
-                         const kern_vec *down)
+static int kern_same_group(const kern_contact *c, const kern_contact *d,
+                           const kern_vec *down)
 {
-    return down ? kern_carried(c, *down) == kern_carried(d, *down)
+    return down ? kern_carried_block(c, *down) == kern_carried_block(d, *down)
                 : kern_same_interface(c, d);
 }
 
@@ -8157,11 +8163,11 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
     kern_real widest = KERN_R(0);
     int j, k;
     for (j = 0; j < contacts; j++)
-        for (k = j + 1; k < contacts && kern_together(of, &contact[j], down);
+        for (k = j + 1; k < contacts && kern_same_group(of, &contact[j], down);
              k++) {
             const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
             const kern_real square = kern_vec_dot(d, d);
-            if (square > widest && kern_together(of, &contact[k], down)) {
+            if (square > widest && kern_same_group(of, &contact[k], down)) {
                 widest = square;
                 middle = kern_vec_mid(contact[j].p, contact[k].p);
             }
@@ -8182,9 +8188,10 @@ static void kern_point_travels(kern_contact *contact, int contacts,
         int found = 0;
         for (k = 0; down && !c->line && k < contacts; k++)
             found += kern_same_interface(c, contact + k);
-        if (c->line || (down && (found > 1 || kern_carried(c, *down) < 0)))
+        if (c->line
+            || (down && (found > 1 || kern_carried_block(c, *down) < 0)))
             continue;
-        if (!of || !kern_together(of, c, down)) {
+        if (!of || !kern_same_group(of, c, down)) {
             of = c;
             middle = kern_middle(contact, contacts, c, down);
         }
@@ -8194,6 +8201,11 @@ static void kern_point_travels(kern_contact *contact, int contacts,
 
 /* ---- the search ---- */
 
+typedef enum kern_search_kind {
+    KERN_SEARCH_CONTACTS,
+    KERN_SEARCH_OVERLAPS
+} kern_search_kind;
+
 typedef struct kern_search {
     const kern_block *block;
     int blocks;
@@ -8201,8 +8213,8 @@ typedef struct kern_search {
     kern_fault *fault;
     kern_real floor;       /* places closer than that are the same [m]    */
     kern_real reach;       /* widest gap of any pair [m]                  */
-    int listing;           /* overlaps are found and no contacts: of them */
-    kern_overlap *overlap; /* there are pair.count                        */
+    kern_search_kind kind; /* of overlaps there are pair.count */
+    kern_overlap *overlap;
     kern_pair pair;
 } kern_search;
 
@@ -8225,7 +8237,7 @@ static kern_real kern_search_gap(const kern_search *s, kern_real size)
 /* The tolerances of the pair. */
 static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
 {
-    const kern_block *a = pair->of[0].block, *b = pair->of[1].block;
+    const kern_block *a = pair->outline[0].block, *b = pair->outline[1].block;
     const kern_real size = KERN_SQRT(
         kern_min(a->fixed ? KERN_INFINITY : kern_abs(a->area),
                  b->fixed ? KERN_INFINITY : kern_abs(b->area)));
@@ -8264,18 +8276,19 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
         s->fault->block = i;
         return KERN_STALE;
     }
-    kern_outline_set(&pair->of[0], a);
+    kern_outline_set(&pair->outline[0], a);
     kern_pair_tolerances(pair, s);
-    depth = kern_overlap_depth(&pair->of[0], &pair->of[1], pair->deep,
-                               s->listing ? KERN_INFINITY : pair->deep);
-    if (depth > 0 && !s->listing) {
+    depth = kern_overlap_depth(&pair->outline[0], &pair->outline[1], pair->deep,
+                               s->kind == KERN_SEARCH_OVERLAPS ? KERN_INFINITY
+                                                               : pair->deep);
+    if (depth > 0 && s->kind == KERN_SEARCH_CONTACTS) {
         s->fault->block = i;
         s->fault->other = j;
         s->fault->value = depth;
         s->fault->allowed = pair->deep;
         return KERN_OVERLAP;
     }
-    if (s->listing) {
+    if (s->kind == KERN_SEARCH_OVERLAPS) {
         const kern_overlap found = {i, j, depth, pair->deep};
         if (depth > 0 && pair->count++ < pair->room)
             s->overlap[pair->count - 1] = found;
@@ -8377,7 +8390,7 @@ static kern_status kern_search_asked(const kern_search *s)
 /* Contacts of the blocks from one on, or a list of overlaps. */
 static int kern_search_run(const kern_block *block, int blocks,
                            const kern_options *options, void *out, int room,
-                           kern_work *work, int from, int listing)
+                           kern_work *work, int from, kern_search_kind kind)
 {
     kern_search s;
     kern_status status;
@@ -8390,7 +8403,7 @@ static int kern_search_run(const kern_block *block, int blocks,
     s.from = from;
     s.pair.options = options;
     s.fault = &work->fault;
-    s.listing = listing;
+    s.kind = kind;
     s.overlap = (kern_overlap *)out;
     s.pair.out = (kern_contact *)out;
     s.pair.room = room;
@@ -8399,13 +8412,13 @@ static int kern_search_run(const kern_block *block, int blocks,
     if (status == KERN_OK)
         status = kern_search_survey(&s);
     for (b = from; b < blocks && status == KERN_OK; b++) {
-        kern_outline_set(&s.pair.of[1], &block[b]);
+        kern_outline_set(&s.pair.outline[1], &block[b]);
         for (a = block[b].vertices ? 0 : b; a < b && status == KERN_OK; a++)
             status = kern_search_pair(&s, a, b);
     }
     if (status != KERN_OK)
         return (int)status;
-    if (listing)
+    if (kind == KERN_SEARCH_OVERLAPS)
         return s.pair.count;
     room = kern_search_close(&s);
     if (room > 0 && kern_vec_largest(options->lone) > 0)
@@ -8417,7 +8430,8 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
                            int room, kern_work *work)
 {
-    return kern_search_run(block, blocks, options, out, room, work, 0, 0);
+    return kern_search_run(block, blocks, options, out, room, work, 0,
+                           KERN_SEARCH_CONTACTS);
 }
 
 KERN_API int kern_touch(const kern_block *block, int b,
@@ -8425,14 +8439,15 @@ KERN_API int kern_touch(const kern_block *block, int b,
                         int room, kern_work *work)
 {
     return kern_search_run(block, b + (b <= KERN_POINTS_MOST), options, out,
-                           room, work, b, 0);
+                           room, work, b, KERN_SEARCH_CONTACTS);
 }
 
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work)
 {
-    return kern_search_run(block, blocks, options, out, room, work, 0, 1);
+    return kern_search_run(block, blocks, options, out, room, work, 0,
+                           KERN_SEARCH_OVERLAPS);
 }
 
 /* ---- contacts that are given ---- */
