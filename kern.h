@@ -7346,31 +7346,42 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* ---- Tolerances of the geometry ----------------------------------- >>tol */
 /* Shares of a length of the user's: a gap, a block's size, a coordinate. */
 
-/* Most runs of edges with a box, where an outline has more vertices, of half as
-   many edges at least; and most nested spans. More take stack, fewer time. */
+/* Most runs of edges with a box of an outline that has more vertices. A run has
+   half as many edges at least. More runs take stack, fewer time. */
 #define KERN_RUNS 16
-/* The default angle [rad]; and from a contact's line to the widest cone. */
+/* The default angle [rad]. */
 #define KERN_ANGLE KERN_R(0.0174533)
+/* Least denominator where a friction cone is widened: its friction stays finite. */
+#define KERN_CONE_LEAST KERN_R(0.0174533)
 /* Gap, as a share of the mean size, and angle [rad] of contacts that a little
    rocking closes: 0.03 to 0.1 and 0.1 to 0.2 predict shaking tests as well. */
 #define KERN_NEAR_GAP KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
-/* Measured structures, in errors of place and of angle: 3.5 standard
-   deviations, so that of 30 contacts which carry none is missed in 98 % of
-   structures. The gap of a corner and an edge of two stones varies by 2 e^2 for
-   their places, 3/8 e^2 for their vertices: 1.5 times as much, and theta^2 r^2
-   for each; the angle of two edges, 0.7 sizes long, by 2 theta^2, and as much
-   for their ends: twice as much. To be certain, kerns shrink or grow by it. */
+/* Errors of place and angle that a contact of a measured structure bears: with
+   3.5 standard deviations none of 30 contacts is missed in 98 % of structures. */
 #define KERN_ERRORS KERN_R(3.5)
+/* The gap in KERN_ERRORS. That of a corner and an edge of two stones varies by
+   2 e^2 for their places and 3/8 e^2 for their vertices: 1.5 times e. */
+#define KERN_ERROR_GAP KERN_R(1.5)
+/* The angle in KERN_ERRORS. That of two edges, 0.7 sizes long, varies by
+   2 theta^2, and as much for their ends: twice theta. */
+#define KERN_ERROR_ANGLE KERN_R(2)
+/* Deepest overlap, in errors of place. */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
-#define KERN_ERROR_EDGE KERN_R(3.0) /* beyond its end; of angle: of cones */
-/* Sine of 10 degrees: by so much ways of steps may turn; by less do the normals
-   of a line contact and of a vertex that belongs to it, by more at a corner. */
+/* How far a corner may stand beyond the end of an edge, in errors of place. */
+#define KERN_ERROR_EDGE KERN_R(3.0)
+/* By how many errors of angle kern_certain() narrows or widens cones. */
+#define KERN_ERROR_CONE KERN_R(3.0)
+/* Share of KERN_ANGLE_MOST up to which a measured angle is raised. */
+#define KERN_ANGLE_SHARE KERN_R(0.99)
+/* Sine of 10 degrees: the normals of a line contact and of a vertex that belongs
+   to it differ by less, those at a corner by more. */
 #define KERN_SAME_FACE KERN_R(0.17364817766693036)
-/* Strides of the search for overlap to a gap, which may be so much deeper
-   unseen; and of a stride to that by which it grows. Fewer miss more, more take
-   time. And most triangles of a size that are tried for an inner point. */
+/* Strides of the search for overlap to a gap, and of a stride to its growth. An
+   overlap may be a stride deeper unseen. More strides take more time. */
 #define KERN_STRIDES 32
+/* Most triangles of a size that are tried for an inner point of a block. */
+#define KERN_TRIANGLES 32
 /* Share of a squared distance by which two vertices are equally far from an
    edge: on a grid of pixels many are, but for rounding. */
 #define KERN_EQUALLY_FAR KERN_PICK(1e-6, 1e-5)
@@ -7394,7 +7405,7 @@ static int kern_polygon_before(const kern_block *block, int i)
     return (i > 0 ? i : block->vertices) - 1;
 }
 
-/* How vertex i turns: 1 to the inner side (convex), -1 to the outer side
+/* Returns how vertex i turns: 1 to the inner side (convex), -1 to the outer side
    (reflex), 0 hardly at all, -2 back: a spike, or a vertex that is repeated. */
 static inline int kern_polygon_turn(const kern_block *block, int i)
 {
@@ -7410,14 +7421,15 @@ static inline int kern_polygon_turn(const kern_block *block, int i)
     return (turn > 0) == (block->area >= 0) ? 1 : -1;
 }
 
-/* Are they no farther apart than the gap? Below 0: do they overlap by more? */
+/* Returns 1 if two boxes are no farther apart than the gap. A gap below 0 is an
+   overlap that they must have. */
 static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
 {
     return b->low.y - gap <= a->high.y && a->low.y - gap <= b->high.y
         && b->low.x - gap <= a->high.x && a->low.x - gap <= b->high.x;
 }
 
-/* The largest coordinate, without its sign. */
+/* Returns the largest coordinate of a box without its sign. */
 static kern_real kern_box_largest(const kern_box *box)
 {
     return kern_max(kern_vec_largest(box->low), kern_vec_largest(box->high));
@@ -7434,7 +7446,7 @@ typedef struct kern_outline {
     kern_box box[KERN_RUNS];
 } kern_outline;
 
-/* The next corner; a closed outline has some. */
+/* Returns the corner after vertex i. A closed outline has corners. */
 static int kern_outline_corner(const kern_outline *o, int i)
 {
     do
@@ -7443,6 +7455,7 @@ static int kern_outline_corner(const kern_outline *o, int i)
     return i;
 }
 
+/* Finds out what turns a block's outline has, and the boxes of its runs. */
 static void kern_outline_set(kern_outline *o, const kern_block *block)
 {
     const int n = block->vertices;
@@ -7478,6 +7491,7 @@ typedef struct kern_edge {
     kern_box box; /* of an edge                            */
 } kern_edge;
 
+/* Makes an edge of the vertices `at` and `to`, which follow as written. */
 static inline void kern_edge_set(kern_edge *e, const kern_block *block, int at,
                                  int to)
 {
@@ -7491,13 +7505,14 @@ static inline void kern_edge_set(kern_edge *e, const kern_block *block, int at,
     e->d = kern_vec_scale(e->d, 1 / e->length);
 }
 
-/* Where the foot of p on the line of e is, from its start on. */
+/* Returns how far from the start of e the foot of p on its line is. */
 static kern_real kern_edge_foot(const kern_edge *e, kern_vec p)
 {
     return kern_vec_dot(kern_vec_sub(p, e->p), e->d);
 }
 
-/* Goes to the next edge near the box, behind vertex e->at or -1; 0: none. */
+/* Finds the next edge that is within the gap of the box and starts after vertex
+   e->at, which is -1 at first. Returns 0 if there is none. */
 static int kern_edge_next(kern_edge *e, const kern_outline *o,
                           const kern_box *box, kern_real gap)
 {
@@ -7522,7 +7537,8 @@ static int kern_edge_next(kern_edge *e, const kern_outline *o,
 
 /* ---- places ---- */
 
-/* Squared distance of the origin from the edge u, v, which may be a point. */
+/* Returns the squared distance of the origin from the edge u, v, which may be a
+   point. */
 static kern_real kern_edge_square(kern_vec u, kern_vec v)
 {
     const kern_vec d = kern_vec_sub(v, u);
@@ -7534,10 +7550,9 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
     return kern_vec_dot(r, r);
 }
 
-/* Distance of p from the boundary, below 0 where it is outside, and the vertex
-   at which the nearest edge starts. What *nearest is before is a guess, and
-   saves time. A run that is farther away than the nearest edge so far crosses
-   the level of p once or not, as its ends say, and all of it to one side. */
+/* Returns the distance of p from the boundary, below 0 where p is outside, and
+   writes the vertex at which the nearest edge starts. The vertex in *nearest
+   before is a guess, which saves time. */
 static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
                                     int *nearest)
 {
@@ -7550,6 +7565,8 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
     int i, start, end, inside = 0;
     u = kern_vec_sub(vertex[0], p);
     for (start = 0; start < n; start = end) {
+        /* a run that is farther away than the nearest edge so far crosses the
+           level of p as its ends say, and all of it to one side of p */
         const kern_box *box = &o->box[start / o->each];
         const kern_real x = kern_min(kern_max(p.x, box->low.x), box->high.x);
         const kern_real y = kern_min(kern_max(p.y, box->low.y), box->high.y);
@@ -7576,7 +7593,8 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
     return inside ? least : -least;
 }
 
-/* Does f lie to one side of the line of e? A unit direction is rounded. */
+/* Returns 1 if f lies to one side of the line of e, whose unit direction would be
+   rounded. */
 static int kern_one_side(const kern_edge *e, const kern_edge *f)
 {
     const kern_vec d = kern_vec_sub(e->q, e->p);
@@ -7587,9 +7605,10 @@ static int kern_one_side(const kern_edge *e, const kern_edge *f)
 
 /* ---- what a polygon must be ---- */
 
-/* The first edge that touches another but its neighbours, or turns back; -1:
-   none, as in a convex polygon: it turns one way only and has one lowest place.
-   Edges whose boxes meet touch, unless one lies on one side of the other. */
+/* Returns the first edge that turns back or touches another but its neighbours,
+   or -1 if none does. A convex polygon has none: it turns one way only and has
+   one lowest place. Edges whose boxes meet touch unless one lies on one side of
+   the other. */
 static int kern_polygon_crossing(const kern_block *block)
 {
     const kern_vec *v = block->vertex;
@@ -7616,8 +7635,9 @@ static int kern_polygon_crossing(const kern_block *block)
     return -1;
 }
 
-/* Fills in area, centre and box, by the triangles between vertex 0 and the
-   edges, against round-off far from the origin. Returns their unsigned sum. */
+/* Writes area, centre and box of a block: sums over the triangles between vertex
+   0 and the edges lose no digits far from the origin. Returns the sum of their
+   unsigned areas. */
 static inline kern_real kern_polygon_area(kern_block *block)
 {
     const kern_vec o = block->vertex[0];
@@ -7640,7 +7660,7 @@ static inline kern_real kern_polygon_area(kern_block *block)
     return spread;
 }
 
-/* Fills in area, centre and box, or says what is wrong with the polygon. */
+/* Writes area, centre and box. Returns what is wrong with the polygon. */
 static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 {
     kern_real spread, least;
@@ -7658,6 +7678,7 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
                                          : KERN_NO_AREA;
 }
 
+/* Returns what is wrong with an array of n vertices, which are not looked at. */
 KERN_SHARED static kern_status kern_vertices_check(const kern_vec *v, int n)
 {
     return n < 0 || n > KERN_POINTS_MOST ? KERN_BAD_COUNT
@@ -7731,11 +7752,10 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
 
 /* ---- simplified outlines ---- */
 
-/* Returns the vertex that is farthest from the way from vertex start to end and
-   lies between them, or -1 if none is farther away than the tolerance. All are
-   between a vertex and itself. With `whole` the farthest of all from a point is
-   returned. Of vertices that are equally far, but for rounding, it is the
-   lowest, and of these the leftmost: so the outline may begin anywhere. */
+/* Returns the vertex after start and up to end that is farthest from the segment
+   p q, or -1 if none is farther away than the tolerance. Where start is end all
+   vertices count. Of vertices that are equally far it is the lowest, and of
+   these the leftmost: so it does not depend on where the outline begins. */
 KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
                                              int end, kern_vec p, kern_vec q,
                                              kern_real tolerance)
@@ -7760,26 +7780,30 @@ KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
     return found;
 }
 
-/* Writes the vertices that stay to out[0..room) and their indices to kept, from
-   the corner that is farthest from the centre on. Returns how many there are,
-   or KERN_NO_SPACE. Vertices that stay, but are farther on than `end`, wait at
-   the end of `kept` in reverse order. */
+/* Writes the vertices that stay to out[0..room) and their indices to kept. Returns
+   how many there are, KERN_NO_SPACE or, where all are at one place, KERN_NO_AREA.
+   Vertices that stay but come after `end` wait at the end of kept, the next one
+   first: with those that are written they are never more than stay. */
 static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
                                kern_vec *out, int *kept, int room)
 {
     const kern_vec *v = block->vertex, c = block->centre;
     const int anchor = kern_outline_farthest(block, 0, 0, c, c, KERN_R(0));
     int at = anchor, waiting = room, count = 0;
-    if (anchor < 0) /* all vertices are at one place */
+    if (anchor < 0)
         return (int)KERN_NO_AREA;
     while (count < waiting) {
         const int end = waiting < room ? kept[waiting] : anchor;
         const int split = kern_outline_farthest(block, at, end, v[at], v[end],
                                                 tolerance);
+
+        /* an edge to `end` would leave out a vertex too far away */
         if (split >= 0) {
             kept[--waiting] = split;
             continue;
         }
+
+        /* it would not: the vertex stays, and `end` begins the next edge */
         kept[count] = at;
         out[count++] = v[at];
         if (waiting++ == room)
@@ -7793,9 +7817,11 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
                                    kern_real tolerance, kern_vec *out,
                                    int *kept, int room)
 {
-    kern_block raw = kern_ground_of(vertex, vertices), made;
+    kern_block raw = kern_ground_of(vertex, vertices); /* may cross itself */
+    kern_block made;
     kern_status status = kern_vertices_check(vertex, vertices);
     int tries, count;
+
     if (status != KERN_OK)
         return (int)status;
     if (!out || !kept)
@@ -7891,7 +7917,7 @@ static void kern_overlap_middles(const kern_outline *a, const kern_outline *b,
     const int n = a->block->vertices;
     int step, i, near_a = 0, near_b = 0;
     for (step = n / 3; step > 0; step /= 2)
-        for (i = 0; i < n; i += 1 + n / KERN_STRIDES) {
+        for (i = 0; i < n; i += 1 + n / KERN_TRIANGLES) {
             const kern_vec sum = kern_vec_add(
                 kern_vec_add(vertex[i], vertex[(i + step) % n]),
                 vertex[(i + 2 * step) % n]);
@@ -8717,9 +8743,9 @@ KERN_API kern_options kern_measured_options(const kern_options *options,
     kern_options o = kern_options_of(options);
     o.pose_error = e > 0 ? e : KERN_R(-1); /* refused by every call */
     o.pose_turn = theta;
-    o.gap = KERN_R(1.5) * KERN_ERRORS * e;
-    o.angle = kern_max(KERN_ANGLE, 2 * KERN_ERRORS * theta);
-    o.angle = kern_min(o.angle, KERN_R(0.99) * KERN_ANGLE_MOST);
+    o.gap = KERN_ERROR_GAP * KERN_ERRORS * e;
+    o.angle = kern_max(KERN_ANGLE, KERN_ERROR_ANGLE * KERN_ERRORS * theta);
+    o.angle = kern_min(o.angle, KERN_ANGLE_SHARE * KERN_ANGLE_MOST);
     o.overlap = kern_max(o.overlap, KERN_ERROR_OVERLAP * e);
     return o;
 }
@@ -8735,7 +8761,7 @@ static void kern_contacts_err(kern_contact *c, int n, kern_real by,
         c->p = kern_vec_step(c->p, shift, kern_vec_turn(c->n));
         c->travel -= shift;
         c->mu = kern_max(c->mu - turn, KERN_R(0))
-              / kern_max(1 + c->mu * turn, KERN_ANGLE);
+              / kern_max(1 + c->mu * turn, KERN_CONE_LEAST);
     }
 }
 
@@ -8822,7 +8848,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     if (status != KERN_OK)
         return status;
     by = KERN_ERRORS * task->options.pose_error;
-    turn = KERN_ERROR_EDGE * task->options.pose_turn;
+    turn = KERN_ERROR_CONE * task->options.pose_turn;
     out->low = KERN_R(0);
     out->high = KERN_INFINITY;
     other = kern_task_of(task->s.block, task->s.blocks, contact,
