@@ -191,10 +191,11 @@
      one point stays: l = 0, as does every l below 1e-9 of the mean size.
      lone      Where options.lone asks for it, the one point of a pair goes to
                the middle of what carries its block, as in Fig. 2 c, d of the
-               paper: a contact carries the block that its normal pushes up, none
-               where the normal is horizontal within 1e-6. The middle is that of
-               the two points farthest apart that carry the same block. Kerns are then not nested (>>limits): a measure
-               takes some fifteen times as long.
+               paper: a contact carries the block that its normal pushes up, or
+               none where the normal is horizontal within 1e-6. The middle is
+               that of the two points farthest apart that carry the same block.
+               Kerns are then not nested (>>limits): a measure takes some
+               fifteen times as long.
    It acts at p + min(d, l) u; with options.relative at p + d l u, d <= 1.
    d_max is the largest l (relative: 1). Normals do not change. With lines
    alone the contacts are nested and a structure that has fallen falls at every
@@ -800,8 +801,8 @@ KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
    tolerance stays. Knees, corners where an outline turns and goes on, obey the
    same rule.
    Writes the vertices that stay to out[0..room), from the one farthest from the
-   centroid on, and to kept[0..room) which of `vertex` they are. Returns how many
-   there are, which is the least `room` that is enough. These are a simple
+   centroid on, and to kept[0..room) which of `vertex` they are. Returns how
+   many there are, which is the least `room` that is enough. These are a simple
    polygon, ready for kern_block_init(): where edges would cross, the tolerance
    is halved, up to eight times, and then 0. The vertices and the way they turn
    are the same wherever the outline begins. Mirrored or turned, of two vertices
@@ -7351,14 +7352,14 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_RUNS 16
 /* The default angle [rad]. */
 #define KERN_ANGLE KERN_R(0.0174533)
-/* Least denominator where a friction cone is widened: its friction stays finite. */
+/* Least denominator where a cone is widened: its friction stays finite. */
 #define KERN_CONE_LEAST KERN_R(0.0174533)
 /* Gap, as a share of the mean size, and angle [rad] of contacts that a little
    rocking closes: 0.03 to 0.1 and 0.1 to 0.2 predict shaking tests as well. */
 #define KERN_NEAR_GAP KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
-/* Errors of place and angle that a contact of a measured structure bears: with
-   3.5 standard deviations none of 30 contacts is missed in 98 % of structures. */
+/* Errors of place and angle that a contact of a measured structure bears. With
+   3.5 standard deviations none of 30 contacts is missed in 98 % of them. */
 #define KERN_ERRORS KERN_R(3.5)
 /* The gap in KERN_ERRORS. That of a corner and an edge of two stones varies by
    2 e^2 for their places and 3/8 e^2 for their vertices: 1.5 times e. */
@@ -7374,8 +7375,8 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_ERROR_CONE KERN_R(3.0)
 /* Share of KERN_ANGLE_MOST up to which a measured angle is raised. */
 #define KERN_ANGLE_SHARE KERN_R(0.99)
-/* Sine of 10 degrees: the normals of a line contact and of a vertex that belongs
-   to it differ by less, those at a corner by more. */
+/* Sine of 10 degrees: the normals of a line contact and of a vertex that
+   belongs to it differ by less, those at a corner by more. */
 #define KERN_SAME_FACE KERN_R(0.17364817766693036)
 /* Strides of the search for overlap to a gap, and of a stride to its growth. An
    overlap may be a stride deeper unseen. More strides take more time. */
@@ -7405,8 +7406,8 @@ static int kern_polygon_before(const kern_block *block, int i)
     return (i > 0 ? i : block->vertices) - 1;
 }
 
-/* Returns how vertex i turns: 1 to the inner side (convex), -1 to the outer side
-   (reflex), 0 hardly at all, -2 back: a spike, or a vertex that is repeated. */
+/* Returns how vertex i turns: 1 to the inner side (convex), -1 to the outer
+   side (reflex), 0 hardly at all, -2 back (a spike or a repeated vertex). */
 static inline int kern_polygon_turn(const kern_block *block, int i)
 {
     const kern_vec *v = block->vertex;
@@ -7593,8 +7594,8 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
     return inside ? least : -least;
 }
 
-/* Returns 1 if f lies to one side of the line of e, whose unit direction would be
-   rounded. */
+/* Returns 1 if f lies to one side of the line of e. The unit direction of e
+   would be rounded. */
 static int kern_one_side(const kern_edge *e, const kern_edge *f)
 {
     const kern_vec d = kern_vec_sub(e->q, e->p);
@@ -7635,9 +7636,9 @@ static int kern_polygon_crossing(const kern_block *block)
     return -1;
 }
 
-/* Writes area, centre and box of a block: sums over the triangles between vertex
-   0 and the edges lose no digits far from the origin. Returns the sum of their
-   unsigned areas. */
+/* Writes area, centre and box of a block. Sums over the triangles between
+   vertex 0 and the edges lose no digits far from the origin. Returns the sum of
+   their unsigned areas. */
 static inline kern_real kern_polygon_area(kern_block *block)
 {
     const kern_vec o = block->vertex[0];
@@ -7678,7 +7679,7 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
                                          : KERN_NO_AREA;
 }
 
-/* Returns what is wrong with an array of n vertices, which are not looked at. */
+/* Returns what is wrong with an array of n vertices, but for the vertices. */
 KERN_SHARED static kern_status kern_vertices_check(const kern_vec *v, int n)
 {
     return n < 0 || n > KERN_POINTS_MOST ? KERN_BAD_COUNT
@@ -7752,10 +7753,11 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
 
 /* ---- simplified outlines ---- */
 
-/* Returns the vertex after start and up to end that is farthest from the segment
-   p q, or -1 if none is farther away than the tolerance. Where start is end all
-   vertices count. Of vertices that are equally far it is the lowest, and of
-   these the leftmost: so it does not depend on where the outline begins. */
+/* Returns the vertex after start and up to end that is farthest from the
+   segment p q, or -1 if none is farther away than the tolerance. Where start is
+   end all vertices count. Of vertices that are equally far it is the lowest,
+   and of these the leftmost: so it does not depend on where the outline begins.
+   */
 KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
                                              int end, kern_vec p, kern_vec q,
                                              kern_real tolerance)
@@ -7780,10 +7782,11 @@ KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
     return found;
 }
 
-/* Writes the vertices that stay to out[0..room) and their indices to kept. Returns
-   how many there are, KERN_NO_SPACE or, where all are at one place, KERN_NO_AREA.
-   Vertices that stay but come after `end` wait at the end of kept, the next one
-   first: with those that are written they are never more than stay. */
+/* Writes the vertices that stay to out[0..room) and their indices to kept.
+   Returns how many there are, or KERN_NO_SPACE, or KERN_NO_AREA where all
+   vertices are at one place. Vertices that stay but come after `end` wait at
+   the end of kept, the next one first: with those that are written they are
+   never more than stay. */
 static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
                                kern_vec *out, int *kept, int room)
 {
@@ -7852,8 +7855,8 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
     ___o___________o___      _____\ /_____        a  |  two normals
        |     a         |       a   o              ___|  at one place
 
-   Of each two blocks whose boxes are within the gap (kern_search_pair()), as
-   >>rules says:
+   Steps for each two blocks whose boxes are within the gap, by >>rules (see
+   kern_search_pair()):
    1. Overlap: the search fails (kern_overlap_depth()).
    2. Edges make lines (kern_pair_line()) and points (kern_pair_point()).
    3. Faces: what lies on one line is merged (kern_pair_face()).
@@ -7864,7 +7867,8 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
 /* The search goes along the edges of one block. The depth in the other changes
    by no more than the way, so each depth gives a step that is safe. */
 
-/* Is no vertex farther than that to a side of an edge, 1 its left, -1 right? */
+/* Returns 1 if no vertex of b is farther than `most` to a side of an edge: its
+   left where side is 1, its right where it is -1. */
 static int kern_overlap_side(const kern_edge *e, const kern_block *b,
                              kern_real side, kern_real most)
 {
@@ -7876,8 +7880,9 @@ static int kern_overlap_side(const kern_edge *e, const kern_block *b,
     return 1;
 }
 
-/* Raises *deep to the depth in b of the boundary of a, but for a stride, or to
-   one beyond `enough`. Strides grow: a gap of few roundings takes too many. */
+/* Raises *deep to the depth in b of the boundary of a. An overlap may be a
+   stride deeper. Stops at one beyond `enough`. Strides grow, since a gap of few
+   roundings would take too many. */
 static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
                                   kern_real enough, kern_real *deep)
 {
@@ -7907,9 +7912,10 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
     }
 }
 
-/* Raises *deep to the depth in b of inner points of a: middles of triangles of
-   vertices, which lie inside where the outline turns left, those far apart
-   first. Where no boundary is deep, one speaks for all that is around it. */
+/* Raises *deep to the depth in b of inner points of a. These are the middles of
+   triangles of vertices, first of vertices far apart, which lie inside where
+   the outline turns left. Where no boundary is deep, one inner point decides
+   for all around it. */
 static void kern_overlap_middles(const kern_outline *a, const kern_outline *b,
                                  kern_real *deep)
 {
@@ -7931,9 +7937,10 @@ static void kern_overlap_middles(const kern_outline *a, const kern_outline *b,
         }
 }
 
-/* Depth of the overlap of a and b, but for a stride, or one beyond `enough`; 0:
-   none deeper than the gap. As a rule the line of an edge parts a convex pair,
-   but for half a gap. Two blocks at one place have no deep boundary. */
+/* Returns the depth of the overlap of a and b, or a depth beyond `enough`, or 0
+   if none is deeper than the gap. A stride of depth may be missed. Usually the
+   line of an edge parts a convex pair, but for half a gap. Two blocks at one
+   place have no deep boundary. */
 KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
                                                 const kern_outline *b,
                                                 kern_real gap, kern_real enough)
@@ -7962,8 +7969,8 @@ KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
 
 /* ---- the pair ---- */
 
-/* Two blocks, and the contacts of all pairs so far, in the caller's array. Here
-   a line is one: p is its middle, travel half its length; 0: it is a point. */
+/* Two blocks, and the contacts of all pairs so far in the caller's array. A
+   line is one contact here: p is its middle, travel half its length. */
 typedef struct kern_pair {
     int a, b;        /* indices of the blocks, a before b           */
     kern_real gap;   /* widest [m], at the blocks' centres          */
@@ -7980,13 +7987,13 @@ typedef struct kern_pair {
     kern_outline outline[2]; /* a and b                                     */
 } kern_pair;
 
-/* One end of a line: side is -1 or 1. */
+/* Returns one end of a line: side is -1 or 1. */
 static kern_vec kern_line_end(const kern_contact *line, kern_real side)
 {
     return kern_vec_step(line->p, side * line->travel, kern_vec_turn(line->n));
 }
 
-/* Adds a contact behind those as long or longer; without room it is counted. */
+/* Adds a contact after those as long or longer. Without room it is counted. */
 static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
                           kern_real half)
 {
@@ -8001,7 +8008,7 @@ static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
     at[i] = made;
 }
 
-/* Do the ways run against each other, within the angle? */
+/* Returns 1 if two edges run against each other within the angle. */
 static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
                              const kern_edge *f)
 {
@@ -8011,7 +8018,8 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
 
 /* ---- lines and points ---- */
 
-/* The widest gap at p. Errors of angle count by the distance from centres. */
+/* Returns the widest gap at p. Errors of angle count by the distance from the
+   blocks' centres. */
 static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 {
     const kern_vec u = kern_vec_sub(p, pair->outline[0].block->centre);
@@ -8023,9 +8031,10 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
                                * (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
 }
 
-/* Edge e of a and edge f of b run against each other. In the frame of their
-   mean tangent t and normal n both are heights over s, e rises as f falls, and
-   the gap opens at twice that slope: a contact where it is small, midway. */
+/* Adds the line contact of an edge of each block, where they run against each
+   other and are near. In the frame of their mean tangent t and normal n both
+   are heights over s: e rises as f falls, and the gap opens at twice that
+   slope. */
 static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 {
     const kern_edge *e = edge, *f = edge + 1;
@@ -8034,6 +8043,8 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     kern_vec t, n, p;
     if (!kern_pair_opposed(pair, e, f))
         return;
+
+    /* where both edges are, as s from the start of e */
     t = kern_vec_unit(kern_vec_sub(e->d, f->d));
     n = kern_vec_scale(kern_vec_turn(t), -1); /* outward */
     cosine = kern_vec_dot(e->d, t);           /* and of f the opposite */
@@ -8041,9 +8052,13 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     at = kern_vec_dot(r, t);
     low = kern_max(KERN_R(0), at);
     high = kern_min(e->length * cosine, at + f->length * cosine);
+
+    /* the part of it where the gap is small */
     gap = kern_vec_dot(r, n) + slope * at; /* at s = 0 */
     wide = kern_pair_gap(pair, kern_vec_step(e->p, (low + high) / 2, t));
     kern_clip(&low, &high, gap, -2 * slope, -kern_max(wide, pair->deep), wide);
+
+    /* short edges that match are a contact as well; it lies midway */
     least = kern_min(pair->least, kern_max(e->length, f->length) / 2);
     if (!(high - low > kern_max(least, pair->foot)))
         return;
@@ -8051,7 +8066,8 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     kern_pair_put(pair, p, n, (high - low) / 2);
 }
 
-/* Is the foot of p inside edge e, or does e end at p in a reflex corner? */
+/* Returns 1 if the foot of p is inside edge e, or e ends at p in a reflex
+   corner. e is of block a (on 0) or b (1). */
 static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
                            kern_vec p, kern_real gap)
 {
@@ -8069,8 +8085,10 @@ static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
     return bears;
 }
 
-/* The corner where f starts, which leads outward, stands on e, of a (on 0) or b
-   (1): convex, within the gap, borne by e, and its other edge leads outward. */
+/* Adds the point contact of edge e, of block a (on 0) or b (1), with the corner
+   where edge f of the other block starts. f leads away from e. The corner must
+   be convex and within the gap, with its foot on e, and its other edge must
+   lead away from e. */
 static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
 {
     const kern_edge *e = &edge[on], *f = &edge[!on];
@@ -8093,7 +8111,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
     kern_pair_put(pair, p, kern_vec_scale(kern_vec_turn(e->d), on ? 1 : -1), 0);
 }
 
-/* Looks for lines and points at each two edges that are near each other. */
+/* Finds lines and points of each two edges that are near each other. */
 static void kern_pair_edges(kern_pair *pair)
 {
     const kern_outline *a = &pair->outline[0], *b = &pair->outline[1];
@@ -8113,9 +8131,10 @@ static void kern_pair_edges(kern_pair *pair)
 }
 
 /* ---- faces ---- */
-/* The longest contact leads a face; all others with its normal and on its line
-   join it, lines first. A point about as inclined and within the gap of a line
-   with what has joined it is left out. The rest's first leads the next face. */
+/* Contacts of a pair are in order of length, points last. The first leads a
+   face. All others with its normal and on its line join it. A point about as
+   inclined as a line, and within the gap of what has joined it, is left out.
+   The first of the rest leads the next face. */
 
 /* Makes a face of contact i and all that join it. */
 KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
@@ -8127,22 +8146,30 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
     kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* of normals    */
     kern_real half;
     int k, rest = i + 1;
+
     for (k = i; k < pair->count; k++) { /* itself first */
+        /* where the contact is beside the lead */
         const kern_contact *c = &at[k];
         const kern_vec r = kern_vec_sub(c->p, lead->p);
         const kern_real cosine = kern_vec_dot(lead->n, c->n);
         const kern_real sine = kern_abs(kern_vec_cross(lead->n, c->n));
         const kern_real along = kern_vec_cross(lead->n, r);
         const kern_real off = kern_abs(kern_vec_dot(lead->n, r));
+
+        /* the line holds this point's place */
         if (lead->line && !c->line && cosine > 0 && sine < KERN_SAME_FACE
             && kern_max(off, kern_max(least - along, along - most))
                    <= pair->gap)
             continue;
+
+        /* it is of another face */
         if (!(cosine > 0) || sine > pair->sine
             || off + c->travel * sine > pair->gap) {
             at[rest++] = *c;
             continue;
         }
+
+        /* it joins: the outermost points are the ends of the face */
         half = c->travel * cosine;
         if (along - half < least) {
             least = along - half;
@@ -8154,6 +8181,8 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
         }
         sum = kern_vec_step(sum, c->line ? 2 * c->travel : pair->gap, c->n);
     }
+
+    /* the lead becomes the face; one that is too short is a point */
     pair->count = rest;
     at[i].p = kern_vec_mid(low, high);
     at[i].n = kern_vec_unit(sum);
@@ -8164,7 +8193,8 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 
 /* ---- travels ---- */
 
-/* The block that a contact carries where `down` is the direction of gravity. */
+/* Returns the block that a contact carries where `down` is the direction of
+   gravity, or KERN_OUT where the normal is horizontal but for rounding. */
 KERN_SHARED static int kern_carried_block(const kern_contact *c, kern_vec down)
 {
     const kern_real push = kern_vec_dot(c->n, down);
@@ -8172,7 +8202,8 @@ KERN_SHARED static int kern_carried_block(const kern_contact *c, kern_vec down)
     return push < -least ? c->b : push > least ? c->a : KERN_OUT;
 }
 
-/* Are c and d of one interface, or with `down` of what carries one block? */
+/* Returns 1 if c and d are of one interface, or, with `down`, carry one block.
+   */
 static int kern_same_group(const kern_contact *c, const kern_contact *d,
                            const kern_vec *down)
 {
@@ -8180,8 +8211,8 @@ static int kern_same_group(const kern_contact *c, const kern_contact *d,
                 : kern_same_interface(c, d);
 }
 
-/* The middle of the two points farthest apart of those that belong together
-   with *of, one of them; of several such two the first by index. */
+/* Returns the middle of the two points farthest apart of the group of *of. Of
+   several such two it takes the first by index. */
 static kern_vec kern_middle(const kern_contact *contact, int contacts,
                             const kern_contact *of, const kern_vec *down)
 {
@@ -8201,8 +8232,9 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
     return middle;
 }
 
-/* Travels of all points, or with `down` of those that are alone in an interface
-   and carry a block, to the foot of a middle, mostly the last; 0 is not -0. */
+/* Sets the travels of all points or, with `down`, of those that are alone in an
+   interface and carry a block: to the foot of the middle of their group. Points
+   that follow each other usually share a middle. */
 static void kern_point_travels(kern_contact *contact, int contacts,
                                const kern_vec *down)
 {
@@ -8221,7 +8253,8 @@ static void kern_point_travels(kern_contact *contact, int contacts,
             of = c;
             middle = kern_middle(contact, contacts, c, down);
         }
-        c->travel = 0 + kern_vec_cross(c->n, kern_vec_sub(middle, c->p));
+        c->travel = 0 /* turns -0 into 0 */
+                  + kern_vec_cross(c->n, kern_vec_sub(middle, c->p));
     }
 }
 
