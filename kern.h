@@ -7564,6 +7564,7 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
     kern_real least = kern_edge_square(
         u, kern_vec_sub(vertex[kern_polygon_next(block, *nearest)], p));
     int i, start, end, inside = 0;
+
     u = kern_vec_sub(vertex[0], p);
     for (start = 0; start < n; start = end) {
         /* a run that is farther away than the nearest edge so far crosses the
@@ -7575,6 +7576,9 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
         const int skip = /* beyond all rounding */
             KERN_R(0.999) * kern_vec_dot(way, way) > least;
         end = n - start > o->each ? start + o->each : n;
+
+        /* p is inside if edges to its right cross its level an odd number of
+           times */
         for (i = skip ? end - 1 : start; i < end; i++) {
             const kern_vec v = kern_vec_sub(vertex[kern_polygon_next(block, i)],
                                             p);
@@ -8277,13 +8281,14 @@ typedef struct kern_search {
     kern_pair pair;
 } kern_search;
 
-/* Half the diagonal of the block's box. */
+/* Returns half the diagonal of the block's box. */
 static kern_real kern_box_half(const kern_block *block)
 {
     return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2;
 }
 
-/* The widest gap of blocks of that size; the error's is added to the exact. */
+/* Returns the widest gap of blocks of that size. The gap of an error is added
+   to that of exact places. */
 static kern_real kern_search_gap(const kern_search *s, kern_real size)
 {
     const kern_options *o = s->pair.options;
@@ -8293,7 +8298,7 @@ static kern_real kern_search_gap(const kern_search *s, kern_real size)
     return kern_max(o->gap + exact, s->floor);
 }
 
-/* The tolerances of the pair. */
+/* Sets the tolerances of the pair, whose outlines are set. */
 static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
 {
     const kern_block *a = pair->outline[0].block, *b = pair->outline[1].block;
@@ -8308,7 +8313,7 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
     pair->foot = kern_max(KERN_SLIGHT * size, s->floor);
 }
 
-/* Whether box or area of the vertices changed since kern_block_init(). */
+/* Returns 1 if box or area of the vertices changed since kern_block_init(). */
 static int kern_block_is_stale(const kern_block *block)
 {
     kern_block now = *block;
@@ -8319,13 +8324,15 @@ static int kern_block_is_stale(const kern_block *block)
              <= KERN_GAP * kern_abs(block->area));
 }
 
-/* Finds contacts of blocks i and j that are not both fixed, or an overlap. */
+/* Finds the contacts of blocks i and j, or an overlap. */
 KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
     kern_pair *pair = &s->pair;
     const kern_block *a = &s->block[i], *b = &s->block[j];
     kern_real depth;
     int k;
+
+    /* most pairs are far apart or cannot touch */
     if (!a->vertices
         || (!kern_box_near(&a->box, &b->box, s->reach)
             && a->vertex != b->vertex) /* else the first has lost its own */
@@ -8335,6 +8342,8 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
         s->fault->block = i;
         return KERN_STALE;
     }
+
+    /* an overlap ends a search for contacts, and is what a list is of */
     kern_outline_set(&pair->outline[0], a);
     kern_pair_tolerances(pair, s);
     depth = kern_overlap_depth(&pair->outline[0], &pair->outline[1], pair->deep,
@@ -8353,6 +8362,8 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
             s->overlap[pair->count - 1] = found;
         return KERN_OK;
     }
+
+    /* contacts of edges become faces, which set the travels of points */
     pair->a = i;
     pair->b = j;
     pair->first = pair->count;
@@ -8390,8 +8401,8 @@ static int kern_search_close(const kern_search *s)
     return points;
 }
 
-/* Looks at every block, but at the vertices of those before s->from when a pair
-   does; what the tolerances of all pairs depend on. */
+/* Checks every block and sets what the tolerances of all pairs depend on. The
+   vertices of blocks before s->from are left to kern_search_pair(). */
 KERN_SHARED static kern_status kern_search_survey(kern_search *s)
 {
     kern_real most = KERN_R(0); /* largest coordinate                 */
@@ -8400,6 +8411,7 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
     int i;
     s->pair.swing = KERN_ERRORS * s->pair.options->pose_turn;
     s->pair.sine = kern_sine(s->pair.options->angle);
+
     for (i = 0; i < s->blocks; i++) {
         const kern_block *block = &s->block[i];
         const kern_box *box = &block->box;
@@ -8409,6 +8421,8 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
                                                      block->vertices);
         if (!block->vertices)
             continue;
+
+        /* its box and area must be those of kern_block_init() */
         if (status == KERN_OK)
             status = !kern_is_finite(block->area)
                           || !kern_box_near(box, box, 0) /* low above high */
@@ -8421,18 +8435,22 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
             s->fault->block = i;
             return status;
         }
+
+        /* the largest coordinate, arm and free block of all */
         most = kern_max(most, kern_box_largest(box));
         if (s->pair.swing > 0) /* spares roots */
             arm = kern_max(arm, 4 * kern_box_half(block));
         if (!block->fixed)
             area = kern_max(area, kern_abs(block->area));
     }
+
+    /* no tolerance is below rounding, and no pair reaches farther */
     s->floor = 2 * KERN_ROUNDING * most;
     s->reach = kern_search_gap(s, KERN_SQRT(area)) + s->pair.swing * arm;
     return KERN_OK;
 }
 
-/* What the search was handed, but for the blocks themselves. */
+/* Returns what is wrong with the arguments of a search, but for the blocks. */
 static kern_status kern_search_asked(const kern_search *s)
 {
     const kern_options *o = s->pair.options;
@@ -8446,7 +8464,8 @@ static kern_status kern_search_asked(const kern_search *s)
              : KERN_OK;
 }
 
-/* Contacts of the blocks from one on, or a list of overlaps. */
+/* Finds contacts of the blocks from one on with those before them, or
+   overlaps. Returns how many, or a status below 0. */
 static int kern_search_run(const kern_block *block, int blocks,
                            const kern_options *options, void *out, int room,
                            kern_work *work, int from, kern_search_kind kind)
@@ -8456,6 +8475,8 @@ static int kern_search_run(const kern_block *block, int blocks,
     int a, b;
     if (!work)
         return (int)KERN_BAD_POINTER;
+
+    /* the search and its pair, which every step fills further */
     kern_fault_clear(&work->fault);
     s.block = block;
     s.blocks = blocks;
@@ -8467,6 +8488,8 @@ static int kern_search_run(const kern_block *block, int blocks,
     s.pair.out = (kern_contact *)out;
     s.pair.room = room;
     s.pair.count = 0;
+
+    /* every pair of which one block is new */
     status = kern_search_asked(&s);
     if (status == KERN_OK)
         status = kern_search_survey(&s);
@@ -8477,6 +8500,8 @@ static int kern_search_run(const kern_block *block, int blocks,
     }
     if (status != KERN_OK)
         return (int)status;
+
+    /* lines become two points; lone points need all that carry their block */
     if (kind == KERN_SEARCH_OVERLAPS)
         return s.pair.count;
     room = kern_search_close(&s);
@@ -8518,6 +8543,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     kern_status status;
     kern_real length, longest;
     int line;
+
+    /* what a caller may get wrong */
     if (!options || !out)
         return (int)KERN_BAD_POINTER;
     out->travel = KERN_R(0);
@@ -8531,8 +8558,11 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     longest = kern_vec_largest(out->n);
     if (!(longest > 0) || !kern_is_finite(1 / longest))
         return (int)KERN_BAD_NORMAL;
-    /* first made about 1 long: its square may be no number */
+
+    /* the normal is first made about 1 long: its square may be no number */
     normal = kern_vec_unit(kern_vec_scale(out->n, 1 / longest));
+
+    /* two points that differ by more than rounding are a line along t */
     d = kern_vec_sub(q, out->p);
     length = kern_vec_length(d);
     line = length
@@ -8542,6 +8572,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
         && kern_abs(kern_vec_dot(d, normal))
                > kern_sine(options->angle) * length)
         return (int)KERN_BAD_LINE;
+
+    /* each end travels to the middle */
     out->n = normal;
     out->line = line;
     if (line) {
@@ -8553,7 +8585,6 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     return 1 + line;
 }
 
-/* The ends of a line go to its middle. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
 {
     int i;
@@ -8569,10 +8600,10 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
 }
 
 /* ---- Planning ---------------------------------------------------- >>plan */
-/* What is known of a structure is the bracket of its last margin, with a
-   mechanism at the upper end of it. A stone that does not touch what moves
-   there leaves the mechanism as it is: the old motion proves it again, and one
-   verdict at the lower end is left to do. Else the known forces help. */
+/* A plan knows the bracket of its last margin, with a mechanism at the upper
+   end. A stone that does not touch what moves there leaves the mechanism as it
+   is: the old motion proves the upper end again, and one verdict at the lower
+   end remains. Otherwise the known forces help. */
 
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
@@ -8584,14 +8615,13 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
     return plan;
 }
 
-/* Whether all that a plan needs was given. */
+/* Returns 1 if all that a plan needs was given. */
 static int kern_plan_is_whole(const kern_plan *plan)
 {
     return plan && plan->block && plan->contact && plan->task.known.motion
         && plan->task.known.force && plan->task.work;
 }
 
-/* Lays the block behind the others, at rest, and finds its contacts. */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
 {
     kern_structure *s;
@@ -8603,12 +8633,16 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
     s = &plan->task.s;
     if (s->blocks >= plan->block_room)
         return (int)KERN_NO_SPACE;
+
+    /* nothing counts before the contacts are found */
     plan->block[s->blocks] = *block;
     found = kern_touch(plan->block, s->blocks, &plan->task.options,
                        plan->contact + s->contacts,
                        plan->contact_room - s->contacts, plan->task.work);
     if (found < 0)
         return found;
+
+    /* the block is at rest, its contacts carry nothing yet */
     kern_zero(plan->task.known.motion + s->blocks++, 3);
     kern_zero(plan->task.known.force + s->contacts, 2 * found);
     s->contacts += found;
@@ -8625,6 +8659,8 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     kern_fault_clear(&plan->task.work->fault);
     if (i < 0 || i >= s->blocks)
         return KERN_BAD_BLOCK;
+
+    /* its contacts go, with their forces; later blocks move up by one */
     for (k = 0; k < s->contacts; k++) {
         kern_contact *c = &plan->contact[k];
         if (c->a == i || c->b == i)
@@ -8640,12 +8676,14 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     }
     s->contacts = n;
     s->blocks--;
+
+    /* the motion of the others is a mechanism again if its largest speed is 1 */
     if (plan->task.known.fails > 0)
         kern_motion_scale(s, plan->task.known.motion);
     return KERN_OK;
 }
 
-/* Adds the block, unless that is NULL: a number of contacts, or a status. */
+/* Adds the block, if any. Returns how many contacts it has, or a status. */
 KERN_SHARED static int kern_plan_open(kern_plan *plan, const kern_block *block)
 {
     return block                    ? kern_plan_add(plan, block)
@@ -8653,7 +8691,7 @@ KERN_SHARED static int kern_plan_open(kern_plan *plan, const kern_block *block)
                                     : (int)KERN_BAD_POINTER;
 }
 
-/* Takes back what kern_plan_add() did; returns the answer that it was for. */
+/* Undoes kern_plan_add(), which found so many contacts. Returns the answer. */
 static kern_status kern_plan_back(kern_plan *plan, const kern_block *block,
                                   int found, kern_status answer)
 {
@@ -8675,7 +8713,8 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
             : kern_measure_anew(&plan->task, &plan->task.known, out, proof));
 }
 
-/* Whether it stands at that margin; if kerns are not nested, below it too. */
+/* Returns whether the structure stands at that margin and, if kerns are not
+   nested, below it. */
 static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
                                     const kern_proof *proof)
 {
@@ -8688,6 +8727,8 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
         status = KERN_BAD_NUMBER;
     if (status != KERN_OK)
         return status;
+
+    /* the known motion may prove the fall; otherwise a verdict answers */
     kern_model_know(&c.m, known);
     status = KERN_FALLS;
     if (!(known->fails > 0 && margin >= known->fails
@@ -8696,6 +8737,8 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
         status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
     }
     kern_proof_out(&c.m, proof, status);
+
+    /* a smaller shrinkage may fall where kerns are not nested */
     if (status == KERN_STANDS && !kern_is_nested(&c.m, range)) {
         const kern_proof below = {NULL, proof ? proof->motion : NULL};
         c.path.q.shrink = KERN_R(0);
@@ -8764,7 +8807,7 @@ KERN_API kern_options kern_defaults(void)
     return o;
 }
 
-/* The options, or for NULL the defaults. */
+/* Returns the options, or the defaults for NULL. */
 KERN_SHARED static kern_options kern_options_of(const kern_options *options)
 {
     return options ? *options : kern_defaults();
@@ -8783,8 +8826,8 @@ KERN_API kern_options kern_measured_options(const kern_options *options,
     return o;
 }
 
-/* Moves the points of n contacts along their ways by `by`, and turns the edges
-   of their cones inward by an angle of tangent `turn`; or, below 0, back. */
+/* Shrinks the kerns of n contacts by `by` and turns the edges of their cones
+   inward by an angle of tangent `turn`. Below 0 kerns grow and cones widen. */
 static void kern_contacts_err(kern_contact *c, int n, kern_real by,
                               kern_real turn)
 {
@@ -8798,8 +8841,8 @@ static void kern_contacts_err(kern_contact *c, int n, kern_real by,
     }
 }
 
-/* The end of the contacts from i on of one pair of blocks, the block of these
-   that they carry, and how wide that bed is, as gravity sees it. */
+/* Returns the end of the contacts from i on of one pair of blocks. Writes the
+   block that they carry, and how wide that bed is, as gravity sees it. */
 static int kern_bed_end(const kern_structure *s, int i, int *held,
                         kern_real *wide)
 {
@@ -8817,7 +8860,7 @@ static int kern_bed_end(const kern_structure *s, int i, int *held,
     return i;
 }
 
-/* Keeps of the contacts those of each block's widest bed. Returns how many. */
+/* Writes the contacts of each block's widest bed to out. Returns how many. */
 static int kern_beds_keep(const kern_structure *s, kern_contact *out,
                           kern_work *work)
 {
@@ -8843,7 +8886,8 @@ static int kern_beds_keep(const kern_structure *s, kern_contact *out,
     return n;
 }
 
-/* Takes the work of a call off the limit: its status, or KERN_LIMIT. */
+/* Subtracts the work of a call from the limit. Returns its status, or
+   KERN_LIMIT where nothing of the limit remains. */
 static kern_status kern_limit_less(kern_task *task, kern_status status)
 {
     task->options.limit -= task->work->units;
@@ -8851,6 +8895,7 @@ static kern_status kern_limit_less(kern_task *task, kern_status status)
     return task->work->units ? KERN_LIMIT : status;
 }
 
+/* Returns what is wrong with the arguments of kern_certain(). */
 static kern_status kern_certain_check(const kern_task *task, kern_real margin,
                                       const kern_interval *out,
                                       const kern_contact *contact, int room)
@@ -8880,6 +8925,8 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     kern_status status = kern_certain_check(task, margin, out, contact, room);
     if (status != KERN_OK)
         return status;
+
+    /* low: the widest beds alone, with kerns and cones less the error */
     by = KERN_ERRORS * task->options.pose_error;
     turn = KERN_ERROR_CONE * task->options.pose_turn;
     out->low = KERN_R(0);
@@ -8894,10 +8941,14 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     status = kern_measure(&other, &m, NULL);
     if (status == KERN_STANDS || status == KERN_LIMIT)
         out->low = kern_min(kern_max(m.holds, KERN_R(0)), margin);
+
+    /* what stands for certain is also raised by these contacts */
     status = kern_limit_less(&other, status);
     if (status == KERN_STANDS && out->low > 0)
         status = kern_limit_less(
             &other, kern_raised(&other, KERN_R(0), &raised, NULL, NULL));
+
+    /* high: every contact that may exist, with kerns and cones plus the error */
     if (status >= KERN_UNDECIDED) {
         other.options = kern_measured_options(&other.options,
                                               2 * task->options.pose_error,
@@ -8916,6 +8967,8 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
         if (status >= KERN_UNDECIDED && status != KERN_FALLS)
             status = raised == KERN_RAISED ? KERN_STANDS : KERN_OK;
     }
+
+    /* the work of all calls together */
     task->work->units += kern_limit_of(task->options.limit)
                        - other.options.limit;
     return status;
