@@ -7797,6 +7797,7 @@ static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
     const kern_vec *v = block->vertex, c = block->centre;
     const int anchor = kern_outline_farthest(block, 0, 0, c, c, KERN_R(0));
     int at = anchor, waiting = room, count = 0;
+    KERN_ASSERT(tolerance >= 0 && block->vertices > 0);
     if (anchor < 0)
         return (int)KERN_NO_AREA;
     while (count < waiting) {
@@ -8150,6 +8151,7 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
     kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* of normals    */
     kern_real half;
     int k, rest = i + 1;
+    KERN_ASSERT(i >= pair->first && i < pair->count);
 
     for (k = i; k < pair->count; k++) { /* itself first */
         /* where the contact is beside the lead */
@@ -8331,6 +8333,7 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     const kern_block *a = &s->block[i], *b = &s->block[j];
     kern_real depth;
     int k;
+    KERN_ASSERT(i >= 0 && i < j && j < s->blocks);
 
     /* most pairs are far apart or cannot touch */
     if (!a->vertices
@@ -8398,6 +8401,7 @@ static int kern_search_close(const kern_search *s)
             end->p = kern_vec_step(c.p, -end->travel, kern_vec_turn(c.n));
         }
     }
+    KERN_ASSERT(to == 0);
     return points;
 }
 
@@ -8677,7 +8681,7 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     s->contacts = n;
     s->blocks--;
 
-    /* the motion of the others is a mechanism again if its largest speed is 1 */
+    /* the motion of the others is a mechanism if its largest speed is 1 */
     if (plan->task.known.fails > 0)
         kern_motion_scale(s, plan->task.known.motion);
     return KERN_OK;
@@ -8696,6 +8700,7 @@ static kern_status kern_plan_back(kern_plan *plan, const kern_block *block,
                                   int found, kern_status answer)
 {
     if (found >= 0) {
+        KERN_ASSERT(found <= plan->task.s.contacts);
         plan->task.s.blocks -= block != NULL;
         plan->task.s.contacts -= found;
     }
@@ -8948,7 +8953,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
         status = kern_limit_less(
             &other, kern_raised(&other, KERN_R(0), &raised, NULL, NULL));
 
-    /* high: every contact that may exist, with kerns and cones plus the error */
+    /* high: all contacts that may exist, with kerns and cones plus the error */
     if (status >= KERN_UNDECIDED) {
         other.options = kern_measured_options(&other.options,
                                               2 * task->options.pose_error,
