@@ -275,9 +275,9 @@
 
    Outline. Simplify it first, within 1.5 to 3 pixels (kern_outline_simplify()).
    Raw points on a grid touch each other (KERN_CROSSING), and each step of a
-   pixel would hold as a shear key. At 1.3 pixels and more a straight joint is
-   one edge again; below, its steps remain. Two outlines that are simplified may
-   part by twice the tolerance: set options.gap to that, or tell the error.
+   pixel would hold as a shear key. From 1.5 pixels on a straight joint is one
+   edge again; below 1.42 its steps may remain. Two outlines that are simplified
+   may part by twice the tolerance: set options.gap to that, or tell the error.
    Outlines of drawings and clippers have steps of rounding: simplify them
    within half a gap. The density is that of the material times the thickness.
    examples/copy/contour.c shows these steps.
