@@ -20,6 +20,7 @@
      answers    verdict.h    calls of the library, each answer verified
                 random.h     structures from a seed
      geometry   polygon.h  contact.h  steps.h  outlines.h
+                simplify.h   outlines that kern_outline_simplify() simplifies
                 turned.h     contacts, whichever way the world is turned
      engine     engine.h     one row, one factor, one group, one basis
                 lp.h         linear programs
@@ -44,7 +45,7 @@
 
    RULES of the header and their tests; `kern_test NAME` runs those alone whose
    names contain NAME:
-     steps        steps_           line         contact_cube contact_narrow
+     line         contact_cube contact_narrow
      point        contact_points   corner       contact_concave
      face         contact_merged   overlap      overlap contact_in_a_mouth
      gap, angle   contact_gap contact_floor contact_angle
@@ -55,6 +56,7 @@
      tilt         tilt_            profile      profile_
      mechanism    proof_motions    critical     critical_
      stands       twin_ known_     falls        proof_
+     simplified outlines           simplify_ steps_
 
    Of the private parts of kern.h only these are called: kern_max, kern_closes;
    the boxes of an outline (kern_outline_set, kern_polygon_depth); in engine.h
@@ -72,6 +74,7 @@
 #include "unit/contact.h"
 #include "unit/turned.h"
 #include "unit/steps.h"
+#include "unit/simplify.h"
 #include "unit/outlines.h"
 #include "unit/engine.h"
 #include "unit/lp.h"
@@ -116,16 +119,16 @@ static const room rooms[] = {
 #ifdef ONLY
     TESTS_IN(ONLY),
 #else
-    TESTS_OF(polygon),     TESTS_OF(contact),   TESTS_OF(turned),
-    TESTS_OF(steps),       TESTS_OF(outlines),  TESTS_OF(engine),
-    TESTS_OF(lp),          TESTS_OF(bases),     TESTS_OF(proof),
-    TESTS_OF(digits),      TESTS_OF(margin),    TESTS_OF(load),
-    TESTS_OF(plan),        TESTS_OF(plan_fuzz), TESTS_OF(jams),
-    TESTS_OF(bearing),     TESTS_OF(limits),    TESTS_OF(known),
-    TESTS_OF(laws),        TESTS_OF(against),   TESTS_OF(bad),
-    TESTS_OF(statuses),    TESTS_OF(memory),    TESTS_OF(profile),
-    TESTS_OF(raised),      TESTS_OF(pose),      TESTS_OF(push),
-    TESTS_OF(sensitivity), TESTS_OF(forces),
+    TESTS_OF(polygon), TESTS_OF(contact),     TESTS_OF(turned),
+    TESTS_OF(steps),   TESTS_OF(simplify),    TESTS_OF(outlines),
+    TESTS_OF(engine),  TESTS_OF(lp),          TESTS_OF(bases),
+    TESTS_OF(proof),   TESTS_OF(digits),      TESTS_OF(margin),
+    TESTS_OF(load),    TESTS_OF(plan),        TESTS_OF(plan_fuzz),
+    TESTS_OF(jams),    TESTS_OF(bearing),     TESTS_OF(limits),
+    TESTS_OF(known),   TESTS_OF(laws),        TESTS_OF(against),
+    TESTS_OF(bad),     TESTS_OF(statuses),    TESTS_OF(memory),
+    TESTS_OF(profile), TESTS_OF(raised),      TESTS_OF(pose),
+    TESTS_OF(push),    TESTS_OF(sensitivity), TESTS_OF(forces),
 #endif
 };
 

@@ -417,7 +417,7 @@ static const struct rule {
      2,
      1,
      {{-0.5, -0.002, -0.001}, {0.5, -0.001, -0.001}, {99}}},
-    /* a line of an outline with a step is midway between the chords */
+    /* a notch less deep than the gap does not part a face */
     {0,
      0.02,
      {-1, -1, 1, -1, 1, 0, 0.1, 0, 0.1, -0.01, -0.1, -0.01, -0.1, 0, -1, 0, 99},
@@ -425,7 +425,7 @@ static const struct rule {
      2,
      1,
      {{-0.5, 0.004, 0}, {0.5, 0.004, 0}, {99}}},
-    /* a tooth below the gap is none, also where the outline begins with it */
+    /* a tooth less high than the gap does not, where the outline begins */
     {0,
      0.05,
      {-1, -1, 1, -1, 1, 0, -1, 0, 99},
@@ -433,8 +433,7 @@ static const struct rule {
      2,
      1,
      {{-1, 0.02, 0}, {1, 0.02, 0}, {99}}},
-    /* what is farther from its chord than a tenth of a stone is no step,
-       whatever the gap: both beds bear, 0.105 above and below their mean */
+    /* two beds at different heights, within the gap, are one face */
     {0,
      0.3,
      {-1, -1, 1, -1, 1, -0.21, 0, -0.21, 0, 0, -1, 0, 99},
@@ -442,21 +441,6 @@ static const struct rule {
      2,
      1,
      {{-1, -0.0525, 0}, {1, -0.0525, 0}, {99}}},
-    {0,
-     0.3,
-     {-1, -1, 1, -1, 1, -0.19, 0, -0.19, 0, 0, -1, 0, 99},
-     {-1, 0, 1, 0, 1, 0.5, -1, 0.5, 99},
-     4,
-     2,
-     {{-1, 0, 0}, {0, 0, 0}, {99}}},
-    /* the tread of a step in a side bears nothing: it is no part of the side */
-    {0,
-     0.02,
-     {-1, -1, 1.015, -1, 1.015, -0.01, 1, -0.01, 1, 0, -1, 0, 99},
-     {1.008, -0.01, 2, -0.01, 2, 1, 1.2, 1, 99},
-     1,
-     0,
-     {{99}}},
     /* a point beside a line within 10 degrees (here 9.5, then 10.5) is none */
     {0,
      0,
@@ -1151,6 +1135,76 @@ static void contact_many_blocks(void)
     }
 }
 
+/* Two tips of one width meet exactly, and carry however short they are. */
+static void contact_short_faces(void)
+{
+    static const double width[] = {2e-3, 9e-4, 1e-4, 1e-5};
+    static world w;
+    int i;
+    for (i = 0; i < (SINGLE ? 2 : 4); i++) {
+        const double x = width[i] / 2;
+        const double low[] = {-1, 0, 1, 0, x, 1, -x, 1};
+        const double high[] = {-x, 1, x, 1, 1, 2, -1, 2};
+        sprintf(context, "(width %g)", width[i]);
+        world_reset(&w);
+        world_box(&w, 0, -2, -1, 2, 0);
+        world_polygon(&w, 1, low, 4);
+        world_polygon(&w, 1, high, 4);
+        CHECK_INT(world_touch(&w), 4);
+        CHECK_INT(lines_of(&w), 2);
+        check_contacts(&w);
+        CHECK_INT(verdict(&w, 0), KERN_STANDS);
+    }
+    context[0] = 0;
+}
+
+/* A disc of n vertices that stands on another, edge on edge. */
+static void contact_of_discs(void)
+{
+    static const int sides[] = {40, 1000, 3400, 3600, 4000};
+    static kern_vec v[2][4000];
+    int i, k, b;
+    for (k = 0; k < (SINGLE ? 2 : 5); k++) {
+        const int n = sides[k];
+        const double high = cos(pi / n);
+        const kern_options o = kern_defaults();
+        kern_work work = kern_work_of(NULL, 0, NULL, 0);
+        kern_contact c[80];
+        kern_block block[2];
+        for (b = 0; b < 2; b++)
+            for (i = 0; i < n; i++)
+                v[b][i] = vec(sin(2 * pi * (i + 0.5) / n),
+                              2 * b * high - cos(2 * pi * (i + 0.5) / n));
+        CHECK_INT(kern_ground_init(&block[0], v[0], n, NULL), KERN_OK);
+        CHECK_INT(kern_block_init(&block[1], v[1], n, R(1), NULL), KERN_OK);
+        CHECK(kern_contacts(block, 2, &o, c, 80, &work) >= 2);
+        CHECK(c[0].line);
+        CHECK_NEAR(c[0].n.y, 1, GEO);
+    }
+}
+
+/* Two saws of n teeth in each other: time grows with the square of n at most,
+   where with the cube it would be 64 times as long. */
+static void saws_of(int n)
+{
+    static kern_contact out[8000];
+    const kern_options o = kern_defaults();
+    kern_work work = kern_work_of(NULL, 0, NULL, 0);
+    kern_block block[2];
+    static kern_vec v[2][4000];
+    int i, b, k = 0;
+    for (b = 0; b < 2; b++) {
+        for (i = k = 0; i <= 2 * n; i++)
+            v[b][k++] = vec(i, i % 2);
+        v[b][k++] = vec(2 * n, b ? n : -n);
+        v[b][k++] = vec(0, b ? n : -n);
+        CHECK_INT(kern_block_init(&block[b], v[b], k, R(1), NULL), KERN_OK);
+    }
+    CHECK_INT(kern_contacts(block, 2, &o, out, 8000, &work), 4 * n);
+}
+
+static void contact_of_saws(void) { CHECK(grows_less(saws_of, 100, 32)); }
+
 static const test contact_tests[] = {
     TEST(contact_cube_on_cube),
     TEST(contact_two_feet),
@@ -1174,6 +1228,9 @@ static const test contact_tests[] = {
     TEST(contact_room),
     TEST(contact_work),
     TEST(contact_many_blocks),
+    TEST(contact_short_faces),
+    TEST(contact_of_discs),
+    TEST(contact_of_saws),
 };
 
 #endif

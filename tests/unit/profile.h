@@ -332,6 +332,38 @@ static int certain_world(const world *w, kern_interval *in, int room)
     return kern_certain(task, m.margin, in, again, room);
 }
 
+/* A stone on a slope of 30 degrees with friction 0.3, held by a kerb that is ten
+   errors high: the search with twice the error keeps the kerb. */
+static void certain_kerb(void)
+{
+    const double e = 0.005, high = 10 * e, c = cos(pi / 6), n = sin(pi / 6);
+    static const double flat[2][12] = {
+        {-3, -1.5, 3, -1.5, 3, 0, -0.5, 0, -0.5, 1, -3, 1},
+        {-0.5, 0, 0.5, 0, 0.5, 0.5, -0.5, 0.5}};
+    static world w;
+    kern_interval in;
+    int b, i;
+    world_reset(&w);
+    for (b = 0; b < 2; b++) {
+        double xy[12];
+        const int vertices = b ? 4 : 6;
+        for (i = 0; i < vertices; i++) {
+            const double x = flat[b][2 * i];
+            const double y = !b && i > 3 ? high * flat[b][2 * i + 1]
+                                         : flat[b][2 * i + 1];
+            xy[2 * i] = c * x - n * y;
+            xy[2 * i + 1] = n * x + c * y;
+        }
+        world_polygon(&w, b, xy, vertices);
+    }
+    w.options.mu = R(0.3);
+    w.options = kern_measured_options(&w.options, R(e), R(e));
+    CHECK(world_touch(&w) > 0);
+    CHECK_INT(verdict(&w, 0), KERN_STANDS);
+    CHECK_INT(certain_world(&w, &in, 100), KERN_STANDS);
+    CHECK(in.low > 0 && in.high > in.low);
+}
+
 /* A unit box on a bed that ends at x: what is nearer to critical than 3.5 errors
    of place is not certain. */
 static void certain_verdicts(void)
@@ -522,11 +554,11 @@ static void measured_bounds(void)
     CHECK_NEAR(work.fault.allowed, 8 * e + 3.5 * angle * (2.5 + 2.5), GEO);
 }
 
-/* The corner of a stone, two errors beyond the end of ground that has a step: its
-   foot is on the chord of the ground, y = -0.002 x, whose normal it takes. The
-   corner is the end of its own chords, which have no normal there. So is the
-   corner of the ground, with its foot on the side of the stone, x + y = 0.02. */
-static void measured_corner_beyond_steps(void)
+/* The corner of a stone, two errors beyond the end of ground that had a step
+   before it was simplified: the ground rises as y = -0.002 x. The corner of the
+   ground bears on the side of the stone, x + y = 0.02. Both contacts lie halfway
+   between the corner and the edge. */
+static void measured_corner_beyond_edge(void)
 {
     static const double ground[] = {-2, -1, 0,  -1,    0,  0,
                                     -1, 0,  -1, 0.004, -2, 0.004};
@@ -539,11 +571,13 @@ static void measured_corner_beyond_steps(void)
         world_reset(&w);
         world_polygon(&w, first, first ? stone : ground, first ? 3 : 6);
         world_polygon(&w, !first, first ? ground : stone, first ? 6 : 3);
+        world_simplify(&w, 0.01);
         w.options = kern_measured_options(&w.options, R(0.01), R(0));
         CHECK_INT(world_touch(&w), 2);
-        CHECK(contact_at(&w, 0, 1, 0.02 / square, -0.00004 / square,
-                         up * 0.002 / length, up / length, GEO));
-        CHECK(contact_at(&w, 0, 1, 0.01, 0.01, up * sqrt(0.5), up * sqrt(0.5),
+        CHECK(contact_at(&w, 0, 1, 0.02 - 0.00000004 / square,
+                         -0.00002 / square, up * 0.002 / length, up / length,
+                         GEO));
+        CHECK(contact_at(&w, 0, 1, 0.005, 0.005, up * sqrt(0.5), up * sqrt(0.5),
                          GEO));
     }
 }
@@ -634,15 +668,25 @@ static void mean_size_of_blocks(void)
 }
 
 static const test profile_tests[] = {
-    TEST(profile_two_storeys),  TEST(profile_side_by_side),
-    TEST(profile_takes_along),  TEST(profile_laws),
-    TEST(profile_of_two),       TEST(profile_bad_input),
-    TEST(near_contacts),        TEST(measured_gaps),
-    TEST(overlaps_of_three),    TEST(certain_verdicts),
-    TEST(measured_bounds),      TEST(measured_corner_beyond_steps),
-    TEST(certain_supports),     TEST(certain_given),
-    TEST(certain_limit),        TEST(certain_bounds),
-    TEST(measured_round_stone), TEST(mean_size_of_blocks),
+    TEST(profile_two_storeys),
+    TEST(profile_side_by_side),
+    TEST(profile_takes_along),
+    TEST(profile_laws),
+    TEST(profile_of_two),
+    TEST(profile_bad_input),
+    TEST(certain_kerb),
+    TEST(near_contacts),
+    TEST(measured_gaps),
+    TEST(overlaps_of_three),
+    TEST(certain_verdicts),
+    TEST(measured_bounds),
+    TEST(measured_corner_beyond_edge),
+    TEST(certain_supports),
+    TEST(certain_given),
+    TEST(certain_limit),
+    TEST(certain_bounds),
+    TEST(measured_round_stone),
+    TEST(mean_size_of_blocks),
 };
 
 #endif

@@ -10,8 +10,8 @@
 #include "contact.h"
 #include "turned.h"
 
-/* Outlines from clippers and from images have steps lower than the gap. What
-   lies on them has the contacts of outlines without. */
+/* Outlines from clippers and from images have steps lower than the gap. Once
+   they are simplified, structures answer as those of outlines without. */
 
 /* A unit box on a bed with friction 0.4 and nothing to push against. */
 static void check_slides(world *w)
@@ -49,23 +49,26 @@ static void steps_of_a_rounding(void)
         world_reset(&w);
         world_polygon(&w, 0, xy, 6);
         world_polygon(&w, 1, on, 6);
+        world_simplify(&w, 1e-3);
         check_slides(&w);
         CHECK_INT(w.contacts, 2);
         world_reset(&w);
         world_polygon(&w, 0, kerb, 6);
         world_box(&w, 1, 0, 0, 1, 1);
+        world_simplify(&w, 1e-3);
         check_slides(&w);
         CHECK_INT(w.contacts, 2);
         world_reset(&w);
         world_polygon(&w, 0, both, 8);
         world_box(&w, 1, 0, 0, 1, 1);
+        world_simplify(&w, 1e-3);
         check_slides(&w);
         CHECK_INT(w.contacts, 2);
     }
     context[0] = 0;
 }
 
-/* A step as high as the gap and more is one. */
+/* A step that is higher than twice the tolerance is one. */
 static void steps_that_carry(void)
 {
     const double kerb[] = {-2, -1, 3, -1, 3, 2e-3, 1, 2e-3, 1, 0, -2, 0};
@@ -74,12 +77,14 @@ static void steps_that_carry(void)
     world_reset(&w);
     world_polygon(&w, 0, kerb, 6);
     world_box(&w, 1, 0, 0, 1, 1);
+    world_simplify(&w, 0.9e-3);
     world_touch(&w);
     CHECK_INT(load_factor(&w, NULL, 1, &value), KERN_STANDS);
     CHECK(value > 0.9);
     CHECK_INT(load_factor(&w, NULL, -1, &value), KERN_STANDS);
     CHECK_NEAR(value, 0.4, EXACT * 10);
-    w.options.gap = R(2.5e-3); /* whoever calls it a gap has no kerb */
+    w.options.gap = R(2.5e-3);
+    world_simplify(&w, 2.5e-3);
     check_slides(&w);
     /* shear/lip_2e-6: a sliver of support is one */
     world_reset(&w);
@@ -138,7 +143,7 @@ static void pixel_joint(world *w, int n, double slope)
 }
 
 /* Where a pixel is more than the gap of 1/1000, the gap must be told: a pixel
-   and a half. */
+   and a half, which is also the tolerance. */
 static void steps_of_pixels(void)
 {
     static const int pixels[] = {100, 300, 1000, 2000};
@@ -160,6 +165,7 @@ static void steps_of_pixels(void)
             pixel_joint(&w, n, slope);
             w.options.mu = t.options.mu = R(degrees[j] > 15 ? 1.2 : 0.4);
             w.options.gap = R(n < 2000 ? 1.5 * pixel : 0);
+            world_simplify(&w, 1.5 * pixel);
             world_touch(&w);
             world_touch(&t);
             CHECK_INT(w.contacts, 2);
@@ -176,9 +182,8 @@ static void steps_of_pixels(void)
     context[0] = 0;
 }
 
-/* stairs/gap_1.01px, default_gap_900px: a joint drawn in pixels of up to 1.57
-   gaps slides where the straight one does. Its steps held it where the gap was
-   below 1.4 pixels. */
+/* stairs/gap_1.01px, default_gap_900px: a joint that was drawn in pixels slides
+   where the straight one does, whatever the gap. */
 static void steps_that_slide(void)
 {
     static world w;
@@ -200,35 +205,35 @@ static void steps_that_slide(void)
         pixel_joint(&w, n, tan(angle));
         w.options.mu = R(mu);
         w.options.gap = R(gap / n);
+        world_simplify(&w, 1.6 / n);
         CHECK_INT(world_touch(&w), 2);
         CHECK_INT(verdict(&w, 0), angle < atan(mu) ? KERN_STANDS : KERN_FALLS);
     }
     context[0] = 0;
 }
 
-/* A knee lower than the gap is no step: each of its two edges has its contact,
-   whichever of the two stones is reflex there. Where the outlines also have a
-   step, the chord stands for both edges. */
+/* A knee is a reflex corner where the outline turns and goes on. It is kept
+   where it is higher than the tolerance, and straightened where it is lower,
+   whichever of the two stones is reflex there. */
 static void steps_and_knees(void)
 {
     static world w;
-    int up, k;
-    for (k = 0; k < 2; k++)
+    int up, low;
+    for (low = 0; low < 2; low++)
         for (up = -1; up <= 1; up += 2) {
-            const double h = 1e-3 * up, s = 5e-5;
-            const double low[] = {0, -1, 1, -1, 1, 0, 0.05, 0, 0, h};
-            const double high[] = {0, h, 0.05, 0, 1, 0, 1, 1, 0, 1};
-            const double step[] = {0, -1,  1, -1,   1, s, 0.5,
-                                   s, 0.5, 0, 0.05, 0, 0, h};
-            const double on[] = {0, h, 0.05, 0, 0.5, 0, 0.5,
-                                 s, 1, s,    1, 1,   0, 1};
+            const double h = 1e-3 * up;
+            const double bed[] = {0, -1, 1, -1, 1, 0, 0.05, 0, 0, h};
+            const double stone[] = {0, h, 0.05, 0, 1, 0, 1, 1, 0, 1};
             world_reset(&w);
-            world_polygon(&w, 0, k ? step : low, k ? 7 : 5);
-            world_polygon(&w, 1, k ? on : high, k ? 7 : 5);
-            CHECK_INT(world_touch(&w), k ? 2 : 4);
+            world_polygon(&w, 0, bed, 5);
+            world_polygon(&w, 1, stone, 5);
+            world_simplify(&w, low ? 1e-3 : 5e-4);
+            CHECK_INT(world_touch(&w), low ? 2 : 4);
             check_contacts(&w);
-            if (k || w.contacts != 4)
+            if (low) {
+                CHECK_NEAR(fabs((double)w.contact[0].n.x), 1e-3, 1e-6);
                 continue;
+            }
             CHECK_NEAR(fabs((double)w.contact[0].travel), 0.475, GEO);
             CHECK_NEAR(w.contact[0].n.x, 0, GEO);
             CHECK_NEAR(w.contact[2].n.x, 0.02 * up / sqrt(1.0004), GEO);
@@ -236,7 +241,7 @@ static void steps_and_knees(void)
 }
 
 /* A stone in a valley, a bed and a slope of 45 degrees, with a riser between
-   them: the bed's span ends with it. Lower than the gap it is no shear key, and
+   them. Lower than the tolerance it is no shear key, and
    the stone slides up the slope at tan(45 degrees + atan(mu)); one of two gaps
    holds it. */
 static void steps_at_ends(void)
@@ -258,6 +263,7 @@ static void steps_at_ends(void)
             w.options.gap = R(4e-3);
             world_polygon(&w, 0, valley, 6);
             world_polygon(&w, 1, stone, 6);
+            world_simplify(&w, 4e-3);
             CHECK_INT(world_touch(&w), high ? 6 : 4);
             check_contacts(&w);
             for (k = 0; k < w.contacts && !high; k++)
@@ -269,7 +275,7 @@ static void steps_at_ends(void)
     context[0] = 0;
 }
 
-/* A lip lower than the gap at the end of a bed is no shear key, whether it
+/* A lip lower than the tolerance at the end of a bed is no shear key, whether it
    stands on the ground beside the stone, or hangs from the stone beside the
    ground; a higher one is. */
 static void steps_lips(void)
@@ -299,6 +305,7 @@ static void steps_lips(void)
                 w.options.mu = R(0.4);
                 world_polygon(&w, kind, xy, 5);
                 world_polygon(&w, !kind, box[kind], 4);
+                world_simplify(&w, 4e-3);
                 CHECK(world_touch(&w) >= 2);
                 CHECK_INT(load_factor(&w, NULL, kind ? -1 : 1, &load),
                           KERN_STANDS);
@@ -307,8 +314,8 @@ static void steps_lips(void)
     context[0] = 0;
 }
 
-/* A ramp lower than the gap and longer, in a bed that fits it: one contact, on
-   the chord. */
+/* A ramp lower than the tolerance and longer, in a bed that fits it: one
+   contact, on the chord. */
 static void steps_of_ramps(void)
 {
     static world w;
@@ -320,43 +327,11 @@ static void steps_of_ramps(void)
     w.options.gap = R(4e-3);
     world_polygon(&w, 0, base, 6);
     world_polygon(&w, 1, box, 6);
+    world_simplify(&w, h);
     CHECK_INT(world_touch(&w), 2);
     check_contacts(&w);
     CHECK_INT(load_factor(&w, NULL, 1, &load), KERN_STANDS);
     CHECK_NEAR(load, 0.4, 0.005);
-}
-
-/* Stairs in stairs, a third of the gap apart: the contact lies midway between
-   their chords and ends where the stairs do. */
-static void steps_apart(void)
-{
-    enum { TREADS = 100 };
-    static double xy[4 * TREADS + 8];
-    static world w;
-    const double tread = 1.0 / TREADS, high = tread / 2, up = tread / 3;
-    int i, j, k;
-    world_reset(&w);
-    w.options.gap = R(tread);
-    for (j = 0; j < 2; j++) {
-        for (i = k = 0; i < TREADS; i++) {
-            xy[k++] = i * tread;
-            xy[k++] = i * high + j * up;
-            xy[k++] = (i + 1) * tread;
-            xy[k++] = i * high + j * up;
-        }
-        xy[k++] = 1;
-        xy[k++] = j ? 2 : -1;
-        xy[k++] = 0;
-        xy[k++] = j ? 2 : -1;
-        world_polygon(&w, j, xy, k / 2);
-    }
-    CHECK_INT(world_touch(&w), 2);
-    for (i = 0; i < 2;
-         i++) { /* from the last tread's end to the first's start */
-        const kern_contact *c = &w.contact[i];
-        CHECK_NEAR(c->p.x, 1 - i, GEO);
-        CHECK_NEAR(c->p.y, (1 - i) * (TREADS - 1) * high + up / 2, GEO);
-    }
 }
 
 /* knife/joint_10deg_2000px: the joint of steps_of_pixels() before it was an
@@ -667,24 +642,30 @@ static int stone_with_steps(world *w, world *t, int trial)
     if (!is_simple(rough, k))
         return 0;
     world_polygon(t, 0, rough, k);
+    world_simplify(t, 0.92 * gap);
     CHECK(world_touch(t) > 0);
     return 1;
 }
 
+/* No support is lost, and none won. In float one contact of all ends two gaps
+   earlier: a vertex of a step that stands out farther than the corner beside it
+   becomes the corner. */
 static void steps_in_random_stones(void)
 {
-    int trial, cases = 0;
+    int trial, cases = 0, other = 0;
     for (trial = 0; trial < STONES; trial++) {
         static world w, t;
         if (!stone_with_steps(&w, &t, trial))
             continue;
         cases++;
         check_contacts(&t);
-        CHECK(same_supports(&w, &t,
-                            1.125e-3 * sqrt(fabs((double)w.block[0].area))));
+        CHECK_INT(t.contacts, w.contacts);
+        other += !same_supports(&w, &t,
+                                1.125e-3 * sqrt(fabs((double)w.block[0].area)));
     }
     context[0] = 0;
     CHECK(cases > STONES / 4 * 3);
+    CHECK(other <= (SINGLE ? 1 : 0));
 }
 
 /* Contacts at steps are the same whichever way the world is turned, mirrored,
@@ -701,6 +682,7 @@ static void steps_invariance(void)
             const int n = random_int(60, 150);
             pixel_joint(&w, n, uniform(0.01, 0.9));
             w.options.gap = R(1.5 / n);
+            world_simplify(&w, 1.6 / n);
             CHECK_INT(world_touch(&w), 2);
         } else if (!stone_with_steps(&t, &w, trial))
             continue;
@@ -769,6 +751,7 @@ static int structure_with_steps(world *to, const world *from)
         to->block[i].centre = b->centre;
         to->block[i].load = b->load;
     }
+    world_simplify(to, 0.45e-3 * least);
     return world_touch(to) > 0;
 }
 
@@ -828,7 +811,6 @@ static const test steps_tests[] = {
     TEST(steps_at_ends),
     TEST(steps_lips),
     TEST(steps_of_ramps),
-    TEST(steps_apart),
     TEST(steps_straight_joint),
     TEST(overlap_with_whiskers),
     TEST(travels_of_many),

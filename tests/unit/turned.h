@@ -227,9 +227,43 @@ static void contact_order(void)
     }
 }
 
+/* A stone that leans on a vertical face, turned with its gravity: what carries
+   it does not depend on the last digit of the normal, nor does the margin. */
+static void lone_on_a_wall(void)
+{
+    static const double floor_[] = {-3, -1, 3, -1, 3, 0, -3, 0};
+    static const double stop[] = {0, 0, 1, 0, 1, 2, 0, 2};
+    static const double stone[] = {-0.6, 0.07, -0.45, 0, 0, 0.9, -0.15, 0.97};
+    double margin = -1;
+    int i, k;
+    for (i = 0; i < 40; i++) { /* i = 0: as it is */
+        static world w, t;
+        static int order[MAX_BLOCKS];
+        change c = no_change();
+        kern_margin m;
+        c.angle = 0.3 * i;
+        c.mirror = i % 2;
+        world_reset(&w);
+        world_polygon(&w, 0, floor_, 4);
+        world_polygon(&w, 0, stop, 4);
+        world_polygon(&w, 1, stone, 4);
+        w.options.mu = R(0.6);
+        world_changed(&t, &w, &c, order);
+        t.options.lone = t.gravity;
+        CHECK(world_touch(&t) > 0);
+        for (k = 0; k < t.contacts; k++)
+            CHECK(!t.contact[k].line);
+        CHECK_INT(measure(&t, &m), KERN_STANDS);
+        if (i == 0)
+            margin = (double)m.margin;
+        CHECK_NEAR(m.margin, margin, SINGLE ? 3e-3 : 1e-5);
+    }
+}
+
 static const test turned_tests[] = {
     TEST(contact_invariance),
     TEST(contact_order),
+    TEST(lone_on_a_wall),
 };
 
 #endif

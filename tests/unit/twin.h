@@ -28,14 +28,16 @@ static void middle_of_line(const world *w, int k, wide *x, wide *y)
 }
 
 /* Whether contact p carries the same block as contact k, as options.lone says
-   where down is. */
+   where down is. One whose normal is horizontal within 1e-6 carries none. */
 static int carry_the_same(const world *w, const kern_contact *p,
                           const kern_contact *k)
 {
     const kern_vec down = w->options.lone;
     const double of_p = (double)(p->n.x * down.x + p->n.y * down.y);
     const double of_k = (double)(k->n.x * down.x + k->n.y * down.y);
-    return (of_p < 0 || of_p > 0) && (of_k < 0 || of_k > 0)
+    const double least = 1e-6
+                       * fmax(fabs((double)down.x), fabs((double)down.y));
+    return fabs(of_p) > least && fabs(of_k) > least
         && (of_p < 0 ? p->b : p->a) == (of_k < 0 ? k->b : k->a);
 }
 

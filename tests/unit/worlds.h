@@ -279,4 +279,23 @@ static kern_work work_of_part(const world *w, int part)
     return work;
 }
 
+/* Simplifies the outlines of all blocks; masses, centres and loads stay. */
+static void world_simplify(world *w, double tolerance)
+{
+    static kern_vec raw[MAX_VERTICES];
+    static int kept[MAX_VERTICES];
+    int i;
+    for (i = 0; i < w->blocks; i++) {
+        kern_block *b = &w->block[i], made;
+        const int n = b->vertices;
+        kern_vec *out = w->vertex + (b->vertex - w->vertex);
+        memcpy(raw, out, sizeof *raw * (size_t)n);
+        b->vertices = kern_outline_simplify(raw, n, R(tolerance), out, kept, n);
+        CHECK(b->vertices >= 3);
+        CHECK_INT(kern_ground_init(&made, out, b->vertices, NULL), KERN_OK);
+        b->area = made.area;
+        b->box = made.box;
+    }
+}
+
 #endif
