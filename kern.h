@@ -1225,63 +1225,112 @@ extern "C" {
 #endif
 
 /* ---- Constants -------------------------------------------------- >>tune */
-/* All of Parts III and IV; those of the geometry are in >>tol. Lengths are in
-   units of a block's size, forces in units of the weight of all, so where no
-   unit is given there is none. KERN_PICK: in double, in float. */
+/* All of Parts III to V; those of the geometry are in >>tol. Lengths are shares of a block's size and forces are shares of
+   the weight of all, unless a unit stands in brackets. KERN_PICK(a, b) is a in
+   double and b in float. Each constant has one job. */
 
 /* ---- what a proof allows ---- */
 
-/* Residual that a proof may leave, as a share of what acts on the block. */
+/* Residual that a proof may leave in a row of equilibrium, as a share of what
+   acts on the block. Coordinates and masses are known far less exactly. */
 #define KERN_TOL KERN_PICK(1e-9, 1e-4)
-/* Largest forces that are taken for real, in weights: the bound excludes jams,
-   whose forces are arbitrarily large; a motion may close no contact faster than
-   its power divided by it. A larger gap leaves the interior point no digits. */
+/* Largest sum of forces that is taken for real, in weights: the bound excludes
+   jams, whose forces are arbitrarily large. A motion may close no contact
+   faster than its power divided by it. A larger gap leaves the interior point
+   no digits. */
 #define KERN_BOUND KERN_PICK(1e6, 1e3)
-/* What is no more than rounding in the result of a method, a tenth of KERN_TOL:
-   a variable below zero, as a share of the largest, a pivot or a gain, and what
-   >>ipm adds to a diagonal without pivots; and the difference of two critical
-   values, in mean block sizes. Less, and simplex and search chase rounding. */
-#define KERN_NOISE KERN_PICK(1e-10, 1e-5)
-/* What a row of a proof may lose by rounding, as a share of its terms; by how
-   much a certificate is lifted off the columns that it touches, since the check
-   of a motion adds as much; and what is added to the diagonal of the matrix of
-   >>norm, as a share of its mean: without it what no ray presses has no pivot.
-   Within twice as much of the largest coordinate places are the same, or cubes
-   that were turned would not touch; and a normal has the length 1. */
+/* Rounding of a sum in a proof, as a share of its terms: a row of a structure
+   has some tens of terms. Part VI takes twice as much, as a share of the largest
+   coordinate, for the distance within which two places are the same. */
 #define KERN_ROUNDING (32 * KERN_EPS)
+/* How far a tangential force may exceed its cone, as a share of the cone: the
+   rounding of mu f. */
+#define KERN_CONE_TOL (8 * KERN_EPS)
+/* Least power of a motion and least closing speed in a proof [W, m/s]: products
+   of smaller numbers lose digits, since they are no normal numbers. */
+#define KERN_POWER_LEAST (1 / (KERN_FAR * KERN_FAR))
+/* Residual that x and y of a linear program of the caller may leave in a row or
+   a column, as a share of its terms. */
+#define KERN_LP_TOL KERN_PICK(1e-9, 1e-4)
+/* Distance of a tangential force from its cone below which the contact slides,
+   as a share of the cone, and least force of a contact that must approach, as a
+   share of the least load: below both, equilibrium would not miss it. */
+#define KERN_SLIDES_TOL KERN_PICK(1e-9, 1e-4)
+#define KERN_PRESSED_LEAST KERN_PICK(1e-9, 1e-4)
 /* The most that a proof of >>raised takes for sticking, in approaches. */
 #define KERN_STICKS KERN_PICK(2e-3, 0.2)
+/* Slope of a contact against gravity from which it may hold a block up, as a
+   share of gravity: less is the rounding of a vertical joint. */
+#define KERN_HOLDS_UP KERN_R(1e-9)
 
 /* ---- what may be asked ---- */
 
-/* Largest coordinate and option [m], mass [kg] and sum of all that acts on a
-   block [N]. Inverse, it is the least size, mass and sum of a block; its
-   inverse square is the least area [m^2] and power of a motion [W]. Squares,
-   moments and products with KERN_BOUND of these keep all digits. */
+/* Largest coordinate and option [m], and largest sum of all that acts on a block
+   [N]. Squares, moments and products with KERN_BOUND of these keep all digits.
+   Part VI uses it for masses and areas as well. */
 #define KERN_FAR KERN_PICK(1e60, 1e10)
-/* Turn [rad] below which a vertex is no corner, and within which of a half turn
-   it is a spike: much larger, and round stones would lose their shape. And
-   share of the size by which a foot must lie inside its edge, so that rounding
-   makes no contacts between diagonal neighbours; of the shortest line, below
-   which a travel is none. And slope along which blocks are at one height. */
-#define KERN_SLIGHT KERN_R(1e-6)
-/* Share of the size: the default gap, the length of the shortest line, and how
-   far off a corner ends a contact; of an area, by how much it may differ, by
-   rounding at large coordinates, from what the block says. */
-#define KERN_GAP KERN_R(1e-3)
+/* Least size [m], mass [kg] and sum of loads [N] of a block that is not 0, and
+   largest mass [kg]. The bounds keep digits as KERN_FAR does. */
+#define KERN_SIZE_LEAST (1 / KERN_FAR)
+#define KERN_MASS_LEAST (1 / KERN_FAR)
+#define KERN_LOAD_LEAST (1 / KERN_FAR)
+#define KERN_MASS_MOST KERN_FAR
+/* How far the square of a normal's length may be from 1: the rounding of a
+   normal that the caller computed in this precision. */
+#define KERN_NORMAL_TOL (64 * KERN_EPS)
 /* Angle [rad] from which an option for the angle is refused: it would take a
    corner for a face, and the series of kern_sine() would lose digits. */
 #define KERN_ANGLE_MOST KERN_R(0.5)
-/* Counts whose work memory, and products in it, are still an int. */
-/* Blocks of a task; rows of a program. */
+/* Largest reserve [shares of gravity] that may be asked for: the table of
+   kern_raise_reserve() ends there. */
+#define KERN_RESERVE_MOST KERN_R(0.1)
+/* Gravity of a task that names none [m/s^2]. */
+#define KERN_GRAVITY KERN_R(9.81)
+/* Counts whose work memory, and products in it, are still an int: blocks of a
+   task and rows of a program; contact points, vertices, levels, blocks of a
+   search and columns; units of a call and entries of a matrix. */
 #define KERN_BLOCKS_MOST 20000
-/* Contact points, vertices, levels, blocks of a search; columns. */
 #define KERN_POINTS_MOST 1000000
-/* Units of a call; entries of a matrix. */
 #define KERN_WORK_MOST 2000000000
-/* Entries of sparse columns that a unit of work adds up (of a dense factor 8/3
-   as many): 650 to 2,000 instructions, as >>verdicts says. */
+
+/* ---- what work costs, in units ---- */
+/* Fitted to counts of instructions, so that a unit is 650 to 2,000 of them, as
+   >>verdicts says. A divisor n charges one unit for n blocks and contacts. */
+
+/* Entries of sparse columns that a unit adds up (of a dense factor 8/3 as many,
+   since their loops have no indices). */
 #define KERN_UNIT 64
+/* A call reads and checks so many blocks and contacts in a unit. */
+#define KERN_CALL_UNIT 5
+/* A query costs three units, and one for so many blocks and contacts: its proof
+   looks at all of them. */
+#define KERN_QUERY_UNIT 14
+/* A part of all groups is ordered, and known forces are copied. */
+#define KERN_ORDER_UNIT 4
+#define KERN_KNOWN_UNIT 32
+/* A place of the line search looks at so many contacts in a unit. */
+#define KERN_PLACE_UNIT 16
+/* Products of a step of Newton's method for each contact (its row and law) and
+   for each pair of blocks of a row of the factor. */
+#define KERN_CONTACT_PRODUCTS KERN_R(100)
+#define KERN_PAIR_PRODUCTS KERN_R(14)
+
+/* ---- model ---- */
+
+/* Shares of the size for geometry that the statics reads. KERN_SLIGHT: the turn
+   [rad] below which a vertex is no corner and the inset of a foot, and KERN_GAP:
+   the default gap and the shortest line. Both are of Part VI now. */
+#define KERN_SLIGHT KERN_R(1e-6)
+#define KERN_GAP KERN_R(1e-3)
+/* Travel below which a contact point counts as one that does not travel [mean
+   size]: a millionth of the shortest line is rounding. */
+#define KERN_TRAVEL_LEAST (KERN_R(1e-6) * KERN_GAP)
+/* Slope of the lines along which blocks count as equally high, in double: a flat
+   arch is then ordered from side to side and not by rounding. */
+#define KERN_LEVEL_SLOPE KERN_R(1e-6)
+/* Blocks of a run that is sorted by simple insertion: with shorter runs the
+   steps of Shell's sort cost more than they save. */
+#define KERN_SORT_RUN 64
 
 /* ---- measures ---- */
 
@@ -1299,57 +1348,116 @@ extern "C" {
    of tilt under loads that stay: a range that falls, and is narrower than one,
    may be missed. A walk, or a climb, takes at most five times as many steps. */
 #define KERN_SCAN 1001
+/* Default step of a level [mean size], and where kerns are relative [share of
+   the travel]: the paper's steps are of this order. */
+#define KERN_LEVEL_STEP KERN_R(0.02)
+#define KERN_LEVEL_SHARE KERN_R(0.05)
 /* Largest load factor; beyond, the load counts as held for ever. */
 #define KERN_FACTOR_MOST KERN_R(1e6)
+/* Deficit: first growth of the kerns [mean size], and by how much it grows where
+   kerns are nested, and where they are not, so that a range that stands is
+   seldom missed; and largest growth, in extents of the structure. */
+#define KERN_GROW_FIRST KERN_R(0.001)
+#define KERN_GROW_NESTED KERN_R(4)
+#define KERN_GROW_EVEN KERN_R(1.1)
+#define KERN_GROW_MOST 1000
 
-/* Rounds of what ends in far fewer, unless digits are lost: Newton's method for
-   minimum-norm forces, a bracket (four to eight suffice), the interior point
-   (some ten), prices of contacts along a load. */
+/* Left to >>search: difference of two critical values that is rounding [mean
+   block size], a tenth of KERN_TOL, and the largest negative force of a basis
+   that is rounding. Less, and the search chases rounding. */
+#define KERN_NOISE KERN_PICK(1e-10, 1e-5)
+/* Left to >>search: most places in a bracket; four to eight suffice. */
 #define KERN_ROUNDS 100
-/* Rounds of what ends in fewer, as a rule: Newton's method for one group and
-   from bend to bend; parts that fall before the whole is asked; steps of a
-   collapse that take nothing away. */
+/* Left to >>search and >>raised: most rounds of what ends in fewer, usually. */
 #define KERN_FEW_ROUNDS 8
 
-/* ---- profile, mechanism ---- */
+/* ---- profile, mechanism, sensitivity ---- */
 
 /* Load factor that counts as no limit. */
 #define KERN_PROFILE_MOST KERN_R(10)
+/* Places [widths of a bracket] beyond a critical value that are tried for a
+   mechanism with a proof. */
+#define KERN_FALL_TRIES 8
+/* Steps of a collapse, besides three for each group, that may take nothing away:
+   both verdicts may have a proof at one place. */
+#define KERN_FALL_IDLE 8
 /* Expected drop: the load factor at which a stone's chance to fall is 1/e (0.05
    to 0.1 rank as well), and the least height that counts [mean block size]. */
 #define KERN_DROP_LOAD KERN_R(0.07)
 #define KERN_DROP_HEIGHT KERN_R(0.3)
 /* Share of the highest speed below which blocks rest, or do not approach. */
 #define KERN_REST KERN_R(1e-4)
+/* By what share a limit or a speed must be larger than the largest so far, so
+   that the first of equals is reported, and not the one that rounding raised. */
+#define KERN_TIE KERN_R(1e-4)
+/* Sensitivity: the least sum of powers that is no rounding, as a share of its
+   terms. */
+#define KERN_RATE_LEAST KERN_PICK(1e-10, 1e-5)
+/* Sensitivity: distance of a contact's end from a corner that takes it along,
+   and difference of two such distances that counts as none. */
+#define KERN_CORNER_NEAR KERN_R(1e-3)
+#define KERN_CORNER_TIE KERN_R(1e-6)
 
-/* ---- minimum-norm forces, top-down pass ---- */
+/* ---- residuals that rounding leaves ---- */
 
 /* Residual of equilibrium that a method leaves, of a group as a share of its
    load. A proof allows far more, and so residuals of many groups may add up. At
-   1e-10 in double a light stone beside heavy ones stands that falls. Where a
-   basis leaves more it is made anew. */
+   1e-10 in double a light stone beside heavy ones stands that falls. */
 #define KERN_PASS_TOL KERN_PICK(1e-11, 1e-6)
+/* The same for a program of all groups, a tenth of KERN_TOL: its forces are not
+   passed on, so that no residuals add up. */
+#define KERN_PART_TOL KERN_PICK(1e-10, 1e-5)
+/* Rounding of a residual, as a share of the largest force or value in it. */
+#define KERN_RESIDUAL (4 * KERN_EPS)
+
+/* ---- minimum-norm forces ---- */
+
+/* What is added to the diagonal of Newton's matrix, as a share of its mean:
+   otherwise what no ray presses has no pivot. */
+#define KERN_DUAL_SHIFT (32 * KERN_EPS)
+/* Most rounds of Newton's method: it ends in far fewer, unless digits are lost. */
+#define KERN_NORM_ROUNDS 100
+/* Line search: share of its first derivative at which it ends. With prices it
+   ends at 1/1000, since the next round begins there. */
+#define KERN_SHARE_TOL 8
+#define KERN_SHARE_TOL_PRICED 1000
+/* Most places of the line search until the maximum is passed (4^12 steps), and
+   after it (regula falsi needs few). */
+#define KERN_SHARE_GROWS 13
+#define KERN_SHARE_PLACES 20
+
+/* ---- top-down pass ---- */
+
 /* Pivot of a 3 x 3 matrix, as a share of its trace, that counts as rounding: at
    1e-11 in double a profile of rubble begins beyond the margin. */
 #define KERN_THREE_TOL KERN_PICK(1e-12, 1e-5)
-/* Pivot that costs no digits: of a 3 x 3 matrix, as a share of its trace (more,
-   and the solution needs no refinement); of a column in a basis, as a share of
-   its largest entry, and determinant of three columns (less: dependent). */
-#define KERN_PIVOT KERN_PICK(1e-4, 1e-2)
+/* Pivot of a 3 x 3 matrix, as a share of its trace, from which the solution
+   needs no refinement. */
+#define KERN_THREE_GOOD KERN_PICK(1e-4, 1e-2)
+/* Contacts of one group that is balanced alone: the arrays are on the stack. */
+#define KERN_ROWS_MOST 12
+/* Rounds of Newton's method for one group; it ends in four, usually. */
+#define KERN_ALONE_ROUNDS 10
+/* By what factor a residual must fall in a round, or no forces exist. */
+#define KERN_ALONE_PACE 8
 /* Norm of the forces, in loads of a cluster, beyond which it counts as
    infeasible. Larger, clusters grow later and Newton's method takes more
-   steps: without the bound trying a stone costs 4 % more. And slide of a stone
-   that falls into a jam, in approaches. */
+   steps: without the bound trying a stone costs 4 % more. */
+#define KERN_CLUSTER_NORM KERN_R(100)
+/* Left to >>raised: the same in all loads; and slide of a stone that falls into
+   a jam, in approaches. */
 #define KERN_NORM_MOST KERN_R(100)
-/* Contacts of one group; columns of it that are tried for the crash basis. */
-#define KERN_ROWS_MOST 12
+/* Approach of a contact that parts, as a share of the largest speed. */
+#define KERN_PARTS_TOL KERN_R(1e-4)
 /* Groups of a cluster: a quarter of all in a verdict, a fifth in a search, a
    seventh in one that knows forces. With a fifth verdicts take 7 % more, with a
-   quarter measures 6 %, and tries from known forces 6 % with a fifth. Of more
-   than KERN_SMALL so many, and two more for each KERN_SMALL: with fewer some
-   measures of 100 blocks take four times the work. */
+   quarter measures 6 %, and tries from known forces 6 % with a fifth. */
 #define KERN_CLUSTER 4
+/* Groups of a cluster where there are more than KERN_SMALL: so many, and one
+   more for each KERN_CLUSTER_MORE groups. With fewer some measures of 100 blocks
+   take four times the work. */
 #define KERN_CLUSTER_MOST 20
+#define KERN_CLUSTER_MORE 32
 /* Units of work of a pass for each group and contact. With 30 measures of
    bricks take 1.4 times as long. */
 #define KERN_PASS_UNITS 9
@@ -1367,25 +1475,76 @@ extern "C" {
 
 /* ---- interior point ---- */
 
-/* A little: what a step leaves of the way to x, z = 0, less as the gap closes;
-   what x and z are lifted by to begin, in their largest, and may shrink to when
-   forces are balanced; least gap, and s below 0, with which a query begins. */
-#define KERN_IPM_LITTLE KERN_R(1e-3)
-/* Least x z, in means, and share of a gap that a step is to leave: with
-   less, less is decided. */
-#define KERN_IPM_APART KERN_R(0.03)
-/* What its gap shrinks to in a step at least, in the mean, or it begins anew:
-   without that some walls take three times the work. */
+/* Most steps: it takes ten, usually, unless digits are lost. */
+#define KERN_IPM_ROUNDS 100
+/* What is added to a diagonal without pivots, as a share of its mean. */
+#define KERN_IPM_SHIFT KERN_PICK(1e-10, 1e-5)
+/* Share of the way to x, z = 0 that a step leaves, less as the gap closes: on
+   the boundary no further step is possible. */
+#define KERN_IPM_BACKOFF KERN_R(1e-3)
+/* Least share of a ray's force that a step keeps; and share that it keeps when
+   forces are balanced. */
+#define KERN_IPM_KEEP KERN_EPS
+#define KERN_IPM_BALANCE KERN_R(1e-3)
+/* How far x and z are lifted to begin: 1.5 times their least entry (Mehrotra),
+   and a share of the largest. */
+#define KERN_IPM_LIFT_LEAST KERN_R(1.5)
+#define KERN_IPM_LIFT_SHARE KERN_R(1e-3)
+/* A query that goes on from the last begins with at most -s, and at least such a
+   gap: otherwise it is too near to the boundary to turn. */
+#define KERN_IPM_S KERN_R(1e-3)
+#define KERN_IPM_GAP KERN_R(1e-3)
+/* Least product x z after a step, in means of all. */
+#define KERN_IPM_CENTRE KERN_R(0.03)
+/* Least share of a gap that a step aims at: with less, less is decided. */
+#define KERN_IPM_AIM KERN_R(0.03)
+/* Gap below which it is rounding, and above which digits are lost. */
+#define KERN_IPM_GAP_LEAST (KERN_IPM_SHIFT * KERN_IPM_SHIFT)
+#define KERN_IPM_GAP_MOST KERN_PICK(1e6, 1e3)
+/* Mean share of the gap that a step may leave, or the method begins again:
+   without that some walls take three times the work. The first gap may exceed
+   the last one's by KERN_IPM_SLACK. */
 #define KERN_IPM_PACE KERN_R(0.95)
+#define KERN_IPM_SLACK KERN_R(1.1)
 
 /* ---- simplex method ---- */
 
-/* Loads that a crash column may pull. */
-#define KERN_CRASH_PULL KERN_R(2)
+/* Violation of x >= 0 that counts, as a share of the largest load. */
+#define KERN_VALUE_TOL KERN_PICK(1e-10, 1e-5)
+/* Least gain of a column that enters, as a share of the largest price. Less, and
+   the method chases rounding. */
+#define KERN_PRICE_TOL KERN_PICK(1e-10, 1e-5)
+/* Least pivot, as a share of the largest entry of the entering column. */
+#define KERN_PIVOT_LEAST KERN_PICK(1e-10, 1e-5)
+/* Rounding of a price, of a slope and of x and y, as a share of the largest. */
+#define KERN_LP_ROUNDING (32 * KERN_EPS)
+/* How far a certificate is lifted off the columns that it touches, as a share of
+   its largest entry: the check of a motion adds as much. */
+#define KERN_LIFT (32 * KERN_EPS)
+/* Residual of the basic solution, as a share of its largest value, above which a
+   basis is factored again; and how often it is refined before. */
+#define KERN_BASIS_TOL KERN_PICK(1e-11, 1e-6)
+#define KERN_REFINES 3
+/* Least pivot of a column that is factored after its group's own, as a share of
+   its largest entry: less depends on the columns before it. */
+#define KERN_LATE_PIVOT KERN_PICK(1e-4, 1e-2)
 /* Least pivot of a column in its own group, where its entries are about 1. Less
    makes the inverse grow from course to course, more fills it: at 0.01 a call
    may take more than 2,000 instructions for a unit of its limit. */
 #define KERN_OWN_TOL KERN_R(0.03)
+/* Crash basis: columns of a group that are tried, which is what its stack holds;
+   least determinant of three; and loads that a column may pull. */
+#define KERN_CRASH_COLUMNS 12
+#define KERN_CRASH_DET KERN_PICK(1e-4, 1e-2)
+#define KERN_CRASH_PULL KERN_R(2)
+/* Pivots: 50 and two a row before prices are refined, and five times as many
+   before Bland's rule, since most programs end within half of that. In all 200
+   and 20 for each row and column, to end what rounding might keep going. */
+#define KERN_PIVOTS 50
+#define KERN_PIVOTS_ROW 2
+#define KERN_PIVOTS_BLAND 5
+#define KERN_PIVOTS_MOST 200
+#define KERN_PIVOTS_EACH 20
 
 /* ---- raised ---- */
 
@@ -1555,7 +1714,7 @@ static void kern_zero(void *v, int n)
 {
     kern_real *to = (kern_real *)v;
     for (; n > 0; n--)
-        *to++ = KERN_R(0);
+        *to++ = 0;
 }
 
 /* v := w */
@@ -1578,7 +1737,7 @@ static void kern_add(void *v, kern_real s, const void *w, int n)
 
 static kern_real kern_largest(const kern_real *v, int n)
 {
-    kern_real size = KERN_R(0);
+    kern_real size = 0;
     int i;
     for (i = 0; i < n; i++)
         if (!(size > kern_abs(v[i]))) /* in place: a third of all */
@@ -1589,7 +1748,7 @@ static kern_real kern_largest(const kern_real *v, int n)
 /* sum of a[i] b[i] */
 static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
 {
-    kern_real s0 = KERN_R(0), s1 = s0, s2 = s0, s3 = s0;
+    kern_real s0 = 0, s1 = s0, s2 = s0, s3 = s0;
     int i;
     for (i = 0; i + 4 <= n; i += 4) {
         s0 += a[i] * b[i];
@@ -1644,13 +1803,13 @@ typedef struct kern_query {
 /* The tangent by which cones of friction are narrower. */
 static kern_real kern_reduction(const kern_query *q)
 {
-    return kern_max(q->narrow * q->shrink, KERN_R(0));
+    return kern_max(q->narrow * q->shrink, 0);
 }
 
 /* Friction of a contact whose cone is narrower by the angle of that tangent. */
 static inline kern_real kern_friction(const kern_contact *c, kern_real by)
 {
-    return by > 0 ? kern_max(c->mu - by, KERN_R(0)) / (1 + c->mu * by) : c->mu;
+    return by > 0 ? kern_max(c->mu - by, 0) / (1 + c->mu * by) : c->mu;
 }
 
 /* Whether a block has been taken away. */
@@ -1662,7 +1821,7 @@ static inline int kern_is_gone(const kern_query *q, int i)
 /* A travel too short to be one counts as none: slight beside the least line. */
 KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
 {
-    return kern_abs(c->travel) < KERN_SLIGHT * KERN_GAP * mean ? 0 : c->travel;
+    return kern_abs(c->travel) < KERN_TRAVEL_LEAST * mean ? 0 : c->travel;
 }
 
 /* Length of its line, or about that of its points; 0: it is a lone point. */
@@ -1684,7 +1843,7 @@ static void kern_weigh(kern_vec gravity, kern_real mass, kern_wrench *w)
 {
     w->fx = gravity.x * mass;
     w->fy = gravity.y * mass;
-    w->torque = KERN_R(0);
+    w->torque = 0;
 }
 
 /* The load pattern's share of block i, for a factor of 1. */
@@ -1710,7 +1869,7 @@ static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
                                  const kern_wrench *w, kern_real share)
 {
     if (!(kern_wrench_sum(w) > 0))
-        return KERN_R(0);
+        return 0;
     kern_add(sum, share, w, 3);
     return share
          * (kern_force_size(w) + kern_abs(w->torque) / kern_block_size(b));
@@ -1737,12 +1896,10 @@ static inline kern_real kern_wrench_on(const kern_structure *s,
 static kern_real kern_shift(kern_real travel, kern_real shrink, int relative,
                             kern_real *rate)
 {
-    const kern_real sign = travel > 0 ? KERN_R(1)
-                         : travel < 0 ? KERN_R(-1)
-                                      : KERN_R(0);
+    const kern_real sign = travel > 0 ? 1 : travel < 0 ? -1 : 0;
     const int closed = !relative && shrink >= kern_abs(travel);
-    *rate = relative ? travel : closed ? KERN_R(0) : sign;
-    return relative ? kern_min(shrink, KERN_R(1)) * travel
+    *rate = relative ? travel : closed ? 0 : sign;
+    return relative ? kern_min(shrink, 1) * travel
          : closed   ? travel
                     : shrink * sign;
 }
@@ -1859,7 +2016,7 @@ static int kern_limit_of(int limit)
 KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 {
     fault->block = fault->other = fault->index = -1;
-    fault->value = fault->allowed = KERN_R(0);
+    fault->value = fault->allowed = 0;
 }
 
 static void kern_work_begin(kern_work *work)
@@ -1899,7 +2056,7 @@ static kern_status kern_options_check(const kern_options *o)
         return KERN_BAD_FRICTION;
     if (o->gap < 0 || !(o->angle > 0) || !(o->angle < KERN_ANGLE_MOST)
         || o->overlap < 0 || o->pose_error < 0 || o->pose_turn < 0
-        || o->narrow < 0 || o->reserve < 0 || o->reserve > KERN_R(0.1)
+        || o->narrow < 0 || o->reserve < 0 || o->reserve > KERN_RESERVE_MOST
         || o->epsilon < 0 || o->limit < 0 || o->limit > KERN_WORK_MOST)
         return KERN_BAD_OPTION;
     return KERN_OK;
@@ -1936,12 +2093,12 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
         return KERN_BAD_NUMBER;
     if (b->fixed)
         return KERN_OK;
-    if (!(size >= 1 / KERN_FAR))
+    if (!(size >= KERN_SIZE_LEAST))
         return KERN_NO_AREA;
-    if (!(b->mass >= 1 / KERN_FAR) || b->mass > KERN_FAR)
+    if (!(b->mass >= KERN_MASS_LEAST) || b->mass > KERN_MASS_MOST)
         return kern_is_finite(b->mass) ? KERN_BAD_MASS : KERN_BAD_NUMBER;
     *loaded |= acts > 0;
-    return acts <= KERN_FAR && (acts >= 1 / KERN_FAR || !(acts > 0))
+    return acts <= KERN_FAR && (acts >= KERN_LOAD_LEAST || !(acts > 0))
              ? KERN_OK
              : KERN_BAD_NUMBER;
 }
@@ -1966,7 +2123,7 @@ static kern_status kern_structure_check(const kern_structure *s,
         const kern_contact *c = s->contact + i;
         status = kern_contact_check(c, s->blocks);
         if (status == KERN_OK
-            && kern_abs(kern_vec_dot(c->n, c->n) - 1) > 2 * KERN_ROUNDING)
+            && kern_abs(kern_vec_dot(c->n, c->n) - 1) > KERN_NORMAL_TOL)
             status = KERN_BAD_NORMAL;
         if (status != KERN_OK) {
             fault->index = i;
@@ -2014,8 +2171,8 @@ static kern_status kern_query_read(const kern_task *task, kern_real shrink,
     q->mean = kern_mean_size(task->s.block, task->s.blocks);
     q->gravity = task->s.gravity;
     q->pattern = NULL;
-    q->factor = q->shortest = KERN_R(0);
-    q->loads = KERN_R(1);
+    q->factor = q->shortest = 0;
+    q->loads = 1;
     q->side = 0;
     q->fallen = NULL;
     status = kern_structure_check(&task->s, &task->work->fault);
@@ -2071,7 +2228,7 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                                  const kern_real *sum, kern_real total)
 {
-    kern_real error = KERN_R(0), weight = KERN_R(0);
+    kern_real error = 0, weight = 0;
     int i;
     for (i = 0; i < s->blocks; i++, sum += 4)
         if (!s->block[i].fixed && !kern_is_gone(q, i)) {
@@ -2094,7 +2251,7 @@ static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
         return KERN_INFINITY;
     if (total > 0)
         error = kern_max(error, total / weight);
-    return error <= 1 ? error : kern_max(error, KERN_R(2));
+    return error <= 1 ? error : kern_max(error, 2);
 }
 
 /* Adds a force, normal f, to a block's sums: fx, torque, fy, largest f. */
@@ -2112,7 +2269,7 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
                                    const kern_force *force, kern_real *sum)
 {
     const kern_real by = kern_reduction(q);
-    kern_real total = KERN_R(0);
+    kern_real total = 0;
     int i;
     kern_zero(sum, 4 * s->blocks);
     for (i = 0; i < s->contacts; i++) {
@@ -2124,7 +2281,7 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
         if (kern_is_out(q, c))
             continue;
         if (!(f >= 0)
-            || !(kern_abs(r) <= kern_friction(c, by) * f * (1 + 8 * KERN_EPS)))
+            || !(kern_abs(r) <= kern_friction(c, by) * f * (1 + KERN_CONE_TOL)))
             return KERN_INFINITY; /* not in its cone */
         if (!(f > 0))
             continue;
@@ -2161,7 +2318,7 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
     lost.y += 5 * kern_abs(v.y);
     gap = nx * lost.x + ny * lost.y + mu * (nx * lost.y + ny * lost.x);
     return mu * kern_abs(kern_vec_cross(c->n, v)) - kern_vec_dot(c->n, v)
-         + KERN_EPS / 2 * gap + 1 / (KERN_FAR * KERN_FAR);
+         + KERN_EPS / 2 * gap + KERN_POWER_LEAST;
 }
 
 /* The speed of a block that rests is 0. */
@@ -2177,7 +2334,7 @@ static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
 /* Scales a motion, so that the speed of the fastest block is 1. */
 static void kern_motion_scale(const kern_structure *s, kern_motion *v)
 {
-    kern_real most = KERN_R(0);
+    kern_real most = 0;
     int i;
     for (i = 0; i < s->blocks; i++)
         most = kern_max(most, kern_block_speed(s->block + i, v + i));
@@ -2194,7 +2351,7 @@ static kern_real kern_speeds(const kern_contact *c, const kern_motion *motion)
 static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
                                    const kern_motion *motion)
 {
-    kern_real power = KERN_R(0), terms = power, weight = power, closing = power;
+    kern_real power = 0, terms = power, weight = power, closing = power;
     int i, first = -1; /* that moves */
     for (i = 0; i < s->blocks; i++) {
         const kern_motion *m = motion + i;
@@ -2213,7 +2370,7 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
         terms += kern_wrench_sum(&p);
     }
     weight *= KERN_BOUND;
-    if (!(power > 1 / (KERN_FAR * KERN_FAR)) || !kern_is_finite(terms + weight))
+    if (!(power > KERN_POWER_LEAST) || !kern_is_finite(terms + weight))
         return KERN_INFINITY;
     /* a stone laid last is the first that may stop it */
     for (i = s->contacts - 1; i >= 0 && weight * closing <= power; i--) {
@@ -2251,14 +2408,15 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
         const kern_real mu = kern_friction(c, kern_reduction(q));
         const kern_real press = -kern_vec_dot(c->n, u);
         const kern_real slide = kern_vec_cross(c->n, u);
-        if (!(f > KERN_TOL * least)) /* equilibrium would not miss it */
+        if (!(f
+              > KERN_PRESSED_LEAST * least)) /* equilibrium would not miss it */
             continue;
         if (!(press
               > KERN_ROUNDING
                     * (kern_block_speed(s->block + c->a, motion + c->a)
                        + kern_block_speed(s->block + c->b, motion + c->b))))
             return KERN_INFINITY;
-        if (kern_abs(r) < mu * f * (1 - KERN_TOL) || r * slide > 0)
+        if (kern_abs(r) < mu * f * (1 - KERN_SLIDES_TOL) || r * slide > 0)
             error = kern_max(error, kern_abs(slide) / (KERN_STICKS * press));
     }
     return error;
@@ -2273,7 +2431,7 @@ static int kern_hang(const kern_structure *s, kern_real *value)
     for (k = 0; k < s->blocks; k++) {
         if (s->block[k].fixed || !(pull > 0)
             || kern_wrench_sum(&s->block[k].load) > 0)
-            value[k] = KERN_R(-1);
+            value[k] = -1;
         left += value[k] >= 0;
     }
     while (held)
@@ -2281,9 +2439,9 @@ static int kern_hang(const kern_structure *s, kern_real *value)
             const kern_contact *c = s->contact + k;
             const kern_real up = -kern_vec_dot(c->n, s->gravity);
             const int on = up > 0 ? c->a : c->b, b = up > 0 ? c->b : c->a;
-            if (kern_abs(up) > KERN_R(1e-9) * pull && value[b] >= 0
+            if (kern_abs(up) > KERN_HOLDS_UP * pull && value[b] >= 0
                 && !(value[on] >= 0)) {
-                value[b] = KERN_R(-1);
+                value[b] = -1;
                 held++;
                 left--;
             }
@@ -2336,7 +2494,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
     value = sum + 4 * s->blocks;
     for (i = 0; i < s->blocks; i++) { /* what moves must hang */
         const int falls = kern_speed(proof->motion + i) > 0;
-        value[i] = falls ? KERN_R(1) : KERN_R(-1);
+        value[i] = falls ? 1 : -1;
         n += falls;
     }
     if (n == 0 || kern_hang(s, value) != n)
@@ -2428,9 +2586,9 @@ KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
                                 int indices)
 {
     const kern_work work = {
-        real,    reals,     index,
-        indices, 0,         0,
-        0,       KERN_R(0), {KERN_OUT, KERN_OUT, KERN_OUT, 0, 0}};
+        real,    reals, index,
+        indices, 0,     0,
+        0,       0,     {KERN_OUT, KERN_OUT, KERN_OUT, 0, 0}};
     return work;
 }
 
@@ -2439,7 +2597,7 @@ KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
                                 kern_work *work)
 {
     const kern_task task = {
-        {block, blocks, contact, contacts, {0, KERN_R(-9.81)}},
+        {block, blocks, contact, contacts, {0, -KERN_GRAVITY}},
         kern_defaults(),
         work,
         kern_known_of(NULL, NULL)};
@@ -2462,10 +2620,10 @@ static void kern_model_order(const kern_model *m)
     const kern_vec down = m->s->gravity,
                    along = KERN_PICK(0, 1) > 0
                              ? down
-                             : kern_vec_step(down, KERN_SLIGHT,
+                             : kern_vec_step(down, KERN_LEVEL_SLOPE,
                                              kern_vec_turn(down));
     int *list = m->graph.block, gap, i, j;
-    for (gap = 1; gap < m->graph.groups / 64; gap = 3 * gap + 1)
+    for (gap = 1; gap < m->graph.groups / KERN_SORT_RUN; gap = 3 * gap + 1)
         continue;
     for (; gap > 0; gap /= 3)
         for (i = gap; i < m->graph.groups; i++) {
@@ -2613,7 +2771,7 @@ static inline void kern_model_rows(const kern_model *m, const kern_query *q,
     kern_vec arm[2];
     kern_arms(m->s, c, q, arm);
     row[0] = kern_row_of(c->n, arm[1], m->unit[m->graph.ends[2 * i]]);
-    row[1] = kern_row_of(kern_vec_scale(c->n, KERN_R(-1)), arm[0],
+    row[1] = kern_row_of(kern_vec_scale(c->n, -1), arm[0],
                          m->unit[m->graph.ends[2 * i + 1]]);
 }
 
@@ -2650,7 +2808,7 @@ static void kern_model_arms(kern_model *m, const kern_query *q)
 static inline void kern_model_unit(kern_model *m, const kern_query *q, int g)
 {
     const kern_real size = kern_block_size(m->s->block + m->graph.block[g]);
-    const kern_real grown = kern_max(-q->shrink, KERN_R(0));
+    const kern_real grown = kern_max(-q->shrink, 0);
     m->unit[g] = 1 / (q->relative ? size * (1 + grown) : size + grown);
 }
 
@@ -2673,9 +2831,9 @@ static inline void kern_model_load(kern_model *m, const kern_query *q, int g)
 /* The loads of all groups, none in a part, and the unit of force. */
 static void kern_model_weigh(kern_model *m, const kern_query *q)
 {
-    kern_real weight = KERN_R(0);
+    kern_real weight = 0;
     int g;
-    m->unit[m->graph.groups] = KERN_R(0);
+    m->unit[m->graph.groups] = 0;
     for (g = 0; g < m->graph.groups; g++) {
         kern_model_unit(m, q, g);
         kern_model_load(m, q, g);
@@ -2683,7 +2841,7 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
         m->graph.local[g] = KERN_OUT;
     }
     m->graph.local[g] = KERN_OUT;
-    m->weight = weight > 0 ? weight : KERN_R(1);
+    m->weight = weight > 0 ? weight : 1;
 }
 
 /* All of the model for a query. */
@@ -2712,7 +2870,7 @@ static int kern_is_nested(const kern_model *m, kern_real range[2])
     const kern_contact *c = m->s->contact, *const end = c + m->s->contacts;
     int points = 0;
     range[0] = KERN_INFINITY;
-    range[1] = KERN_R(0);
+    range[1] = 0;
     for (; c < end; c++, ends += 2) {
         const kern_real travel = kern_abs(kern_travel(c, m->mean));
         if (!(travel > 0) || ends[0] + ends[1] == none)
@@ -2722,7 +2880,7 @@ static int kern_is_nested(const kern_model *m, kern_real range[2])
         points += !c->line;
     }
     if (m->relative)
-        range[1] = KERN_R(1);
+        range[1] = 1;
     return points == 0;
 }
 
@@ -2741,7 +2899,7 @@ static int kern_model_spend(const kern_model *m, int units)
 static int kern_model_ask(const kern_model *m, int queries)
 {
     return kern_model_spend(
-        m, queries * (3 + (m->s->blocks + m->s->contacts) / 14));
+        m, queries * (3 + (m->s->blocks + m->s->contacts) / KERN_QUERY_UNIT));
 }
 
 /* Whether one linear program answers: few groups, all of the work memory. */
@@ -2791,7 +2949,7 @@ static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
             more *= (travel - kern_shift(travel, from, m->relative, &rate))
                   / is;
         for (k = 0; k < 2; k++, f++, more = -more) {
-            f->normal = kern_max((sum + more) / 2, KERN_R(0));
+            f->normal = kern_max((sum + more) / 2, 0);
             f->tangential = along * f->normal;
         }
     }
@@ -2975,7 +3133,7 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
         kern_real *w;
         if (kern_abs(x) <= 0)
             continue;
-        v[f->pivot[e]] = KERN_R(0);
+        v[f->pivot[e]] = 0;
         w = v + f->from[e];
         for (a = f->entry + f->first[e]; a < f->entry + f->first[e + 1];
              a += 3, w += 3) {
@@ -2997,7 +3155,7 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
                                   f->first[e + 1] - f->first[e]);
     for (g = f->groups - 1; g >= 0; g--) {
         const kern_real *d = f->block + 18 * (size_t)g;
-        kern_real y0 = KERN_R(0), y1 = KERN_R(0), y2 = KERN_R(0);
+        kern_real y0 = 0, y1 = 0, y2 = 0;
         for (k = 0; k < 3; k++, d += 6) {
             const kern_real *to = c + f->to[3 * g + k];
             const kern_real z = c[3 * g + k] - to[0] * d[3] - to[1] * d[4]
@@ -3016,7 +3174,7 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 static void kern_basis_column(kern_simplex *sx, int j)
 {
     kern_zero(sx->alpha, sx->factors.size + 3);
-    kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
+    kern_lp_subtract(sx->lp, j, -1, sx->alpha);
     kern_basis_solve(sx, sx->alpha);
 }
 
@@ -3067,11 +3225,11 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, int all)
     int *base = sx->base + 3 * g;
     const kern_real *load = sx->alpha + 3 * g;
     const kern_real x = load[0], y = load[1];
-    kern_real part[KERN_ROWS_MOST][3], share[3];
+    kern_real part[KERN_CRASH_COLUMNS][3], share[3];
     kern_real best = all ? -KERN_INFINITY
                          : -KERN_CRASH_PULL * (kern_abs(x) + kern_abs(y));
-    int mine[KERN_ROWS_MOST], n = 0, found = 0, i, k;
-    for (; j != KERN_OUT && n < KERN_ROWS_MOST - 1; j = sx->place[j]) {
+    int mine[KERN_CRASH_COLUMNS], n = 0, found = 0, i, k;
+    for (; j != KERN_OUT && n < KERN_CRASH_COLUMNS - 1; j = sx->place[j]) {
         const kern_real *a = part[n];
         kern_real along;
         kern_lp_part(sx->lp, j, 0, part[n]);
@@ -3083,8 +3241,8 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, int all)
                      >= (a[0] * a[0] + a[1] * a[1]) * (x * x + y * y));
     }
     if (all) {
-        part[n][0] = part[n][1] = KERN_R(0);
-        part[n][2] = KERN_R(1);
+        part[n][0] = part[n][1] = 0;
+        part[n][2] = 1;
         mine[n++] = logical;
     }
     for (i = 0; i < n; i++)
@@ -3095,7 +3253,7 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, int all)
                 const kern_real *c = part[k], det = kern_three_det(a, b, c);
                 const kern_real lc = last / det;
                 kern_real la, lb, least;
-                if (kern_abs(det) < KERN_PIVOT || lc <= best)
+                if (kern_abs(det) < KERN_CRASH_DET || lc <= best)
                     continue;
                 la = kern_three_det(b, c, load) / det;
                 lb = kern_three_det(c, a, load) / det;
@@ -3114,8 +3272,7 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, int all)
             }
         }
     for (k = 0; k < 3 && found; k++)
-        kern_lp_subtract(sx->lp, base[k], kern_max(share[k], KERN_R(0)),
-                         sx->alpha);
+        kern_lp_subtract(sx->lp, base[k], kern_max(share[k], 0), sx->alpha);
     return found;
 }
 
@@ -3201,7 +3358,7 @@ static void kern_left_enter(kern_simplex *sx, int j)
     kern_real least;
     int p, best = KERN_OUT;
     kern_basis_column(sx, j);
-    least = KERN_PIVOT * kern_largest(sx->alpha, sx->lp->rows);
+    least = KERN_LATE_PIVOT * kern_largest(sx->alpha, sx->lp->rows);
     for (p = 0; p < sx->lp->rows; p++)
         if (sx->base[p] > sx->lp->cols && kern_abs(sx->alpha[p]) >= least) {
             least = kern_abs(sx->alpha[p]);
@@ -3216,7 +3373,7 @@ static void kern_left_enter(kern_simplex *sx, int j)
 static kern_real kern_basis_residual(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    kern_real size = KERN_R(0);
+    kern_real size = 0;
     int p;
     kern_copy(sx->alpha, lp->rhs, lp->rows);
     for (p = 0; p < lp->rows; p++) {
@@ -3235,13 +3392,13 @@ static int kern_basis_values(kern_simplex *sx)
 {
     kern_real left = kern_basis_residual(sx);
     int round;
-    for (round = 0; round < 3 && left > 4 * KERN_EPS; round++) {
+    for (round = 0; round < KERN_REFINES && left > KERN_RESIDUAL; round++) {
         kern_basis_solve(sx, sx->alpha);
-        kern_add(sx->value, KERN_R(1), sx->alpha, sx->lp->rows);
+        kern_add(sx->value, 1, sx->alpha, sx->lp->rows);
         left = kern_basis_residual(sx);
     }
     sx->refined = 1;
-    return left <= KERN_PASS_TOL;
+    return left <= KERN_BASIS_TOL;
 }
 
 /* Factors the basis anew: three own columns of each group, then the others. */
@@ -3255,11 +3412,11 @@ static void kern_basis_refactorise(kern_simplex *sx)
     for (p = 0; p < lp->rows; p++) {
         sx->list[p] = sx->base[p];
         sx->base[p] = lp->cols + 1 + p;
-        sx->value[p] = KERN_R(0);
+        sx->value[p] = 0;
     }
     kern_zero(f->block, 18 * f->groups);
     for (p = 0; p < 3 * f->groups; p++) {
-        f->block[6 * p + p % 3] = KERN_R(1);
+        f->block[6 * p + p % 3] = 1;
         f->to[p] = lp->rows;
     }
     f->count = f->first[0] = 0;
@@ -3310,12 +3467,12 @@ static kern_real kern_violations(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     const kern_real least = sx->least;
-    kern_real sum = KERN_R(0);
+    kern_real sum = 0;
     int p;
     sx->violated = 0;
     for (p = 0; p < lp->rows; p++) {
         const kern_real v = sx->value[p];
-        sx->slope[p] = KERN_R(0);
+        sx->slope[p] = 0;
         if (v < -least || (v > least && kern_lp_fixed(lp, sx->base[p]))) {
             sx->slope[p] = KERN_R(v < 0 ? 1 : -1);
             sx->violated++;
@@ -3341,12 +3498,12 @@ static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
         return 0;
     for (p = 0; p < lp->rows; p++) {
         const int j = sx->base[p];
-        sx->alpha[p] = sx->slope[p] + (j < lp->cols ? lift : KERN_R(0))
+        sx->alpha[p] = sx->slope[p] + (j < lp->cols ? lift : 0)
                      - (j > lp->cols ? y[j - lp->cols - 1]
                                      : kern_lp_dot(lp, j, y));
     }
     kern_basis_solve_t(sx, sx->alpha);
-    kern_add(y, KERN_R(1), sx->alpha, lp->rows);
+    kern_add(y, 1, sx->alpha, lp->rows);
     return 1;
 }
 
@@ -3366,17 +3523,16 @@ static int kern_entering(kern_simplex *sx, int first, int fine)
         return 0;
     kern_basis_solve_t(sx, sx->price);
     if (fine)
-        kern_prices_mend(sx, sx->price, KERN_R(0));
+        kern_prices_mend(sx, sx->price, 0);
     size = kern_largest(sx->price, lp->rows);
-    least = costs || !(lp->most > 0) ? KERN_NOISE * size : sum / lp->most;
-    least = kern_max(least, KERN_ROUNDING * size);
-    sx->gain = KERN_R(0);
+    least = costs || !(lp->most > 0) ? KERN_PRICE_TOL * size : sum / lp->most;
+    least = kern_max(least, KERN_LP_ROUNDING * size);
+    sx->gain = 0;
     for (j = 0; j < all; j++) {
         kern_real d;
         if (sx->place[j] != KERN_OUT)
             continue;
-        d = (costs ? kern_lp_worth(lp, j) : KERN_R(0))
-          - kern_lp_dot(lp, j, sx->price);
+        d = (costs ? kern_lp_worth(lp, j) : 0) - kern_lp_dot(lp, j, sx->price);
         if (d > sx->gain) {
             sx->enters = j;
             sx->gain = d;
@@ -3394,12 +3550,12 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 {
     const int fixed = kern_lp_fixed(sx->lp, sx->base[p]);
     const kern_real a = sx->alpha[p];
-    const kern_real falls = sx->violated ? -sx->slope[p] * a : KERN_R(0);
+    const kern_real falls = sx->violated ? -sx->slope[p] * a : 0;
     if (falls < 0 || (!fixed && a < 0 && !(falls > 0)))
-        return KERN_R(0);
+        return 0;
     *at = falls > 0 ? sx->value[p] / a
-        : fixed     ? KERN_R(0)
-                    : kern_max(sx->value[p], KERN_R(0)) / a;
+        : fixed     ? 0
+                    : kern_max(sx->value[p], 0) / a;
     return fixed ? kern_abs(a) + falls : kern_abs(a);
 }
 
@@ -3417,7 +3573,8 @@ static int kern_lp_spend(const kern_program *lp, int units)
    work is refused, so is the pivot. */
 static int kern_leaving(kern_simplex *sx, int first, kern_real *step)
 {
-    const kern_real least = KERN_NOISE * kern_largest(sx->alpha, sx->lp->rows);
+    const kern_real least = KERN_PIVOT_LEAST
+                          * kern_largest(sx->alpha, sx->lp->rows);
     kern_real *at = sx->ratio, left = sx->gain;
     int *list = sx->list, i, n = 0, best = KERN_OUT, next, seen = 0;
     for (i = 0; i < sx->lp->rows; i++)
@@ -3425,7 +3582,7 @@ static int kern_leaving(kern_simplex *sx, int first, kern_real *step)
             list[n] = i;
             n += kern_break(sx, i, at + n) > 0;
         }
-    for (; n > 0 && left > 2 * KERN_ROUNDING * sx->gain; n--) {
+    for (; n > 0 && left > 2 * KERN_LP_ROUNDING * sx->gain; n--) {
         seen += n;
         next = 0;
         for (i = 1; i < n; i++)
@@ -3469,13 +3626,15 @@ static int kern_pivot_spend(const kern_simplex *sx)
 static kern_status kern_simplex_run(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    const int limit = 200 + 20 * (lp->rows + lp->cols);
-    const int budget = 50 + 2 * lp->rows;
+    const int limit = KERN_PIVOTS_MOST
+                    + KERN_PIVOTS_EACH * (lp->rows + lp->cols);
+    const int budget = KERN_PIVOTS + KERN_PIVOTS_ROW * lp->rows;
     int count;
     for (count = 0; count < limit;) {
-        const int fine = count > budget, first = count > 5 * budget;
+        const int fine = count > budget,
+                  first = count > KERN_PIVOTS_BLAND * budget;
         const int enters = kern_entering(sx, first, fine);
-        kern_real step = KERN_R(0);
+        kern_real step = 0;
         int p = KERN_OUT;
         if (enters) {
             kern_basis_column(sx, sx->enters);
@@ -3589,7 +3748,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
     }
 #endif
     (void)builtin;
-    sx->least = KERN_NOISE * kern_largest(lp->rhs, lp->rows);
+    sx->least = KERN_VALUE_TOL * kern_largest(lp->rhs, lp->rows);
     if (sx->state != KERN_BASIS_READY
         && !kern_lp_spend(lp, lp->ends ? (lp->rows + lp->cols) / 2
                                        : lp->rows * (lp->cols / KERN_UNIT)))
@@ -3611,7 +3770,7 @@ KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
     int i;
     for (i = 0; i < n; i++)
         if (!(kern_abs(v[i]) > least) || (sign && v[i] < 0))
-            v[i] = KERN_R(0);
+            v[i] = 0;
 }
 
 /* from plus the sum of u v over n numbers, those of v so far apart, as a share
@@ -3629,7 +3788,7 @@ static kern_real kern_lp_sum(kern_real from, const kern_real *u,
 }
 
 /* Whether x and y prove the status by products with the matrix alone, each row
-   and column to KERN_TOL of its own terms. What is not a number proves nothing.
+   and column to KERN_LP_TOL of its own terms. What is not a number proves nothing.
 
        optimal      A x = rhs,  cost + y A >= 0, = 0 where x > 0
        infeasible   y A >= 0,  y.rhs < 0
@@ -3640,23 +3799,22 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
     const int m = lp->rows, best = status == KERN_LP_OPTIMAL;
     int i, j;
     for (i = 0; i < m && status != KERN_LP_INFEASIBLE; i++) {
-        const kern_real left = kern_lp_sum(best ? -lp->rhs[i] : KERN_R(0), x,
-                                           lp->a + i, m, lp->cols);
-        if (!(kern_abs(left) <= KERN_TOL))
+        const kern_real left = kern_lp_sum(best ? -lp->rhs[i] : 0, x, lp->a + i,
+                                           m, lp->cols);
+        if (!(kern_abs(left) <= KERN_LP_TOL))
             return 0;
     }
     for (j = 0; j < lp->cols && status != KERN_LP_UNBOUNDED; j++) {
-        const kern_real left = kern_lp_sum(best && lp->cost ? lp->cost[j]
-                                                            : KERN_R(0),
+        const kern_real left = kern_lp_sum(best && lp->cost ? lp->cost[j] : 0,
                                            y, kern_lp_dense(lp, j), 1, m);
-        if (!(left >= -KERN_TOL) || (best && x[j] > 0 && left > KERN_TOL))
+        if (!(left >= -KERN_LP_TOL) || (best && x[j] > 0 && left > KERN_LP_TOL))
             return 0;
     }
     return best
         || (status == KERN_LP_INFEASIBLE
-                ? kern_lp_sum(KERN_R(0), y, lp->rhs, 1, m)
-                : kern_lp_sum(KERN_R(0), x, lp->cost, 1, lp->cols))
-               < -KERN_TOL;
+                ? kern_lp_sum(0, y, lp->rhs, 1, m)
+                : kern_lp_sum(0, x, lp->cost, 1, lp->cols))
+               < -KERN_LP_TOL;
 }
 
 /* The same; where nothing else is in a row the last digits of x or y are all
@@ -3666,8 +3824,8 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
 {
     int again;
     for (again = 0; again < 2; again++) {
-        kern_lp_clean(x, lp->cols, KERN_R(again) * KERN_ROUNDING, 1);
-        kern_lp_clean(y, lp->rows, KERN_R(again) * KERN_ROUNDING, 0);
+        kern_lp_clean(x, lp->cols, KERN_R(again) * KERN_LP_ROUNDING, 1);
+        kern_lp_clean(y, lp->rows, KERN_R(again) * KERN_LP_ROUNDING, 0);
         if (kern_lp_holds(lp, x, y, status))
             return 1;
     }
@@ -3678,9 +3836,9 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
 static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
                                kern_work *work)
 {
-    const kern_program p = {lp->rows,  lp->cols,  lp->a, lp->rhs,
-                            lp->cost,  NULL,      NULL,  0,
-                            KERN_R(0), lp->limit, work};
+    const kern_program p = {lp->rows, lp->cols,  lp->a, lp->rhs,
+                            lp->cost, NULL,      NULL,  0,
+                            0,        lp->limit, work};
     kern_simplex sx;
     kern_take take;
     kern_status status;
@@ -3695,9 +3853,9 @@ static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
     if (status < 0)
         return status;
     if (status == KERN_LP_UNBOUNDED && sx.state != KERN_BASIS_NONE) {
-        kern_scale(sx.alpha, p.rows, KERN_R(-1));
+        kern_scale(sx.alpha, p.rows, -1);
         kern_basis_read(&sx, sx.alpha, x);
-        x[sx.enters] = KERN_R(1);
+        x[sx.enters] = 1;
     }
     if (!kern_lp_proven(&p, x, y, status))
         return KERN_UNDECIDED;
@@ -3767,7 +3925,7 @@ static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
 static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
                                    int n, kern_take *take)
 {
-    kern_real products = KERN_R(0);
+    kern_real products = 0;
     int g, k, end = 0;
     a->groups = groups;
     a->first = kern_take_ints(take, 2 * groups);
@@ -3785,7 +3943,7 @@ static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
         const int width = g - a->first[g] + 1;
         a->offset[g] = end;
         end += 9 * width;
-        products += 14 * KERN_R(width) * KERN_R(width);
+        products += KERN_PAIR_PRODUCTS * KERN_R(width) * KERN_R(width);
     }
     a->entry = kern_take_reals(take, end);
     return products;
@@ -3830,7 +3988,7 @@ static void kern_skyline_law(kern_skyline *a, const int ends[2],
 /* Adds a share of their mean to the entries of the diagonal. */
 static void kern_skyline_shift(kern_skyline *a, kern_real share)
 {
-    kern_real trace = KERN_R(0), more = KERN_R(0);
+    kern_real trace = 0, more = 0;
     int g, k, add;
     for (add = 0; add < 2; add++) {
         for (g = 0; g < a->groups; g++) {
@@ -4036,7 +4194,7 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
         kern_copy(to + 3 * n, m->load + 3 * g, 3);
     }
     kern_scale(to, 3 * p->groups, 1 / m->weight);
-    return KERN_NOISE * least / m->weight;
+    return KERN_PART_TOL * least / m->weight;
 }
 
 /* Takes the lists of a part's groups; 0 if there is no room. */
@@ -4046,7 +4204,7 @@ static int kern_part_begin(kern_part *p, kern_model *m, int groups,
     p->m = m;
     p->rest = *rest;
     p->groups = groups;
-    p->ahead = KERN_R(0);
+    p->ahead = 0;
     p->found = KERN_UNDECIDED;
     p->group = kern_take_ints(&p->rest, groups);
     return kern_take_fits(&p->rest);
@@ -4101,8 +4259,8 @@ static void kern_part_forces(kern_part *p)
     int k;
     kern_model_unload(m);
     for (k = 0; k < p->contacts; k++) {
-        const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0)) * m->weight;
-        const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0)) * m->weight;
+        const kern_real x1 = kern_max(p->x[2 * k], 0) * m->weight;
+        const kern_real x2 = kern_max(p->x[2 * k + 1], 0) * m->weight;
         const int i = p->contact[k];
         m->answer.force[i].normal = x1 + x2;
         m->answer.force[i].tangential = kern_model_mu(m, i) * (x1 - x2);
@@ -4134,7 +4292,7 @@ static inline kern_real kern_model_prior(const kern_model *m, int i,
     const kern_force *f = m->answer.force + i;
     const kern_real mu = kern_model_mu(m, i);
     way[0] = f->normal / 2;
-    way[1] = mu > 0 ? f->tangential / (2 * mu * mu) : KERN_R(0);
+    way[1] = mu > 0 ? f->tangential / (2 * mu * mu) : 0;
     return mu;
 }
 
@@ -4144,8 +4302,7 @@ static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
 {
     const kern_real mu = kern_model_mu(p->m, p->contact[k]);
     const kern_real *price = p->dual.price;
-    return kern_law_stiff(wn, wt, mu,
-                          price ? price[p->contacts + k] : KERN_R(2),
+    return kern_law_stiff(wn, wt, mu, price ? price[p->contacts + k] : 2,
                           price ? p->dual.stiff : mu);
 }
 
@@ -4153,7 +4310,7 @@ static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
 static int kern_norm_lay(kern_part *p, kern_take *take)
 {
     const int n = 3 * p->groups + 3;
-    kern_real products = KERN_R(100) * KERN_R(p->contacts);
+    kern_real products = KERN_CONTACT_PRODUCTS * KERN_R(p->contacts);
     p->dual.price = NULL;
     p->dual.u = kern_take_reals(take, 4 * n + 4 * p->contacts);
     p->dual.step = p->dual.u + n;
@@ -4208,7 +4365,7 @@ KERN_SHARED static void kern_norm_ways(kern_part *p, int step)
     kern_real *way = step ? p->dual.turn : p->dual.way;
     int k;
     for (k = 0; k < p->own; k++, way += 2) {
-        way[0] = way[1] = KERN_R(0);
+        way[0] = way[1] = 0;
         if (!step && p->dual.price)
             way[0] = -p->dual.price[k];
         else if (!step)
@@ -4224,7 +4381,7 @@ static kern_real kern_norm_gradient(kern_part *p, kern_real *most)
     const int n = 3 * p->groups;
     kern_real value = kern_dot(p->dual.b, p->dual.u, n);
     int k;
-    *most = KERN_R(0);
+    *most = 0;
     kern_copy(p->dual.grad, p->dual.b, n);
     for (k = 0; k < p->own; k++) {
         const kern_real *w = p->dual.way + 2 * (size_t)k;
@@ -4258,13 +4415,13 @@ static void kern_norm_matrix(kern_part *p, int all)
         const kern_real *w = p->dual.way + 2 * (size_t)k;
         kern_law s = kern_part_law(p, k, w[0], w[1]);
         if (all && (p->dual.price || !(s.nn > 0)))
-            s = kern_part_law(p, k, KERN_R(1), KERN_R(0));
+            s = kern_part_law(p, k, 1, 0);
         if (all && p->dual.price) /* as stiff along t for every friction */
             s.tt = p->dual.stiff * s.nn;
         if (s.nn > 0)
             kern_part_add(p, k, &s);
     }
-    kern_skyline_shift(a, KERN_ROUNDING);
+    kern_skyline_shift(a, KERN_DUAL_SHIFT);
 }
 
 /* The dual's derivative at u + share * step, along it; `push`: the loads'. */
@@ -4288,11 +4445,15 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_real push = kern_dot(p->dual.b, p->dual.step, 3 * p->groups);
     const kern_real first = kern_dot(p->dual.grad, p->dual.step, 3 * p->groups);
-    const kern_real least = first / (p->dual.price ? 1000 : 8);
-    kern_real lo = KERN_R(0), at_lo = first, hi = KERN_INFINITY, at_hi = lo;
-    kern_real at = KERN_R(1);
+    const kern_real least = first
+                          / (p->dual.price ? KERN_SHARE_TOL_PRICED
+                                           : KERN_SHARE_TOL);
+    kern_real lo = 0, at_lo = first, hi = KERN_INFINITY, at_hi = lo;
+    kern_real at = 1;
     int round;
-    for (round = 0; round < (hi < KERN_INFINITY ? 20 : 13); round++) {
+    for (round = 0;
+         round < (hi < KERN_INFINITY ? KERN_SHARE_PLACES : KERN_SHARE_GROWS);
+         round++) {
         kern_real slope;
         if (round > 0)
             at = hi < KERN_INFINITY
@@ -4300,7 +4461,8 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
                    : 4 * at;
         slope = kern_norm_slope(p, push, at);
         if (kern_abs(slope) <= least
-            || (p->dual.price && !kern_model_spend(p->m, (p->own + 12) / 16)))
+            || (p->dual.price
+                && !kern_model_spend(p->m, (p->own + 12) / KERN_PLACE_UNIT)))
             break;
         if (slope > 0) {
             at_hi /= 3; /* else the other end may stay for long */
@@ -4323,12 +4485,12 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     const int n = 3 * p->groups;
     int i, round;
     for (i = first == 0 ? 0 : n; i < n + 3; i++)
-        p->dual.u[i] = p->dual.step[i] = KERN_R(0);
+        p->dual.u[i] = p->dual.step[i] = 0;
     kern_norm_ways(p, 0);
     for (round = first; round < end; round++) {
         kern_real most, share;
         const kern_real value = kern_norm_gradient(p, &most);
-        if (kern_largest(p->dual.grad, n) <= tolerance + 4 * KERN_EPS * most)
+        if (kern_largest(p->dual.grad, n) <= tolerance + KERN_RESIDUAL * most)
             return KERN_STANDS;
         if (!(value <= bound * bound / 2))
             return KERN_FALLS;
@@ -4338,7 +4500,7 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
         kern_skyline_factor(&p->dual.matrix);
         kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
         kern_norm_ways(p, 1);
-        share = round == 0 ? KERN_R(1) : kern_norm_share(p);
+        share = round == 0 ? 1 : kern_norm_share(p);
         kern_add(p->dual.u, share, p->dual.step, n);
         kern_add(p->dual.way, share, p->dual.turn, 2 * p->own);
     }
@@ -4406,7 +4568,8 @@ static int kern_norm_open(kern_part *p, kern_model *m)
 {
     const int *local = m->graph.local;
     int i;
-    if (!kern_model_spend(m, 1 + (m->graph.groups + m->s->contacts) / 4))
+    if (!kern_model_spend(
+            m, 1 + (m->graph.groups + m->s->contacts) / KERN_ORDER_UNIT))
         return 0;
     kern_part_begin(p, m, m->graph.groups, &m->rest);
     p->contact = kern_take_ints(&p->rest, m->s->contacts);
@@ -4475,17 +4638,17 @@ static int kern_pass_three(const kern_real h[9], const kern_real b[3],
                            kern_real x[3])
 {
     const kern_real least = KERN_THREE_TOL * (h[0] + h[4] + h[8]);
-    const kern_real i0 = h[0] > least ? 1 / h[0] : KERN_R(0);
+    const kern_real i0 = h[0] > least ? 1 / h[0] : 0;
     const kern_real l1 = h[3] * i0, l3 = h[6] * i0;
     const kern_real d1 = h[4] - l1 * h[3], e = h[7] - l3 * h[3];
-    const kern_real i1 = d1 > least ? 1 / d1 : KERN_R(0);
+    const kern_real i1 = d1 > least ? 1 / d1 : 0;
     const kern_real l4 = e * i1, d2 = h[8] - l3 * h[6] - l4 * e;
-    const kern_real i2 = d2 > least ? 1 / d2 : KERN_R(0);
+    const kern_real i2 = d2 > least ? 1 / d2 : 0;
     const kern_real y1 = b[1] - l1 * b[0], y2 = b[2] - l3 * b[0] - l4 * y1;
     x[2] = y2 * i2;
     x[1] = y1 * i1 - l4 * x[2];
     x[0] = b[0] * i0 - l1 * x[1] - l3 * x[2];
-    return kern_min(d1, d2) > KERN_PIVOT * (h[0] + h[4] + h[8]);
+    return kern_min(d1, d2) > KERN_THREE_GOOD * (h[0] + h[4] + h[8]);
 }
 
 typedef struct kern_ray { /* an edge of a friction cone at the group      */
@@ -4499,8 +4662,8 @@ static inline void kern_ray_pair(kern_ray *to, const kern_row *row,
                                  kern_real mu, const kern_real way[2])
 {
     const kern_real more = mu * way[1];
-    kern_row_wrench(row, KERN_R(1), mu, to[0].a);
-    kern_row_wrench(row, KERN_R(1), -mu, to[1].a);
+    kern_row_wrench(row, 1, mu, to[0].a);
+    kern_row_wrench(row, 1, -mu, to[1].a);
     to[0].x = way[0] + more;
     to[1].x = way[0] - more;
     to[0].press = to[1].press = 1;
@@ -4537,17 +4700,17 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
 {
     kern_real left[3], h[9], step[3], u[3] = {0, 0, 0}, last = KERN_INFINITY;
     int k, round, same = 0; /* nonzero: the same rays press as before */
-    for (round = 0; round < KERN_FEW_ROUNDS + 2; round++) {
-        const kern_real before = last / 8;
+    for (round = 0; round < KERN_ALONE_ROUNDS; round++) {
+        const kern_real before = last / KERN_ALONE_PACE;
         int good, changed = 0;
         kern_ray_sum(c, n, b, left, h);
         last = kern_largest(left, 3);
-        if (same && last <= tolerance + 4 * KERN_EPS * kern_largest(u, 3))
+        if (same && last <= tolerance + KERN_RESIDUAL * kern_largest(u, 3))
             return KERN_STANDS;
         if (same && last > before)
             return KERN_FALLS;
         good = kern_pass_three(h, left, step);
-        kern_add(u, KERN_R(1), step, 3);
+        kern_add(u, 1, step, 3);
         for (k = 0; k < n; k++) {
             c[k].x += kern_three(c[k].a, step);
             if (!same && (c[k].x > 0) != c[k].press) {
@@ -4588,8 +4751,8 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     }
     status = kern_pass_solve(c, 2 * n, b, tolerance);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
-        const kern_real plus = kern_max(c[2 * k].x, KERN_R(0));
-        const kern_real minus = kern_max(c[2 * k + 1].x, KERN_R(0));
+        const kern_real plus = kern_max(c[2 * k].x, 0);
+        const kern_real minus = kern_max(c[2 * k + 1].x, 0);
         const kern_force f = {plus + minus,
                               kern_model_mu(m, of[k] >> 1) * (plus - minus)};
         kern_pass_write(m, of[k] >> 1, m->graph.ends[of[k] ^ 1], f, tolerance);
@@ -4675,8 +4838,9 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
    that rests on it, and its loads do work: no force from above holds it. */
 static int kern_pass_parts(kern_part *p)
 {
-    const kern_real most = KERN_REST * kern_largest(p->dual.u, 3 * p->groups);
-    kern_real power = KERN_R(0);
+    const kern_real most = KERN_PARTS_TOL
+                         * kern_largest(p->dual.u, 3 * p->groups);
+    kern_real power = 0;
     int n, k;
     for (n = 0; n < p->groups; n++)
         power += kern_dot(p->dual.u + 3 * n, p->m->load + 3 * p->group[n], 3);
@@ -4694,7 +4858,7 @@ static int kern_pass_parts(kern_part *p)
 KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
                                               int last)
 {
-    kern_real load = KERN_R(0), least = KERN_INFINITY;
+    kern_real load = 0, least = KERN_INFINITY;
     kern_status status;
     kern_take take;
     int n;
@@ -4715,8 +4879,8 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     }
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.b[n]);
-    status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_NORM_MOST * load, 0,
-                            KERN_ROUNDS);
+    status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_CLUSTER_NORM * load,
+                            0, KERN_NORM_ROUNDS);
     if (status == KERN_STANDS)
         kern_pass_keep(p, KERN_PASS_TOL * least);
     if (status == KERN_FALLS && p->own < p->contacts && !kern_pass_parts(p))
@@ -4747,7 +4911,8 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
     if (!known
-        || !kern_model_spend(m, 1 + (m->graph.groups + m->s->contacts) / 32))
+        || !kern_model_spend(
+            m, 1 + (m->graph.groups + m->s->contacts) / KERN_KNOWN_UNIT))
         return;
     kern_copy(m->answer.force, known->force, 2 * m->s->contacts);
     if (shrink < known->holds)
@@ -4764,7 +4929,7 @@ static void kern_pass_begin(kern_model *m, int share)
     int i;
     m->cluster.only = KERN_OUT;
     m->cluster.most = groups > KERN_SMALL
-                        ? KERN_CLUSTER_MOST + 2 * groups / KERN_SMALL
+                        ? KERN_CLUSTER_MOST + groups / KERN_CLUSTER_MORE
                         : groups / share + 1;
     for (i = m->cluster.at = 0; i < groups; i++) {
         m->cluster.last[i] = m->cluster.next[i] = i;
@@ -4892,7 +5057,7 @@ static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
 static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
                                 int n)
 {
-    kern_real share = KERN_R(1);
+    kern_real share = 1;
     int i;
     for (i = 0; i < n; i++)
         if (v[i] < -share * step[i])
@@ -4944,17 +5109,18 @@ static int kern_ipm_step(kern_ipm *in)
     kern_part *p = in->p;
     kern_real *dx = in->dx, *dz = p->dual.turn;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real of_x = KERN_R(0), of_z = of_x, mu = of_x, left = of_x, ds;
+    kern_real of_x = 0, of_z = of_x, mu = of_x, left = of_x, ds;
     int i, corrects;
-    if (!(in->gap <= KERN_BOUND) || !kern_model_spend(p->m, p->dual.cost))
+    if (!(in->gap <= KERN_IPM_GAP_MOST)
+        || !kern_model_spend(p->m, p->dual.cost))
         return 0;
     for (i = 0; i < rays; i++) {
         in->d[i] = p->x[i] / in->z[i];
-        dx[i] = dz[i] = KERN_R(0);
+        dx[i] = dz[i] = 0;
     }
-    kern_ipm_factor(in, KERN_R(0), in->g, in->gain);
+    kern_ipm_factor(in, 0, in->g, in->gain);
     if (!kern_is_finite(kern_dot(in->g, in->gain, n)))
-        kern_ipm_factor(in, KERN_NOISE, in->g, in->gain);
+        kern_ipm_factor(in, KERN_IPM_SHIFT, in->g, in->gain);
     kern_ipm_ways(p, p->y, p->dual.way);
     for (corrects = 0;; corrects = 1) {
         for (i = 0; i < rays; i++)
@@ -4967,20 +5133,20 @@ static int kern_ipm_step(kern_ipm *in)
             break;
         for (i = 0; i < rays; i++)
             left += (p->x[i] + of_x * dx[i]) * (in->z[i] + of_z * dz[i]);
-        left = kern_max(kern_max(left / in->gap, 1 - of_x), KERN_IPM_APART);
+        left = kern_max(kern_max(left / in->gap, 1 - of_x), KERN_IPM_AIM);
         mu = in->gap * left * left * left / KERN_R(rays);
     }
-    left = kern_min(KERN_IPM_LITTLE * left, KERN_IPM_LITTLE);
+    left = kern_min(KERN_IPM_BACKOFF * left, KERN_IPM_BACKOFF);
     of_z -= of_z * left;
     if (of_x < 1)
         of_x -= of_x * left;
     in->s = kern_min(in->s + of_x * ds, 0); /* a sum that is rounded */
     for (i = 0; i < rays; i++) {
-        p->x[i] = kern_max(p->x[i] + of_x * dx[i], p->x[i] * KERN_EPS);
+        p->x[i] = kern_max(p->x[i] + of_x * dx[i], p->x[i] * KERN_IPM_KEEP);
         in->z[i] += of_z * dz[i];
     }
     kern_add(p->y, of_z, p->dual.step, n);
-    kern_ipm_centre(in, KERN_IPM_APART * kern_dot(p->x, in->z, rays));
+    kern_ipm_centre(in, KERN_IPM_CENTRE * kern_dot(p->x, in->z, rays));
     KERN_AUDIT(ipm, in);
     return kern_is_finite(in->gap);
 }
@@ -4994,10 +5160,10 @@ static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
     kern_real *turn = p->dual.turn;
     int i;
     kern_copy(in->d, p->x, rays);
-    kern_ipm_factor(in, KERN_R(0), in->over, p->dual.step);
+    kern_ipm_factor(in, 0, in->over, p->dual.step);
     kern_ipm_ways(p, p->dual.step, turn);
     for (i = 0; i < rays; i++)
-        p->x[i] -= p->x[i] * kern_min(turn[i], 1 - KERN_IPM_LITTLE);
+        p->x[i] -= p->x[i] * kern_min(turn[i], 1 - KERN_IPM_BALANCE);
     kern_ipm_over(in);
     return kern_part_stands(p, q);
 }
@@ -5005,11 +5171,11 @@ static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
 /* v += 1.5 times what its least entry is below 0, a little of its largest */
 static void kern_ipm_lift(kern_real *v, int n)
 {
-    kern_real lift = KERN_R(0);
+    kern_real lift = 0;
     int i;
     for (i = 0; i < n; i++)
-        lift = kern_max(lift, KERN_R(-1.5) * v[i]);
-    lift += KERN_IPM_LITTLE * kern_largest(v, n);
+        lift = kern_max(lift, -KERN_IPM_LIFT_LEAST * v[i]);
+    lift += KERN_IPM_LIFT_SHARE * kern_largest(v, n);
     for (i = 0; i < n; i++)
         v[i] += lift;
 }
@@ -5024,13 +5190,13 @@ static int kern_ipm_begin(kern_ipm *in)
     int i;
     if (!kern_model_spend(p->m, p->dual.cost))
         return 0;
-    in->s = KERN_R(-1);
+    in->s = -1;
     for (i = 0; i < rays; i++) {
-        in->z[i] = KERN_R(0);
-        in->d[i] = KERN_R(1);
+        in->z[i] = 0;
+        in->d[i] = 1;
     }
     kern_zero(in->g, n);
-    kern_ipm_factor(in, KERN_NOISE, p->eq.rhs, p->y);
+    kern_ipm_factor(in, KERN_IPM_SHIFT, p->eq.rhs, p->y);
     kern_ipm_ways(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
     kern_ipm_over(in);
@@ -5085,7 +5251,7 @@ static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
                                 kern_real pace)
 {
     int round = 0;
-    while (round++ < KERN_ROUNDS && in->gap > KERN_NOISE * KERN_NOISE
+    while (round++ < KERN_IPM_ROUNDS && in->gap > KERN_IPM_GAP_LEAST
            && in->gap <= pace && kern_ipm_step(in)) {
         if (in->s >= 0
             && (kern_part_stands(in->p, q) || kern_ipm_balance(in, q)))
@@ -5108,10 +5274,10 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
     m->task->work->solves++;
     kern_model_arms(m, q);
     kern_part_load(p, q, p->eq.rhs);
-    if (in->gap <= KERN_BOUND) {
-        in->s = kern_min(in->s, -KERN_IPM_LITTLE);
-        kern_ipm_centre(in, kern_max(in->gap, KERN_IPM_LITTLE));
-        status = kern_ipm_run(in, q, KERN_R(1.1) * in->gap);
+    if (in->gap <= KERN_IPM_GAP_MOST) {
+        in->s = kern_min(in->s, -KERN_IPM_S);
+        kern_ipm_centre(in, kern_max(in->gap, KERN_IPM_GAP));
+        status = kern_ipm_run(in, q, KERN_IPM_SLACK * in->gap);
     }
     if (status == KERN_UNDECIDED && kern_ipm_begin(in))
         status = kern_ipm_run(in, q, KERN_INFINITY);
@@ -5184,7 +5350,7 @@ static void kern_part_set(kern_part *p, const kern_query *q)
         kern_row row[2];
         kern_model_rows(m, q, p->contact[k], row);
         for (edge = 0; edge < 2; edge++, f += 4, mu = -mu) {
-            kern_row_wrench(row, KERN_R(1), mu, f);
+            kern_row_wrench(row, 1, mu, f);
             f[3] = row[1].n[2] + mu * row[1].turn;
         }
     }
@@ -5206,7 +5372,7 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     if (status < 0 || (status == KERN_STANDS && !whole))
         return status;
     for (again = 0; status == KERN_FALLS && again < 2; again++)
-        if ((!again || kern_prices_mend(&p->eq.simplex, p->y, KERN_ROUNDING))
+        if ((!again || kern_prices_mend(&p->eq.simplex, p->y, KERN_LIFT))
             && kern_part_falls(p, q))
             return status;
     /* forces may still do, within the tolerance */
@@ -5221,7 +5387,7 @@ static kern_status kern_part_norm(kern_part *p, int builtin)
     kern_status status;
     int i;
     for (i = 0; i < p->eq.lp.cols; i++)
-        one[i] = KERN_R(1);
+        one[i] = 1;
     if (!(kern_dot(p->x, one, p->eq.lp.cols) > KERN_BOUND))
         return KERN_STANDS;
     p->eq.lp.cost = one;
@@ -6118,7 +6284,7 @@ KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
     path->kind = kind;
     path->q.pattern = pattern;
     path->q.side = side;
-    path->unit = KERN_R(1);
+    path->unit = 1;
 }
 
 /* What a call works on. */
@@ -6138,7 +6304,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
     if (!kern_spend(task->work, task->options.limit,
-                    1 + (task->s.blocks + task->s.contacts) / 5))
+                    1 + (task->s.blocks + task->s.contacts) / KERN_CALL_UNIT))
         return KERN_LIMIT;
     status = kern_query_read(task, shrink, &path->q);
     if (status != KERN_OK)
@@ -6149,9 +6315,9 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     path->alone = path->never = 0;
     path->ipm = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
-    path->start = path->holds = path->critical = KERN_R(0);
-    path->warm.fails = KERN_R(0);
-    path->proven.low = KERN_R(-1);
+    path->start = path->holds = path->critical = 0;
+    path->warm.fails = 0;
+    path->proven.low = -1;
     path->proven.high = path->exact = path->fails = KERN_INFINITY;
     return kern_model_open(&c->m, task, &path->q);
 }
@@ -6164,7 +6330,7 @@ KERN_SHARED static kern_status kern_number_open(kern_call *c,
 {
     const kern_status status = kern_call_open(c, task, shrink, number);
     if (status == KERN_LIMIT)
-        *number = KERN_R(-1);
+        *number = -1;
     return status;
 }
 
@@ -6218,19 +6384,19 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     kern_model_know(&c->m, known);
     path->end = r.most;
     if (!(r.epsilon > 0))
-        r.epsilon = path->q.relative ? KERN_R(0.05) : KERN_R(0.02) * c->m.mean;
+        r.epsilon = path->q.relative ? KERN_LEVEL_SHARE
+                                     : KERN_LEVEL_STEP * c->m.mean;
     steps = r.most / r.epsilon;
     if (!(steps <= KERN_POINTS_MOST))
         return KERN_BAD_STEP;
     last = (int)steps;
     last += KERN_R(last) < steps; /* until every kern is closed */
     first = kern_min(r.epsilon, r.most);
-    status = nested ? KERN_STANDS : kern_path_evaluate(&c->m, path, KERN_R(0));
+    status = nested ? KERN_STANDS : kern_path_evaluate(&c->m, path, 0);
     if (status == KERN_STANDS)
         status = kern_path_search(
             &c->m, path,
-            nested ? KERN_R(0)
-                   : first / KERN_R(1 + (int)(KERN_SCAN * first / r.most)));
+            nested ? 0 : first / KERN_R(1 + (int)(KERN_SCAN * first / r.most)));
     if (status == KERN_STANDS) {
         r.margin = path->critical;
         r.holds = path->holds;
@@ -6256,12 +6422,12 @@ static kern_status kern_measure_anew(const kern_task *task,
                                      const kern_proof *proof)
 {
     kern_call c;
-    const kern_status status = kern_call_open(&c, task, KERN_R(0), out);
+    const kern_status status = kern_call_open(&c, task, 0, out);
     if (status == KERN_OK)
         return kern_measure_task(&c, known, out, proof);
     if (status != KERN_LIMIT)
         return status;
-    out->margin = out->holds = KERN_R(-1);
+    out->margin = out->holds = -1;
     out->fails = out->most = out->epsilon = KERN_INFINITY;
     out->level = -1;
     out->saturated = 0;
@@ -6278,7 +6444,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
         return KERN_BAD_POINTER;
     known = task->known;
     if (!known.motion || !known.force) {
-        known.fails = KERN_R(0);
+        known.fails = 0;
         return kern_measure_anew(task, &known, out, proof);
     }
     kept.force = known.force;
@@ -6286,7 +6452,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     known.force = NULL; /* what was remembered is overwritten on the way */
     status = kern_measure_anew(task, &known, out, &kept);
     if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
-        task->known.fails = KERN_R(0);
+        task->known.fails = 0;
     if (status >= 0 && proof && proof->force)
         kern_copy(proof->force, kept.force, 2 * task->s.contacts);
     if (status >= 0 && !out->saturated && proof && proof->motion)
@@ -6304,8 +6470,9 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 /* Grows the kerns of what falls, to the bound in >>rules, until it stands. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
-    kern_real range[2], grown = path->unit * KERN_R(0.001), limit;
-    const kern_real growth = kern_is_nested(m, range) ? KERN_R(4) : KERN_R(1.1);
+    kern_real range[2], grown = path->unit * KERN_GROW_FIRST, limit;
+    const kern_real growth = kern_is_nested(m, range) ? KERN_GROW_NESTED
+                                                      : KERN_GROW_EVEN;
     const kern_real none = KERN_INFINITY;
     kern_box whole = {{none, none}, {-none, -none}};
     kern_status status;
@@ -6318,9 +6485,10 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
                          ? i & 1 ? b->box.high : b->box.low
                          : kern_vec_add(b->centre, kern_vec_make(way, way)));
     }
-    limit = 1000 * kern_vec_largest(kern_vec_sub(whole.high, whole.low));
+    limit = KERN_GROW_MOST
+          * kern_vec_largest(kern_vec_sub(whole.high, whole.low));
     if (path->q.relative)
-        limit = range[0] < KERN_INFINITY ? limit / range[0] : KERN_R(1);
+        limit = range[0] < KERN_INFINITY ? limit / range[0] : 1;
     path->start = -limit;
     for (;; grown = kern_min(grown * growth, limit)) {
         status = kern_path_evaluate(m, path, -grown);
@@ -6339,18 +6507,17 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
 {
     kern_call c;
-    kern_status status = kern_number_open(&c, task, KERN_R(0), deficit);
+    kern_status status = kern_number_open(&c, task, 0, deficit);
     if (status != KERN_OK)
         return status;
-    status = kern_path_evaluate(&c.m, &c.path, KERN_R(0));
+    status = kern_path_evaluate(&c.m, &c.path, 0);
     if (status == KERN_FALLS)
         status = kern_grow(&c.m, &c.path);
     status = kern_ended(task, status);
     if (status == KERN_LIMIT)
-        *deficit = c.path.proven.high <= 0 ? 0 - c.path.proven.high
-                                           : KERN_R(-1);
+        *deficit = c.path.proven.high <= 0 ? 0 - c.path.proven.high : -1;
     else if (status >= 0)
-        *deficit = status == KERN_STANDS ? KERN_R(0) : 0 - c.path.critical;
+        *deficit = status == KERN_STANDS ? 0 : 0 - c.path.critical;
     return status;
 }
 
@@ -6358,7 +6525,7 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
 static kern_real kern_length_between(const kern_structure *s, kern_real mean,
                                      kern_real lo, kern_real hi)
 {
-    kern_real middle = KERN_R(0), least = hi, most;
+    kern_real middle = 0, least = hi, most;
     int i, pass;
     for (pass = 0; pass < 2; pass++) {
         least = hi;
@@ -6372,13 +6539,13 @@ static kern_real kern_length_between(const kern_structure *s, kern_real mean,
         }
         middle = kern_min(KERN_SQRT(least) * KERN_SQRT(most), most);
     }
-    return least < hi ? least : KERN_R(0);
+    return least < hi ? least : 0;
 }
 
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof)
 {
-    kern_real at = KERN_R(0), lo = KERN_R(-1), hi = KERN_INFINITY;
+    kern_real at = 0, lo = -1, hi = KERN_INFINITY;
     kern_call c;
     int round;
     kern_status status = kern_number_open(&c, task, at, length);
@@ -6417,12 +6584,12 @@ static int kern_has_side(const kern_structure *s, kern_side side)
 /* The angle whose tangent is s >= 0: halved three times, then the series. */
 static kern_real kern_angle_of(kern_real s)
 {
-    kern_real sum = KERN_R(0), t2;
+    kern_real sum = 0, t2;
     int i;
     s = kern_halved(kern_halved(kern_halved(s)));
     t2 = s * s;
     for (i = 25; i > 0; i -= 2)
-        sum = KERN_R(1) / KERN_R(i) - t2 * sum;
+        sum = 1 / KERN_R(i) - t2 * sum;
     return 8 * s * sum;
 }
 
@@ -6460,10 +6627,10 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     loaded = tilt && kern_model_loaded(&c->m);
     kern_path_push(path, kind, pattern, side);
     path->proof = proof;
-    path->end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
+    path->end = tilt ? 1 : KERN_FACTOR_MOST;
     if (!loaded && kern_model_is_small(&c->m))
         kern_model_whole(&c->m, path->part, &path->q);
-    status = kern_path_evaluate(&c->m, path, KERN_R(0));
+    status = kern_path_evaluate(&c->m, path, 0);
     if (status == KERN_STANDS)
         status = kern_path_search(&c->m, path, KERN_R(loaded) / KERN_SCAN);
     status = kern_ended(task, status);
@@ -6516,7 +6683,7 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
         kern_model_set(&c.m, &c.path.q);
         status = kern_norm_open(p, &c.m)
                    ? kern_norm_find(p, kern_part_load(p, &c.path.q, p->dual.b),
-                                    KERN_BOUND, 0, KERN_ROUNDS)
+                                    KERN_BOUND, 0, KERN_NORM_ROUNDS)
                    : KERN_NO_SPACE;
         if (status == KERN_FALLS) /* unproven */
             status = KERN_UNDECIDED;
@@ -6561,7 +6728,7 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 {
     kern_real beyond = path->fails;
     kern_status status;
-    int more = KERN_FEW_ROUNDS;
+    int more = KERN_FALL_TRIES;
     do {
         status = kern_path_evaluate(m, path, beyond);
         beyond += kern_width(path);
@@ -6575,9 +6742,9 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
-    kern_real range[2], at = KERN_R(0);
+    kern_real range[2], at = 0;
     kern_status status = kern_path_evaluate(m, path, at);
-    int rounds = 3 * m->graph.groups + KERN_FEW_ROUNDS;
+    int rounds = 3 * m->graph.groups + KERN_FALL_IDLE;
     while (m->graph.groups > 0 && !path->never) {
         if (rounds-- == 0)
             return KERN_UNDECIDED;
@@ -6590,7 +6757,7 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
             status = kern_path_search(m, path,
                                       path->kind != KERN_PATH_SHRINK
                                               || kern_is_nested(m, range)
-                                          ? KERN_R(0)
+                                          ? 0
                                           : path->end / KERN_SCAN);
             at = path->critical;
             if (status == KERN_STANDS && !path->never)
@@ -6619,7 +6786,7 @@ static kern_real kern_expected_drop(const kern_model *m, const kern_real *value)
 {
     const kern_structure *s = m->s;
     const kern_real pull = kern_vec_length(s->gravity);
-    kern_real base = KERN_INFINITY, sum = KERN_R(0);
+    kern_real base = KERN_INFINITY, sum = 0;
     int i, pass;
     for (pass = 0; pass < 2; pass++)
         for (i = 0; i < s->blocks; i++) {
@@ -6641,13 +6808,12 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 {
     kern_call c;
     kern_fall fall;
-    kern_real range[2], least = KERN_INFINITY, sum = KERN_R(0);
+    kern_real range[2], least = KERN_INFINITY, sum = 0;
     int i, free_blocks, half;
-    kern_status status = kern_call_open(&c, task, KERN_R(0),
-                                        value ? out : NULL);
+    kern_status status = kern_call_open(&c, task, 0, value ? out : NULL);
     for (i = 0;
          (status == KERN_OK || status == KERN_LIMIT) && i < task->s.blocks; i++)
-        value[i] = KERN_R(-1);
+        value[i] = -1;
     if (status != KERN_OK)
         return status;
     kern_is_nested(&c.m, range);
@@ -6675,7 +6841,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     out->mean = sum / KERN_R(free_blocks);
     out->weak = fall.sum / KERN_R(half);
     out->drop = side ? kern_expected_drop(&c.m, value) / KERN_R(free_blocks)
-                     : KERN_R(0);
+                     : 0;
     return KERN_OK;
 }
 
@@ -6698,7 +6864,7 @@ static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
-    kern_real most = KERN_R(0), narrow = kern_reduction(q), rate;
+    kern_real most = 0, narrow = kern_reduction(q), rate;
     int by, i;
     for (by = !proof->force; by < 3 && out->contact < 0; by++)
         for (i = 0; i < s->contacts; i++) {
@@ -6708,7 +6874,7 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                  - proof->motion[c->a].spin;
             const kern_meeting meeting = kern_meeting_of(
                 c, kern_friction(c, narrow), u, spin * q->mean);
-            kern_real limit = KERN_R(0);
+            kern_real limit = 0;
             kern_shift(c->travel, q->shrink, q->relative, &rate);
             if (by == 0 && meeting != KERN_OPENS)
                 limit = kern_max(-spin * rate * proof->force[i].normal, 0);
@@ -6720,7 +6886,7 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                 out->meeting[i] = meeting;
             if (out->limit)
                 out->limit[i] = limit;
-            if (limit > most * (1 + KERN_REST)) {
+            if (limit > most * (1 + KERN_TIE)) {
                 most = limit;
                 out->contact = i;
             }
@@ -6751,12 +6917,12 @@ static void kern_critical_blocks(const kern_structure *s,
     for (i = 0; i < s->blocks; i++)
         out->group[i] = none;
     for (;; out->groups++) {
-        kern_real most = KERN_R(0);
+        kern_real most = 0;
         for (lead = i = 0; i < s->blocks; i++) {
             const kern_real speed = kern_block_speed(s->block + i, motion + i);
             if (speed < KERN_REST)
                 out->group[i] = -1;
-            if (out->group[i] == none && speed > most * (1 + KERN_REST)) {
+            if (out->group[i] == none && speed > most * (1 + KERN_TIE)) {
                 most = speed;
                 lead = i;
             }
@@ -6812,7 +6978,7 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
     kern_vec u;
     kern_zero(out, 5);
     if (!(f > 0) || !(kern_speeds(c, proof->motion) > 0))
-        return KERN_R(0);
+        return 0;
     u = kern_meeting_motion(s, q, c, proof->motion);
     shift = kern_shift(travel, q->shrink, q->relative, &rate);
     out->p = kern_vec_make(spin * force.y, -spin * force.x);
@@ -6820,7 +6986,7 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
     if (c->mu > 0)
         out->mu = r / c->mu * kern_vec_dot(u, t);
     if (q->relative || closed)
-        out->travel = -spin * f * (closed ? KERN_R(1) : q->shrink);
+        out->travel = -spin * f * (closed ? 1 : q->shrink);
     return -rate * spin * f;
 }
 
@@ -6849,7 +7015,8 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
             const kern_real at = kern_abs(kern_vec_cross(c->n, r));
             if (at < off[end]
                 && kern_abs(kern_vec_dot(c->n, r))
-                       <= KERN_GAP * kern_block_size(b) + task->options.gap)
+                       <= KERN_CORNER_NEAR * kern_block_size(b)
+                              + task->options.gap)
                 off[end] = at;
         }
     }
@@ -6858,9 +7025,9 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
         const kern_block *b = task->s.block + on;
         const kern_vec r = kern_vec_sub(c->p, b->centre);
         const kern_real size = kern_block_size(b);
-        const kern_real owns = KERN_R(off[end] <= KERN_GAP * size
-                                      && off[end]
-                                             <= off[!end] + KERN_SLIGHT * size);
+        const kern_real owns = KERN_R(
+            off[end] <= KERN_CORNER_NEAR * size
+            && off[end] <= off[!end] + KERN_CORNER_TIE * size);
         const kern_real part = pair != i ? KERN_R(0.5) : owns;
         const kern_vec way = kern_vec_step(kern_vec_scale(t, owns * along),
                                            part * across, c->n);
@@ -6879,10 +7046,10 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       kern_block_rate *block)
 {
     kern_query q;
-    kern_real gain = KERN_R(0), most = KERN_R(0);
+    kern_real gain = 0, most = 0;
     int i, end, line;
     kern_status status = kern_query_check(
-        task, margin ? margin->margin : KERN_R(0),
+        task, margin ? margin->margin : 0,
         margin && proof && proof->force && proof->motion && contact ? block
                                                                     : NULL,
         &q);
@@ -6894,15 +7061,15 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         gain += g;
         most += kern_abs(g);
     }
-    if (margin->saturated || !(kern_abs(gain) > KERN_NOISE * most))
+    if (margin->saturated || !(kern_abs(gain) > KERN_RATE_LEAST * most))
         return KERN_UNDECIDED;
     for (i = 0; i < task->s.blocks; i++) {
         const kern_block *b = task->s.block + i;
-        const kern_real mass = b->fixed ? KERN_R(0) : b->mass;
+        const kern_real mass = b->fixed ? 0 : b->mass;
         const kern_vec g = task->s.gravity;
         const kern_motion *v = proof->motion + i;
         kern_copy(&block[i].load, v, 3);
-        block[i].turn = KERN_R(0);
+        block[i].turn = 0;
         block[i].place = block[i].centre = kern_vec_make(
             v->spin * (g.y * mass), -v->spin * (g.x * mass));
         block[i].mass = g.x * v->vx + g.y * v->vy;
