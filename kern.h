@@ -1251,12 +1251,12 @@ extern "C" {
 #define KERN_POWER_LEAST (1 / (KERN_FAR * KERN_FAR))
 /* Residual that x and y of a linear program of the caller may leave in a row or
    a column, as a share of its terms. */
-#define KERN_LP_TOL KERN_PICK(1e-9, 1e-4)
+#define KERN_LP_TOL KERN_TOL
 /* Distance of a tangential force from its cone below which the contact slides,
    as a share of the cone, and least force of a contact that must approach, as a
    share of the least load: below both, equilibrium would not miss it. */
-#define KERN_SLIDES_TOL KERN_PICK(1e-9, 1e-4)
-#define KERN_PRESSED_LEAST KERN_PICK(1e-9, 1e-4)
+#define KERN_SLIDES_TOL KERN_TOL
+#define KERN_PRESSED_LEAST KERN_TOL
 /* The most that a proof of >>raised takes for sticking, in approaches. */
 #define KERN_STICKS KERN_PICK(2e-3, 0.2)
 /* Slope of a contact against gravity from which it may hold a block up, as a
@@ -1414,7 +1414,7 @@ extern "C" {
 
 /* What is added to the diagonal of Newton's matrix, as a share of its mean:
    otherwise what no ray presses has no pivot. */
-#define KERN_DUAL_SHIFT (32 * KERN_EPS)
+#define KERN_DUAL_SHIFT KERN_ROUNDING
 /* Most rounds of Newton's method: it ends in far fewer, unless digits are lost. */
 #define KERN_NORM_ROUNDS 100
 /* Line search: share of its first derivative at which it ends. With prices it
@@ -1500,7 +1500,7 @@ extern "C" {
 #define KERN_IPM_AIM KERN_R(0.03)
 /* Gap below which it is rounding, and above which digits are lost. */
 #define KERN_IPM_GAP_LEAST (KERN_IPM_SHIFT * KERN_IPM_SHIFT)
-#define KERN_IPM_GAP_MOST KERN_PICK(1e6, 1e3)
+#define KERN_IPM_GAP_MOST KERN_BOUND
 /* Mean share of the gap that a step may leave, or the method begins again:
    without that some walls take three times the work. The first gap may exceed
    the last one's by KERN_IPM_SLACK. */
@@ -1517,13 +1517,13 @@ extern "C" {
 /* Least pivot, as a share of the largest entry of the entering column. */
 #define KERN_PIVOT_LEAST KERN_PICK(1e-10, 1e-5)
 /* Rounding of a price, of a slope and of x and y, as a share of the largest. */
-#define KERN_LP_ROUNDING (32 * KERN_EPS)
+#define KERN_LP_ROUNDING KERN_ROUNDING
 /* How far a certificate is lifted off the columns that it touches, as a share of
    its largest entry: the check of a motion adds as much. */
-#define KERN_LIFT (32 * KERN_EPS)
+#define KERN_LIFT KERN_ROUNDING
 /* Residual of the basic solution, as a share of its largest value, above which a
    basis is factored again; and how often it is refined before. */
-#define KERN_BASIS_TOL KERN_PICK(1e-11, 1e-6)
+#define KERN_BASIS_TOL KERN_PASS_TOL
 #define KERN_REFINES 3
 /* Least pivot of a column that is factored after its group's own, as a share of
    its largest entry: less depends on the columns before it. */
@@ -2286,8 +2286,8 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
         if (!(f > 0))
             continue;
         kern_arms(s, c, q, arm);
-        kern_prove_end(sum + 4 * (size_t)c->a, arm[0], -fx, -fy, f);
-        kern_prove_end(sum + 4 * (size_t)c->b, arm[1], fx, fy, f);
+        kern_prove_end(sum + 4 * c->a, arm[0], -fx, -fy, f);
+        kern_prove_end(sum + 4 * c->b, arm[1], fx, fy, f);
         total += f;
     }
     return kern_prove_rows(s, q, sum, total);
@@ -2533,16 +2533,19 @@ typedef struct kern_answer {
 /* States of a cluster, or'ed: to be balanced; was balanced as it is. */
 enum { KERN_OPEN = 1, KERN_TRIED = 2 };
 
+/* In graph.local: the group is to be one of the next part. */
+enum { KERN_MARKED = 0 };
+
 /* Disjoint sets of groups that are balanced together. */
 typedef struct kern_clusters {
-    int *last; /* of a group: the last group of its cluster    */
-    int *next; /* of a group: the next of its cluster, cyclic  */
-    int *open; /* of a last group: the state of its cluster    */
-    int at;    /* no cluster that is open ends before this one */
-    int most;  /* groups of one                                */
-    int until; /* units of work at which the pass ends         */
-    int only;  /* group that known forces may not balance, if
-                                 they begin the next pass, or KERN_OUT        */
+    int *last;       /* of a group: the last group of its cluster    */
+    int *next;       /* of a group: the next of its cluster, cyclic  */
+    int *open;       /* of a last group: the state of its cluster    */
+    int front;       /* no cluster that is open ends before this one       */
+    int groups_most; /* largest number of groups of a cluster              */
+    int budget_end;  /* units of work at which the pass ends               */
+    int changed;     /* group that known forces may not balance, if they
+                                 begin the next pass, or KERN_OUT             */
 } kern_clusters;
 
 typedef struct kern_model {
@@ -2646,37 +2649,46 @@ static void kern_model_unload(kern_model *m)
     kern_zero(m->answer.force, 2 * m->s->contacts);
 }
 
+/* Two numbers for each contact, one for each ray of its cone: what a program of
+   all groups needs besides x. They lie in the place of the answer's forces, which
+   mean nothing from the question to kern_part_forces(). */
+static kern_real *kern_model_rays(const kern_model *m)
+{
+    return (kern_real *)(void *)m->answer.force;
+}
+
 /* Gives every free block that is not gone a group, and lists its contacts. */
 static void kern_model_group(kern_model *m, const kern_query *q)
 {
+    kern_graph *const graph = &m->graph;
     const kern_structure *s = m->s;
     int i, g, none = 0;
     for (i = s->blocks - 1; i >= 0; i--)
         if (!s->block[i].fixed && !kern_is_gone(q, i))
-            m->graph.block[none++] = i;
-    m->graph.groups = none;
+            graph->block[none++] = i;
+    graph->groups = none;
     m->shrunk = KERN_INFINITY;
-    m->cluster.only = KERN_OUT;
+    m->cluster.changed = KERN_OUT;
     m->whole = 0;
     kern_model_unload(m);
     kern_model_order(m);
     for (i = 0; i < s->blocks; i++)
-        m->graph.group[i] = none;
+        graph->group[i] = none;
     for (g = 0; g < none; g++) {
-        m->graph.group[m->graph.block[g]] = g;
-        m->graph.touch[g] = KERN_OUT;
+        graph->group[graph->block[g]] = g;
+        graph->touch[g] = KERN_OUT;
     }
     for (i = s->contacts - 1; i >= 0; i--) {
         const kern_contact *c = s->contact + i;
         const int gone = kern_is_out(q, c);
-        m->graph.ends[2 * i] = gone ? none : m->graph.group[c->b];
-        m->graph.ends[2 * i + 1] = gone ? none : m->graph.group[c->a];
+        graph->ends[2 * i] = gone ? none : graph->group[c->b];
+        graph->ends[2 * i + 1] = gone ? none : graph->group[c->a];
     }
     for (i = 2 * s->contacts - 1; i >= 0; i--) { /* an end */
-        g = m->graph.ends[i];
+        g = graph->ends[i];
         if (g < none) {
-            m->graph.after[i] = m->graph.touch[g];
-            m->graph.touch[g] = i;
+            graph->after[i] = graph->touch[g];
+            graph->touch[g] = i;
         }
     }
 }
@@ -2685,15 +2697,16 @@ static void kern_model_group(kern_model *m, const kern_query *q)
 static kern_status kern_model_open(kern_model *m, const kern_task *task,
                                    const kern_query *q)
 {
+    kern_graph *const graph = &m->graph;
     const kern_structure *s = &task->s;
     kern_take *const take = &m->rest;
     int i, groups = 0;
     for (i = 0; i < s->blocks; i++)
         groups += !s->block[i].fixed;
     kern_take_open(take, task->work);
-    m->graph.group = kern_take_ints(take, s->blocks + groups);
-    m->graph.block = m->graph.group + s->blocks;
-    m->graph.ends = kern_take_ints(take, 2 * s->contacts);
+    graph->group = kern_take_ints(take, s->blocks + groups);
+    graph->block = graph->group + s->blocks;
+    graph->ends = kern_take_ints(take, 2 * s->contacts);
     m->load = kern_take_reals(take, 5 * groups + 1);
     m->size = m->load + 3 * groups;
     m->unit = m->size + groups;
@@ -2702,14 +2715,14 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->answer.sum = kern_take_reals(take, 7 * s->blocks);
     m->answer.motion = (kern_motion *)(void *)(m->answer.sum + 4 * s->blocks);
     m->common = *take;
-    m->graph.touch = kern_take_ints(take, 6 * groups + 1);
-    m->graph.carrier = m->graph.touch + groups;
-    m->cluster.last = m->graph.carrier + groups;
+    graph->touch = kern_take_ints(take, 6 * groups + 1);
+    graph->carrier = graph->touch + groups;
+    m->cluster.last = graph->carrier + groups;
     m->cluster.next = m->cluster.last + groups;
     m->cluster.open = m->cluster.next + groups;
-    m->graph.local = m->cluster.open + groups;
-    m->graph.after = kern_take_ints(take, 2 * s->contacts);
-    m->graph.torque = kern_take_reals(take, 4 * s->contacts);
+    graph->local = m->cluster.open + groups;
+    graph->after = kern_take_ints(take, 2 * s->contacts);
+    graph->torque = kern_take_reals(take, 4 * s->contacts);
     if (!kern_take_fits(take))
         return KERN_NO_SPACE;
     m->task = task;
@@ -2779,7 +2792,7 @@ static inline void kern_model_rows(const kern_model *m, const kern_query *q,
 static inline kern_row kern_model_row(const kern_model *m, int end)
 {
     const kern_vec n = m->s->contact[end >> 1].n;
-    const kern_real *torque = m->graph.torque + 2 * (size_t)end;
+    const kern_real *torque = m->graph.torque + 2 * end;
     const kern_row row = {
         {end & 1 ? -n.x : n.x, end & 1 ? -n.y : n.y, torque[0]}, torque[1]};
     return row;
@@ -2820,7 +2833,7 @@ static inline kern_real kern_model_mu(const kern_model *m, int i)
 /* What contacts must exert on group g: Eq. (5)'s -w. */
 static inline void kern_model_load(kern_model *m, const kern_query *q, int g)
 {
-    kern_real *load = m->load + 3 * (size_t)g;
+    kern_real *load = m->load + 3 * g;
     kern_wrench w;
     m->size[g] = kern_wrench_on(m->s, q, m->graph.block[g], &w);
     load[0] = -w.fx;
@@ -3030,6 +3043,9 @@ typedef enum kern_basis {
     KERN_BASIS_READY
 } kern_basis;
 
+/* Who may solve a program: also the backend (KERN_USE_GLPK), or only this. */
+typedef enum kern_solver { KERN_SOLVER_ANY, KERN_SOLVER_BUILTIN } kern_solver;
+
 typedef struct kern_simplex {
     const kern_program *lp;
     kern_basis state;
@@ -3055,7 +3071,7 @@ typedef struct kern_simplex {
 /* Column j where it is dense. */
 static const kern_real *kern_lp_dense(const kern_program *lp, int j)
 {
-    return j == lp->cols ? lp->rate : lp->a + (size_t)j * (size_t)lp->rows;
+    return j == lp->cols ? lp->rate : lp->a + j * lp->rows;
 }
 
 /* y.A_j of a column, or of the place. */
@@ -3065,21 +3081,25 @@ static inline kern_real kern_lp_dot(const kern_program *lp, int j,
     if (lp->ends && j < lp->cols) {
         const kern_real *h = y + 3 * lp->ends[j & ~1];
         const kern_real *t = y + 3 * lp->ends[j | 1];
-        const kern_real *c = lp->a + 4 * (size_t)j;
+        const kern_real *c = lp->a + 4 * j;
         return c[0] * (h[0] - t[0]) + c[1] * (h[1] - t[1]) + c[2] * h[2]
              + c[3] * t[2];
     }
     return kern_dot(kern_lp_dense(lp, j), y, lp->rows);
 }
 
-/* Column j's entries in the rows of the group whose own it is, or of its other
-   end; returns the first of these rows. */
-static inline int kern_lp_part(const kern_program *lp, int j, int other,
+/* Which of the two groups of a column: the one whose own column it is, which is
+   the first of them in order, or the one that this leads to. */
+typedef enum kern_lp_end { KERN_END_OWN, KERN_END_OTHER } kern_lp_end;
+
+/* Writes column j's entries in the rows of one of its groups. Returns the first
+   of these rows. */
+static inline int kern_lp_part(const kern_program *lp, int j, kern_lp_end which,
                                kern_real out[3])
 {
     const int *ends = lp->ends + (j & ~1);
-    const int end = (ends[1] < ends[0]) ^ other;
-    const kern_real *c = lp->a + 4 * (size_t)j;
+    const int end = (ends[1] < ends[0]) ^ which;
+    const kern_real *c = lp->a + 4 * j;
     out[0] = end ? -c[0] : c[0];
     out[1] = end ? -c[1] : c[1];
     out[2] = c[2 + end];
@@ -3096,7 +3116,7 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
         kern_add(v, -s, kern_lp_dense(lp, j), lp->rows);
     else {
         kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
-        const kern_real *c = lp->a + 4 * (size_t)j, x = s * c[0], y = s * c[1];
+        const kern_real *c = lp->a + 4 * j, x = s * c[0], y = s * c[1];
         h[0] -= x;
         h[1] -= y;
         h[2] -= s * c[2];
@@ -3114,7 +3134,7 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
     const kern_factors *f = &sx->factors;
     int e, g, k;
     for (g = 0; g < f->groups; g++) {
-        const kern_real *d = f->block + 18 * (size_t)g;
+        const kern_real *d = f->block + 18 * g;
         kern_real *own = v + 3 * g;
         const kern_real b[3] = {own[0], own[1], own[2]};
         if (kern_abs(b[0]) + kern_abs(b[1]) + kern_abs(b[2]) <= 0)
@@ -3154,7 +3174,7 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
         c[f->pivot[e]] = kern_dot(f->entry + f->first[e], c + f->from[e],
                                   f->first[e + 1] - f->first[e]);
     for (g = f->groups - 1; g >= 0; g--) {
-        const kern_real *d = f->block + 18 * (size_t)g;
+        const kern_real *d = f->block + 18 * g;
         kern_real y0 = 0, y1 = 0, y2 = 0;
         for (k = 0; k < 3; k++, d += 6) {
             const kern_real *to = c + f->to[3 * g + k];
@@ -3215,13 +3235,19 @@ static kern_real kern_three_det(const kern_real *a, const kern_real *b,
          + (a[0] * b[1] - a[1] * b[0]) * c[2];
 }
 
+typedef enum kern_crash {
+    KERN_CRASH_PUSHING, /* columns that push against the load            */
+    KERN_CRASH_ANY      /* any column, and the logical of the torque     */
+} kern_crash;
+
 /* Of the columns of group g, a list from j, three become basic and pass on what
    they exert: those that carry its load with the largest least share. If not
    `all` they must push against it, and none pull more than so many loads; else
    one may be the logical of its torque. 0: there are none. */
-static int kern_crash_choose(kern_simplex *sx, int g, int j, int all)
+static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
 {
     const int logical = sx->lp->cols + 1 + 3 * g + 2;
+    const int all = which == KERN_CRASH_ANY;
     int *base = sx->base + 3 * g;
     const kern_real *load = sx->alpha + 3 * g;
     const kern_real x = load[0], y = load[1];
@@ -3232,7 +3258,7 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, int all)
     for (; j != KERN_OUT && n < KERN_CRASH_COLUMNS - 1; j = sx->place[j]) {
         const kern_real *a = part[n];
         kern_real along;
-        kern_lp_part(sx->lp, j, 0, part[n]);
+        kern_lp_part(sx->lp, j, KERN_END_OWN, part[n]);
         along = a[0] * x + a[1] * y;
         mine[n] = j;
         n += all
@@ -3307,13 +3333,13 @@ static void kern_simplex_crash(kern_simplex *sx)
     }
     for (j = lp->cols - 1; j >= 0 && lp->ends; j--) {
         kern_real part[3];
-        g = kern_lp_part(lp, j, 0, part) / 3;
+        g = kern_lp_part(lp, j, KERN_END_OWN, part) / 3;
         next[j] = first[g];
         first[g] = j;
     }
     for (g = 0; g < sx->factors.groups; g++)
-        if (!kern_crash_choose(sx, g, first[g], 0))
-            kern_crash_choose(sx, g, first[g], 1);
+        if (!kern_crash_choose(sx, g, first[g], KERN_CRASH_PUSHING))
+            kern_crash_choose(sx, g, first[g], KERN_CRASH_ANY);
     sx->state = KERN_BASIS_STALE;
 }
 
@@ -3328,8 +3354,8 @@ static int kern_own_enter(kern_simplex *sx, int j)
     int k, best = KERN_OUT, row;
     if (!lp->ends || j == lp->cols)
         return 0;
-    row = kern_lp_part(lp, j, 0, part);
-    block = sx->factors.block + 6 * (size_t)row;
+    row = kern_lp_part(lp, j, KERN_END_OWN, part);
+    block = sx->factors.block + 6 * row;
     for (k = 0; k < 3; k++) {
         alpha[k] = kern_three(block + 6 * k, part);
         if (sx->base[row + k] > lp->cols && kern_abs(alpha[k]) >= least) {
@@ -3345,7 +3371,7 @@ static int kern_own_enter(kern_simplex *sx, int j)
     for (k = 0; k < 3; k++)
         if (k != best)
             kern_add(block + 6 * k, -alpha[k], own, 3);
-    sx->factors.to[row + best] = kern_lp_part(lp, j, 1, own + 3);
+    sx->factors.to[row + best] = kern_lp_part(lp, j, KERN_END_OTHER, own + 3);
     sx->base[row + best] = j;
     sx->place[j] = row + best;
     return 1;
@@ -3449,6 +3475,15 @@ static void kern_basis_renew(kern_simplex *sx)
    shows the largest sum of violations: what a step of Newton's method needs.
    Where nothing violates c is less the costs, and y less their prices. */
 
+/* How pivots are chosen: the column of the largest gain; the same with prices
+   that are refined, when that has taken long; the first column of any gain and
+   of equal rows the least index (Bland), which cannot cycle. */
+typedef enum kern_rule {
+    KERN_RULE_LARGEST,
+    KERN_RULE_REFINED,
+    KERN_RULE_BLAND
+} kern_rule;
+
 /* Whether variable j must be zero: a logical, or a place that is held. */
 static int kern_lp_fixed(const kern_program *lp, int j)
 {
@@ -3511,7 +3546,7 @@ static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
    for fastest, or the first that does: sx->enters does by sx->gain = c_j -
    y.A_j. 0: none does. What would have to carry more than lp->most to undo the
    violations is no help: the bound on forces of a jam. */
-static int kern_entering(kern_simplex *sx, int first, int fine)
+static int kern_entering(kern_simplex *sx, kern_rule rule)
 {
     const kern_program *lp = sx->lp;
     const kern_real sum = kern_violations(sx);
@@ -3522,7 +3557,7 @@ static int kern_entering(kern_simplex *sx, int first, int fine)
     if (costs && !lp->cost && !lp->follow)
         return 0;
     kern_basis_solve_t(sx, sx->price);
-    if (fine)
+    if (rule > KERN_RULE_LARGEST)
         kern_prices_mend(sx, sx->price, 0);
     size = kern_largest(sx->price, lp->rows);
     least = costs || !(lp->most > 0) ? KERN_PRICE_TOL * size : sum / lp->most;
@@ -3536,7 +3571,7 @@ static int kern_entering(kern_simplex *sx, int first, int fine)
         if (d > sx->gain) {
             sx->enters = j;
             sx->gain = d;
-            if (first && d > least)
+            if (rule == KERN_RULE_BLAND && d > least)
                 break;
         }
     }
@@ -3571,11 +3606,12 @@ static int kern_lp_spend(const kern_program *lp, int units)
    degenerate corners. With `first`, and for costs, it stops at once. Of equals
    it takes the largest pivot, with `first` the least index (Bland). Where its
    work is refused, so is the pivot. */
-static int kern_leaving(kern_simplex *sx, int first, kern_real *step)
+static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
 {
     const kern_real least = KERN_PIVOT_LEAST
                           * kern_largest(sx->alpha, sx->lp->rows);
     kern_real *at = sx->ratio, left = sx->gain;
+    const int first = rule == KERN_RULE_BLAND;
     int *list = sx->list, i, n = 0, best = KERN_OUT, next, seen = 0;
     for (i = 0; i < sx->lp->rows; i++)
         if (kern_abs(sx->alpha[i]) > least) {
@@ -3631,14 +3667,16 @@ static kern_status kern_simplex_run(kern_simplex *sx)
     const int budget = KERN_PIVOTS + KERN_PIVOTS_ROW * lp->rows;
     int count;
     for (count = 0; count < limit;) {
-        const int fine = count > budget,
-                  first = count > KERN_PIVOTS_BLAND * budget;
-        const int enters = kern_entering(sx, first, fine);
+        const kern_rule rule = count > KERN_PIVOTS_BLAND * budget
+                                 ? KERN_RULE_BLAND
+                             : count > budget ? KERN_RULE_REFINED
+                                              : KERN_RULE_LARGEST;
+        const int enters = kern_entering(sx, rule);
         kern_real step = 0;
         int p = KERN_OUT;
         if (enters) {
             kern_basis_column(sx, sx->enters);
-            p = kern_leaving(sx, first, &step);
+            p = kern_leaving(sx, rule, &step);
         }
         if (p == KERN_OUT && !sx->refined) {
             kern_basis_renew(sx);
@@ -3735,19 +3773,19 @@ static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
    A x = rhs in it, with what is negative about it, which tells how the verdict
    changes with the matrix. y is a certificate for KERN_LP_INFEASIBLE, less the
    prices for KERN_LP_OPTIMAL. `builtin` keeps it from the backend. */
-static kern_status kern_program_solve(kern_simplex *sx, int builtin,
+static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
                                       kern_real *x, kern_real *y)
 {
     const kern_program *lp = sx->lp;
     kern_status status;
     lp->work->solves++;
 #ifdef KERN_USE_GLPK
-    if (!builtin && !lp->follow && lp->rows > KERN_GLPK_ROWS) {
+    if (solver == KERN_SOLVER_ANY && !lp->follow && lp->rows > KERN_GLPK_ROWS) {
         kern_simplex_change(sx, KERN_BASIS_NONE);
         return kern_lp_glpk(lp, x, y);
     }
 #endif
-    (void)builtin;
+    (void)solver;
     sx->least = KERN_VALUE_TOL * kern_largest(lp->rhs, lp->rows);
     if (sx->state != KERN_BASIS_READY
         && !kern_lp_spend(lp, lp->ends ? (lp->rows + lp->cols) / 2
@@ -3762,14 +3800,18 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
     return status;
 }
 
-/* To 0, of n numbers: those below a share of the largest; `sign`: negative. */
+/* Numbers that kern_lp_clean() keeps: of both signs, or none below zero. */
+typedef enum kern_sign { KERN_SIGN_ANY, KERN_SIGN_PLUS } kern_sign;
+
+/* Sets to 0, of n numbers, those that are no larger than a share of the largest
+   and those of a sign that is not kept. */
 KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
-                                      int sign)
+                                      kern_sign sign)
 {
     const kern_real least = share * kern_largest(v, n);
     int i;
     for (i = 0; i < n; i++)
-        if (!(kern_abs(v[i]) > least) || (sign && v[i] < 0))
+        if (!(kern_abs(v[i]) > least) || (sign == KERN_SIGN_PLUS && v[i] < 0))
             v[i] = 0;
 }
 
@@ -3824,8 +3866,10 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
 {
     int again;
     for (again = 0; again < 2; again++) {
-        kern_lp_clean(x, lp->cols, KERN_R(again) * KERN_LP_ROUNDING, 1);
-        kern_lp_clean(y, lp->rows, KERN_R(again) * KERN_LP_ROUNDING, 0);
+        kern_lp_clean(x, lp->cols, KERN_R(again) * KERN_LP_ROUNDING,
+                      KERN_SIGN_PLUS);
+        kern_lp_clean(y, lp->rows, KERN_R(again) * KERN_LP_ROUNDING,
+                      KERN_SIGN_ANY);
         if (kern_lp_holds(lp, x, y, status))
             return 1;
     }
@@ -3847,7 +3891,7 @@ static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
     kern_simplex_lay(&sx, &p, KERN_LP_ROOM(p.rows), &take);
     if (!kern_take_fits(&take))
         return KERN_NO_SPACE;
-    status = kern_program_solve(&sx, 0, x, y);
+    status = kern_program_solve(&sx, KERN_SOLVER_ANY, x, y);
     if (work->units > kern_limit_of(p.limit))
         return KERN_LIMIT;
     if (status < 0)
@@ -4102,14 +4146,28 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
    falls: the motion of the part, and none of the others, proves it. */
 
 /* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
+typedef enum kern_law_of {
+    KERN_LAW_RAYS, /* two rays of stiffness 1 that only press            */
+    KERN_LAW_STIFF /* stiff along n and t, with a price: >>raised        */
+} kern_law_of;
+
+/* Where Newton's method begins: at u = 0, or at the present u. A warm start does
+   without the round of a cold one, in which all contacts press. */
+typedef enum kern_start { KERN_START_COLD, KERN_START_WARM } kern_start;
+
+/* Contacts of the matrix: those that press at u, or all. */
+typedef enum kern_press { KERN_PRESS_SOME, KERN_PRESS_ALL } kern_press;
+
 typedef struct kern_dual {
-    kern_skyline matrix; /* of the contacts that carry                   */
-    kern_real *u, *step, *grad; /* three a group, and three of 0              */
-    kern_real *b;          /* loads, three a group                         */
-    kern_real *way, *turn; /* two a contact: u and step along n and t      */
-    kern_real *price;      /* then stiffness, of contacts: >>raised; NULL  */
-    kern_real stiff;       /* along t, in stiffnesses along n              */
-    int cost;              /* of a step, in units of work                  */
+    kern_skyline matrix;        /* of the contacts that carry              */
+    kern_real *u, *step, *grad; /* three a group, and three of 0           */
+    kern_real *b;               /* loads, three a group                    */
+    kern_real *way, *turn;      /* two a contact: u and step along n and t */
+    kern_law_of law;            /* of the contacts                         */
+    int cost;                   /* of a step, in units of work             */
+    kern_real *price;           /* of a stiff contact: mu slip (>>raised)  */
+    kern_real *stiff_n;         /* of a stiff contact: stiffness along n   */
+    kern_real stiff;            /* of stiff contacts along t, in stiff_n   */
 } kern_dual;
 
 /* Eq. (5) of a part as a linear program: see >>verdict. */
@@ -4125,8 +4183,8 @@ typedef struct kern_part {
     kern_dual dual;
     kern_model *m;
     int groups, contacts;
-    int own;           /* contacts that carry a group of the part come
-                                 first, then those by which others rest on it */
+    int supports;      /* contacts that carry a group of the part: the
+                                 first; by the others, groups rest on it      */
     int *group;        /* of the part; ascending but in >>norm        */
     int *contact;      /* of the part                                  */
     int *ends;         /* of a contact: groups of the part, or none    */
@@ -4175,7 +4233,7 @@ static void kern_part_list(kern_part *p)
             }
         }
         if (own)
-            p->own = p->contacts;
+            p->supports = p->contacts;
     }
 }
 
@@ -4301,28 +4359,29 @@ static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
                                      kern_real wt)
 {
     const kern_real mu = kern_model_mu(p->m, p->contact[k]);
-    const kern_real *price = p->dual.price;
-    return kern_law_stiff(wn, wt, mu, price ? price[p->contacts + k] : 2,
-                          price ? p->dual.stiff : mu);
+    const int stiff = p->dual.law == KERN_LAW_STIFF;
+    return kern_law_stiff(wn, wt, mu, stiff ? p->dual.stiff_n[k] : 2,
+                          stiff ? p->dual.stiff : mu);
 }
 
 /* Lays out the arrays for the part's minimum-norm forces; 0: no room. */
 static int kern_norm_lay(kern_part *p, kern_take *take)
 {
+    kern_dual *const d = &p->dual;
     const int n = 3 * p->groups + 3;
     kern_real products = KERN_CONTACT_PRODUCTS * KERN_R(p->contacts);
-    p->dual.price = NULL;
-    p->dual.u = kern_take_reals(take, 4 * n + 4 * p->contacts);
-    p->dual.step = p->dual.u + n;
-    p->dual.grad = p->dual.step + n;
-    p->dual.b = p->dual.grad + n;
-    p->dual.way = p->dual.b + n;
-    p->dual.turn = p->dual.way + 2 * p->contacts;
-    products += kern_skyline_open(&p->dual.matrix, p->groups, p->ends, p->own,
+    d->law = KERN_LAW_RAYS;
+    d->u = kern_take_reals(take, 4 * n + 4 * p->contacts);
+    d->step = d->u + n;
+    d->grad = d->step + n;
+    d->b = d->grad + n;
+    d->way = d->b + n;
+    d->turn = d->way + 2 * p->contacts;
+    products += kern_skyline_open(&d->matrix, p->groups, p->ends, p->supports,
                                   take);
-    p->dual.cost = 1
-                 + (int)kern_min(products / KERN_R(8 * KERN_UNIT / 3),
-                                 KERN_R(KERN_WORK_MOST));
+    d->cost = 1
+            + (int)kern_min(products / KERN_R(8 * KERN_UNIT / 3),
+                            KERN_R(KERN_WORK_MOST));
     return kern_take_fits(take);
 }
 
@@ -4359,14 +4418,20 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
     kern_row_exert(row + 1, f, r, b + 3 * p->ends[2 * k + 1]);
 }
 
-/* Approach of contacts along n and t: by u and the prior forces, or a step. */
-KERN_SHARED static void kern_norm_ways(kern_part *p, int step)
+/* Motions whose approach is computed: all of u, or a step that is added to it. */
+typedef enum kern_way_of { KERN_WAY_OF_U, KERN_WAY_OF_STEP } kern_way_of;
+
+/* Writes the approach of the supports along n and t, to `way` or `turn`. That of
+   u begins at minus the price of a stiff contact, otherwise at the force that
+   the contact has already. */
+KERN_SHARED static void kern_norm_ways(kern_part *p, kern_way_of of)
 {
+    const int step = of == KERN_WAY_OF_STEP;
     kern_real *way = step ? p->dual.turn : p->dual.way;
     int k;
-    for (k = 0; k < p->own; k++, way += 2) {
+    for (k = 0; k < p->supports; k++, way += 2) {
         way[0] = way[1] = 0;
-        if (!step && p->dual.price)
+        if (!step && p->dual.law == KERN_LAW_STIFF)
             way[0] = -p->dual.price[k];
         else if (!step)
             kern_model_prior(p->m, p->contact[k], way);
@@ -4378,22 +4443,23 @@ KERN_SHARED static void kern_norm_ways(kern_part *p, int step)
    Returns the dual's value, and in *most the largest force. */
 static kern_real kern_norm_gradient(kern_part *p, kern_real *most)
 {
+    const kern_dual *d = &p->dual;
     const int n = 3 * p->groups;
-    kern_real value = kern_dot(p->dual.b, p->dual.u, n);
+    kern_real value = kern_dot(d->b, d->u, n);
     int k;
     *most = 0;
-    kern_copy(p->dual.grad, p->dual.b, n);
-    for (k = 0; k < p->own; k++) {
-        const kern_real *w = p->dual.way + 2 * (size_t)k;
+    kern_copy(d->grad, d->b, n);
+    for (k = 0; k < p->supports; k++) {
+        const kern_real *w = d->way + 2 * k;
         const kern_law s = kern_part_law(p, k, w[0], w[1]);
         const kern_real f = s.force.normal, r = s.force.tangential;
         if (!(f > 0))
             continue;
         *most = kern_max(*most, f);
         value -= (f * w[0] + r * w[1]) / 2;
-        kern_part_exert(p, k, -f, -r, p->dual.grad);
+        kern_part_exert(p, k, -f, -r, d->grad);
     }
-    kern_zero(p->dual.grad + n, 3);
+    kern_zero(d->grad + n, 3);
     return value;
 }
 
@@ -4402,21 +4468,23 @@ static void kern_part_add(kern_part *p, int k, const kern_law *s)
 {
     kern_row row[2];
     kern_part_rows(p, k, row);
-    kern_skyline_law(&p->dual.matrix, p->ends + 2 * (size_t)k, row, s);
+    kern_skyline_law(&p->dual.matrix, p->ends + 2 * k, row, s);
 }
 
 /* The matrix of what presses at u, or of all, with more on its diagonal. */
-static void kern_norm_matrix(kern_part *p, int all)
+static void kern_norm_matrix(kern_part *p, kern_press which)
 {
+    const int all = which == KERN_PRESS_ALL,
+              stiff = p->dual.law == KERN_LAW_STIFF;
     kern_skyline *a = &p->dual.matrix;
     int k;
     kern_skyline_clear(a);
-    for (k = 0; k < p->own; k++) {
-        const kern_real *w = p->dual.way + 2 * (size_t)k;
+    for (k = 0; k < p->supports; k++) {
+        const kern_real *w = p->dual.way + 2 * k;
         kern_law s = kern_part_law(p, k, w[0], w[1]);
-        if (all && (p->dual.price || !(s.nn > 0)))
+        if (all && (stiff || !(s.nn > 0)))
             s = kern_part_law(p, k, 1, 0);
-        if (all && p->dual.price) /* as stiff along t for every friction */
+        if (all && stiff) /* as stiff along t for every friction */
             s.tt = p->dual.stiff * s.nn;
         if (s.nn > 0)
             kern_part_add(p, k, &s);
@@ -4429,7 +4497,7 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
                                  kern_real share)
 {
     int k;
-    for (k = 0; k < p->own; k++) {
+    for (k = 0; k < p->supports; k++) {
         const kern_real *w = p->dual.way + 2 * k, *d = p->dual.turn + 2 * k;
         const kern_law s = kern_part_law(p, k, w[0] + share * d[0],
                                          w[1] + share * d[1]);
@@ -4443,11 +4511,11 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
    there, and a place is work. The dual is concave: regula falsi. */
 KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 {
+    const int stiff = p->dual.law == KERN_LAW_STIFF;
     const kern_real push = kern_dot(p->dual.b, p->dual.step, 3 * p->groups);
     const kern_real first = kern_dot(p->dual.grad, p->dual.step, 3 * p->groups);
     const kern_real least = first
-                          / (p->dual.price ? KERN_SHARE_TOL_PRICED
-                                           : KERN_SHARE_TOL);
+                          / (stiff ? KERN_SHARE_TOL_PRICED : KERN_SHARE_TOL);
     kern_real lo = 0, at_lo = first, hi = KERN_INFINITY, at_hi = lo;
     kern_real at = 1;
     int round;
@@ -4461,8 +4529,9 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
                    : 4 * at;
         slope = kern_norm_slope(p, push, at);
         if (kern_abs(slope) <= least
-            || (p->dual.price
-                && !kern_model_spend(p->m, (p->own + 12) / KERN_PLACE_UNIT)))
+            || (stiff
+                && !kern_model_spend(p->m,
+                                     (p->supports + 12) / KERN_PLACE_UNIT)))
             break;
         if (slope > 0) {
             at_hi /= 3; /* else the other end may stay for long */
@@ -4480,29 +4549,30 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
    rounds [first, end); after round 0 u goes on from what it is. KERN_STANDS
    with u; KERN_FALLS, unproven, where `bound` is exceeded; KERN_UNDECIDED. */
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
-                                  kern_real bound, int first, int end)
+                                  kern_real bound, kern_start start, int rounds)
 {
+    kern_dual *const d = &p->dual;
     const int n = 3 * p->groups;
     int i, round;
-    for (i = first == 0 ? 0 : n; i < n + 3; i++)
-        p->dual.u[i] = p->dual.step[i] = 0;
-    kern_norm_ways(p, 0);
-    for (round = first; round < end; round++) {
+    for (i = start == KERN_START_COLD ? 0 : n; i < n + 3; i++)
+        d->u[i] = d->step[i] = 0;
+    kern_norm_ways(p, KERN_WAY_OF_U);
+    for (round = start; round < rounds; round++) {
         kern_real most, share;
         const kern_real value = kern_norm_gradient(p, &most);
-        if (kern_largest(p->dual.grad, n) <= tolerance + KERN_RESIDUAL * most)
+        if (kern_largest(d->grad, n) <= tolerance + KERN_RESIDUAL * most)
             return KERN_STANDS;
         if (!(value <= bound * bound / 2))
             return KERN_FALLS;
-        if (!kern_model_spend(p->m, p->dual.cost))
+        if (!kern_model_spend(p->m, d->cost))
             return KERN_LIMIT;
-        kern_norm_matrix(p, round == 0);
-        kern_skyline_factor(&p->dual.matrix);
-        kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
-        kern_norm_ways(p, 1);
+        kern_norm_matrix(p, round == 0 ? KERN_PRESS_ALL : KERN_PRESS_SOME);
+        kern_skyline_factor(&d->matrix);
+        kern_skyline_solve(&d->matrix, d->grad, d->step);
+        kern_norm_ways(p, KERN_WAY_OF_STEP);
         share = round == 0 ? 1 : kern_norm_share(p);
-        kern_add(p->dual.u, share, p->dual.step, n);
-        kern_add(p->dual.way, share, p->dual.turn, 2 * p->own);
+        kern_add(d->u, share, d->step, n);
+        kern_add(d->way, share, d->turn, 2 * p->supports);
     }
     return KERN_UNDECIDED;
 }
@@ -4523,7 +4593,7 @@ static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
     int at = n, from, e, k;
-    graph->local[first] = 0;
+    graph->local[first] = KERN_MARKED;
     p->group[n--] = first;
     for (; at > n; at--) {
         from = n;
@@ -4531,7 +4601,7 @@ static int kern_norm_layers(kern_part *p, int first, int n)
             const int g = graph->ends[e ^ 1];
             if (g == p->groups || graph->local[g] != KERN_OUT)
                 continue;
-            graph->local[g] = 0;
+            graph->local[g] = KERN_MARKED;
             for (k = n--; k < from
                           && kern_graph_degree(graph, g)
                                  < kern_graph_degree(graph, p->group[k + 1]);
@@ -4580,7 +4650,7 @@ static int kern_norm_open(kern_part *p, kern_model *m)
     for (i = 0; i < m->s->contacts; i++)
         if (local[m->graph.ends[2 * i]] != local[m->graph.ends[2 * i + 1]])
             p->contact[p->contacts++] = i;
-    p->own = p->contacts;
+    p->supports = p->contacts;
     return kern_part_ends(p) && kern_norm_lay(p, &p->rest);
 }
 
@@ -4591,7 +4661,7 @@ static void kern_norm_write(kern_part *p)
     int k;
     kern_model_unload(m);
     for (k = 0; k < p->contacts; k++) {
-        const kern_real *w = p->dual.way + 2 * (size_t)k;
+        const kern_real *w = p->dual.way + 2 * k;
         m->answer.force[p->contact[k]] = kern_part_law(p, k, w[0], w[1]).force;
     }
     kern_scale(m->answer.force, 2 * m->s->contacts, m->weight);
@@ -4616,8 +4686,8 @@ static void kern_pass_mark_open(kern_model *m, int g)
 {
     const int last = m->cluster.last[g];
     m->cluster.open[last] |= KERN_OPEN;
-    if (last < m->cluster.at)
-        m->cluster.at = last;
+    if (last < m->cluster.front)
+        m->cluster.front = last;
 }
 
 /* Writes the force of contact i. Where it changed `on` is balanced again. */
@@ -4734,7 +4804,7 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     kern_real b[3];
     kern_status status;
     int e, k, n = 0;
-    kern_copy(b, m->load + 3 * (size_t)g, 3);
+    kern_copy(b, m->load + 3 * g, 3);
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
         const kern_row row = kern_model_row(m, e);
         const kern_force *f = m->answer.force + (e >> 1);
@@ -4806,7 +4876,7 @@ static int kern_pass_grow(kern_model *m, int last)
         g = after;
     } while (g != last);
     kern_pass_mark_open(m, last);
-    return grown && kern_pass_mark(m, last, KERN_OUT) <= c->most;
+    return grown && kern_pass_mark(m, last, KERN_OUT) <= c->groups_most;
 }
 
 /* Writes the minimum-norm forces of a part. Groups that rest on it and carry it
@@ -4818,9 +4888,9 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
     const int last = p->group[p->groups - 1], again = open[last] & KERN_TRIED;
     int k;
     open[last] |= KERN_TRIED;
-    for (k = 0; k < p->own; k++) {
+    for (k = 0; k < p->supports; k++) {
         const int i = p->contact[k], *ends = m->graph.ends + 2 * i;
-        const kern_real *w = p->dual.way + 2 * (size_t)k;
+        const kern_real *w = p->dual.way + 2 * k;
         const kern_law s = kern_part_law(p, k, w[0], w[1]);
         const int low = ends[0] > ends[1] ? 0 : 1, on = ends[low];
         const int inside = p->ends[2 * k + low] < p->groups;
@@ -4844,7 +4914,7 @@ static int kern_pass_parts(kern_part *p)
     int n, k;
     for (n = 0; n < p->groups; n++)
         power += kern_dot(p->dual.u + 3 * n, p->m->load + 3 * p->group[n], 3);
-    for (k = p->own; k < p->contacts; k++) {
+    for (k = p->supports; k < p->contacts; k++) {
         kern_real w[2] = {0, 0};
         kern_part_speed(p, k, p->dual.u, w);
         if (w[0] + kern_model_mu(p->m, p->contact[k]) * kern_abs(w[1]) > most)
@@ -4862,28 +4932,30 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     kern_status status;
     kern_take take;
     int n;
-    if (!kern_part_open(p, m, kern_pass_mark(m, last, 0), last))
+    if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last))
         return KERN_NO_SPACE;
     take = p->rest;
     if (!kern_norm_lay(p, &take)
-        || p->dual.cost > m->cluster.until - m->task->work->units)
+        || p->dual.cost > m->cluster.budget_end - m->task->work->units)
         return KERN_NO_SPACE;
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
         kern_copy(p->dual.b + 3 * n, m->load + 3 * p->group[n], 3);
     }
-    for (n = p->own; n < p->contacts; n++) { /* and of what rests on them */
+    for (n = p->supports; n < p->contacts;
+         n++) { /* and of what rests on them */
         const kern_force *f = m->answer.force + p->contact[n];
         kern_part_exert(p, n, -f->normal, -f->tangential, p->dual.b);
     }
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.b[n]);
     status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_CLUSTER_NORM * load,
-                            0, KERN_NORM_ROUNDS);
+                            KERN_START_COLD, KERN_NORM_ROUNDS);
     if (status == KERN_STANDS)
         kern_pass_keep(p, KERN_PASS_TOL * least);
-    if (status == KERN_FALLS && p->own < p->contacts && !kern_pass_parts(p))
+    if (status == KERN_FALLS && p->supports < p->contacts
+        && !kern_pass_parts(p))
         status = KERN_UNDECIDED;
     return status;
 }
@@ -4895,8 +4967,8 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
                            ? kern_pass_alone(m, last)
                            : KERN_UNDECIDED;
     if (status == KERN_FALLS) { /* whatever rests on it */
-        if (!kern_part_open(p, m, kern_pass_mark(m, last, 0), last)
-            || p->own < p->contacts)
+        if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last)
+            || p->supports < p->contacts)
             status = KERN_UNDECIDED;
     } else if (status == KERN_UNDECIDED)
         status = kern_pass_part(p, m, last);
@@ -4918,22 +4990,23 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
     if (shrink < known->holds)
         kern_force_transfer(m, known->holds, shrink);
     if (shrink <= known->holds)
-        m->cluster.only = m->graph.group[m->s->blocks - 1];
+        m->cluster.changed = m->graph.group[m->s->blocks - 1];
 }
 
 /* Begins from the forces of the answer, all groups open, or those alone that
    these do not balance. `share`: of a cluster. */
 static void kern_pass_begin(kern_model *m, int share)
 {
-    const int groups = m->graph.groups, only = m->cluster.only;
+    kern_clusters *const c = &m->cluster;
+    const int groups = m->graph.groups, only = c->changed;
     int i;
-    m->cluster.only = KERN_OUT;
-    m->cluster.most = groups > KERN_SMALL
-                        ? KERN_CLUSTER_MOST + groups / KERN_CLUSTER_MORE
-                        : groups / share + 1;
-    for (i = m->cluster.at = 0; i < groups; i++) {
-        m->cluster.last[i] = m->cluster.next[i] = i;
-        m->cluster.open[i] = only == KERN_OUT || only == i ? KERN_OPEN : 0;
+    c->changed = KERN_OUT;
+    c->groups_most = groups > KERN_SMALL
+                       ? KERN_CLUSTER_MOST + groups / KERN_CLUSTER_MORE
+                       : groups / share + 1;
+    for (i = c->front = 0; i < groups; i++) {
+        c->last[i] = c->next[i] = i;
+        c->open[i] = only == KERN_OUT || only == i ? KERN_OPEN : 0;
         m->graph.local[i] = KERN_OUT; /* a part may have been open */
     }
 }
@@ -4943,14 +5016,14 @@ static void kern_pass_begin(kern_model *m, int share)
 static kern_status kern_pass(kern_model *m, kern_part *p)
 {
     kern_clusters *c = &m->cluster;
-    c->until = m->task->work->units
-             + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
-    while (c->at < m->graph.groups) {
-        const int g = c->at++;
+    c->budget_end = m->task->work->units
+                  + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
+    while (c->front < m->graph.groups) {
+        const int g = c->front++;
         kern_status status;
         if (!(c->open[g] & KERN_OPEN))
             continue;
-        if (m->task->work->units > c->until || !kern_model_spend(m, 1))
+        if (m->task->work->units > c->budget_end || !kern_model_spend(m, 1))
             return KERN_UNDECIDED;
         c->open[g] -= KERN_OPEN;
         status = kern_pass_cluster(m, p, g);
@@ -4985,13 +5058,13 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
 typedef struct kern_ipm {
     kern_part *p; /* all groups; its x, y and eq.rhs are x, y, b  */
     kern_real s;
-    kern_real gap;   /* sum of x z: s is so near to the maximum      */
-    kern_real *z;    /* of a ray: its opening speed                  */
-    kern_real *dx;   /* of a ray: its step; that of z is dual.turn   */
-    kern_real *d;    /* of a ray: D                                  */
-    kern_real *over; /* of a row: A x - b + s g                      */
-    kern_real *g;    /* of a row                                     */
-    kern_real *gain; /* of a row: M^-1 g                             */
+    kern_real gap;     /* sum of x z: s is so near to the maximum      */
+    kern_real *z;      /* of a ray: its opening speed                  */
+    kern_real *dx;     /* of a ray: its step; that of z is dual.turn   */
+    kern_real *d;      /* of a ray: D                                  */
+    kern_real *excess; /* of a row: A x - b + s g                      */
+    kern_real *g;      /* of a row                                     */
+    kern_real *gain;   /* of a row: M^-1 g                             */
 } kern_ipm;
 
 #ifndef KERN_NO_INTERIOR
@@ -5021,13 +5094,13 @@ static void kern_ipm_carry(const kern_part *p, const kern_real *x,
 }
 
 /* A x - b + s g, and the gap */
-static void kern_ipm_over(kern_ipm *in)
+static void kern_ipm_excess(kern_ipm *in)
 {
     const kern_part *p = in->p;
     int i;
     for (i = 0; i < 3 * p->groups; i++)
-        in->over[i] = in->s * in->g[i] - p->eq.rhs[i];
-    kern_ipm_carry(p, p->x, in->over);
+        in->excess[i] = in->s * in->g[i] - p->eq.rhs[i];
+    kern_ipm_carry(p, p->x, in->excess);
     in->gap = kern_dot(p->x, in->z, 2 * p->contacts);
 }
 
@@ -5075,7 +5148,7 @@ static void kern_ipm_centre(kern_ipm *in, kern_real gap)
     for (i = 0; i < rays; i++)
         if (x[i] * z[i] < mean)
             *(x[i] > z[i] ? &z[i] : &x[i]) = mean / kern_max(x[i], z[i]);
-    kern_ipm_over(in);
+    kern_ipm_excess(in);
 }
 
 /* One solution of Newton's equations: dx, which has x~ - x without what dy
@@ -5083,18 +5156,19 @@ static void kern_ipm_centre(kern_ipm *in, kern_real gap)
 static kern_real kern_ipm_solve(kern_ipm *in)
 {
     kern_part *p = in->p;
-    kern_real *way = p->dual.way, *turn = p->dual.turn;
+    kern_dual *const d = &p->dual;
+    kern_real *way = d->way, *turn = d->turn;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real ds;
     int i;
-    kern_copy(p->dual.grad, in->over, n);
-    kern_ipm_carry(p, in->dx, p->dual.grad);
-    kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
-    ds = (1 - kern_dot(in->g, p->y, n) - kern_dot(in->g, p->dual.step, n))
+    kern_copy(d->grad, in->excess, n);
+    kern_ipm_carry(p, in->dx, d->grad);
+    kern_skyline_solve(&d->matrix, d->grad, d->step);
+    ds = (1 - kern_dot(in->g, p->y, n) - kern_dot(in->g, d->step, n))
        / kern_dot(in->g, in->gain, n);
     ds = kern_min(ds, -in->s);
-    kern_add(p->dual.step, ds, in->gain, n);
-    kern_ipm_ways(p, p->dual.step, turn);
+    kern_add(d->step, ds, in->gain, n);
+    kern_ipm_ways(p, d->step, turn);
     for (i = 0; i < rays; i++) {
         in->dx[i] -= in->d[i] * turn[i];
         turn[i] = way[i] + turn[i] - in->z[i];
@@ -5160,11 +5234,11 @@ static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
     kern_real *turn = p->dual.turn;
     int i;
     kern_copy(in->d, p->x, rays);
-    kern_ipm_factor(in, 0, in->over, p->dual.step);
+    kern_ipm_factor(in, 0, in->excess, p->dual.step);
     kern_ipm_ways(p, p->dual.step, turn);
     for (i = 0; i < rays; i++)
         p->x[i] -= p->x[i] * kern_min(turn[i], 1 - KERN_IPM_BALANCE);
-    kern_ipm_over(in);
+    kern_ipm_excess(in);
     return kern_part_stands(p, q);
 }
 
@@ -5199,8 +5273,8 @@ static int kern_ipm_begin(kern_ipm *in)
     kern_ipm_factor(in, KERN_IPM_SHIFT, p->eq.rhs, p->y);
     kern_ipm_ways(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
-    kern_ipm_over(in);
-    kern_copy(in->g, in->over, n);
+    kern_ipm_excess(in);
+    kern_copy(in->g, in->excess, n);
     kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
     power = kern_dot(in->g, in->gain, n);
     if (!(power > 0))
@@ -5209,7 +5283,7 @@ static int kern_ipm_begin(kern_ipm *in)
         p->y[i] = in->gain[i] / power;
     kern_ipm_ways(p, p->y, in->z);
     kern_ipm_lift(in->z, rays);
-    kern_ipm_over(in);
+    kern_ipm_excess(in);
     return 1;
 }
 
@@ -5234,8 +5308,8 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     in->dx = in->z + rays;
     in->d = in->dx + rays;
     p->y = in->d + rays;
-    in->over = p->y + n;
-    in->g = in->over + n;
+    in->excess = p->y + n;
+    in->g = in->excess + n;
     in->gain = in->g + n;
     p->eq.rhs = in->gain + n;
     p->eq.rate = p->dual.grad;
@@ -5303,6 +5377,7 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 /* Lays out the linear program of a part; 0 if there is no room. */
 static int kern_part_lay(kern_part *p)
 {
+    kern_equations *const eq = &p->eq;
     const int n = p->groups;
     /* clang-format off */
     const kern_program lp = {3 * n, 2 * p->contacts, NULL, NULL, NULL, p->ends,
@@ -5310,17 +5385,17 @@ static int kern_part_lay(kern_part *p)
                              p->m->task->work};
     /* clang-format on */
     int room = KERN_EXTRAS(n);
-    p->eq.lp = lp;
-    p->eq.shrink = KERN_INFINITY; /* none */
+    eq->lp = lp;
+    eq->shrink = KERN_INFINITY; /* none */
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
-        p->eq.lp.a = p->eq.arc = kern_take_reals(&take,
-                                                 10 * p->contacts + 9 * n + 7);
-        p->eq.lp.rhs = p->eq.rhs = p->eq.arc + 8 * (size_t)p->contacts;
-        p->eq.lp.rate = p->eq.rate = p->eq.rhs + 3 * n;
-        p->y = p->eq.rate + 3 * n + 3;
+        eq->lp.a = eq->arc = kern_take_reals(&take,
+                                             10 * p->contacts + 9 * n + 7);
+        eq->lp.rhs = eq->rhs = eq->arc + 8 * p->contacts;
+        eq->lp.rate = eq->rate = eq->rhs + 3 * n;
+        p->y = eq->rate + 3 * n + 3;
         p->x = p->y + 3 * n + 3;
-        kern_simplex_lay(&p->eq.simplex, &p->eq.lp, KERN_ROOM(room), &take);
+        kern_simplex_lay(&eq->simplex, &eq->lp, KERN_ROOM(room), &take);
         if (kern_take_fits(&take)) {
             kern_zero(p->y + 3 * n, 3);
             return 1;
@@ -5333,19 +5408,20 @@ static int kern_part_lay(kern_part *p)
    n - mu t of its friction cone, and the loads on the right. */
 static void kern_part_set(kern_part *p, const kern_query *q)
 {
+    kern_equations *const eq = &p->eq;
     kern_model *m = p->m;
     int k, edge;
-    KERN_ASSERT(p->eq.lp.rows == 3 * p->groups);
+    KERN_ASSERT(eq->lp.rows == 3 * p->groups);
     m->reduction = kern_reduction(q);
     for (k = 0; k < p->groups; k++)
         kern_model_unit(m, q, p->group[k]);
-    kern_part_load(p, q, p->eq.rhs);
-    if (p->eq.shrink >= q->shrink && p->eq.shrink <= q->shrink)
+    kern_part_load(p, q, eq->rhs);
+    if (eq->shrink >= q->shrink && eq->shrink <= q->shrink)
         return;
-    p->eq.shrink = q->shrink;
-    kern_simplex_change(&p->eq.simplex, KERN_BASIS_STALE);
+    eq->shrink = q->shrink;
+    kern_simplex_change(&eq->simplex, KERN_BASIS_STALE);
     for (k = 0; k < p->contacts; k++) {
-        kern_real *f = p->eq.arc + 8 * (size_t)k;
+        kern_real *f = eq->arc + 8 * k;
         kern_real mu = kern_model_mu(m, p->contact[k]);
         kern_row row[2];
         kern_model_rows(m, q, p->contact[k], row);
@@ -5381,22 +5457,23 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
 
 /* Where normal forces are larger in sum than is allowed, the least that there
    are, by costs of 1: if too large, their prices are a motion that shows it. */
-static kern_status kern_part_norm(kern_part *p, int builtin)
+static kern_status kern_part_norm(kern_part *p, kern_solver solver)
 {
-    kern_real *one = (kern_real *)(void *)p->m->answer.force; /* not in use */
+    kern_equations *const eq = &p->eq;
+    kern_real *one = kern_model_rays(p->m);
     kern_status status;
     int i;
-    for (i = 0; i < p->eq.lp.cols; i++)
+    for (i = 0; i < eq->lp.cols; i++)
         one[i] = 1;
-    if (!(kern_dot(p->x, one, p->eq.lp.cols) > KERN_BOUND))
+    if (!(kern_dot(p->x, one, eq->lp.cols) > KERN_BOUND))
         return KERN_STANDS;
-    p->eq.lp.cost = one;
-    status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y);
-    p->eq.lp.cost = NULL;
+    eq->lp.cost = one;
+    status = kern_program_solve(&eq->simplex, solver, p->x, p->y);
+    eq->lp.cost = NULL;
     if (status != KERN_LP_OPTIMAL)
         return status < 0 ? status : KERN_UNDECIDED;
-    return kern_dot(p->x, one, p->eq.lp.cols) > KERN_BOUND ? KERN_FALLS
-                                                           : KERN_STANDS;
+    return kern_dot(p->x, one, eq->lp.cols) > KERN_BOUND ? KERN_FALLS
+                                                         : KERN_STANDS;
 }
 
 /* How far rhs can grow at eq.rate, which is the same for all of a program. */
@@ -5404,21 +5481,23 @@ static kern_real kern_part_follow(kern_part *p)
 {
     kern_status status;
     p->eq.lp.follow = 1;
-    status = kern_program_solve(&p->eq.simplex, 1, p->x, p->y);
+    status = kern_program_solve(&p->eq.simplex, KERN_SOLVER_BUILTIN, p->x,
+                                p->y);
     p->eq.lp.follow = 0;
     return status == KERN_LP_OPTIMAL ? p->x[p->eq.lp.cols] : KERN_INFINITY;
 }
 
 /* What the simplex method says of a part, without a proof. */
-static kern_status kern_part_ask(kern_part *p, const kern_query *q, int builtin)
+static kern_status kern_part_ask(kern_part *p, const kern_query *q,
+                                 kern_solver solver)
 {
     kern_status status;
     if (!kern_model_ask(p->m, 1))
         return KERN_LIMIT;
     kern_part_set(p, q);
-    status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y);
+    status = kern_program_solve(&p->eq.simplex, solver, p->x, p->y);
     if (status == KERN_LP_OPTIMAL)
-        status = kern_part_norm(p, builtin);
+        status = kern_part_norm(p, solver);
     else if (status == KERN_LP_INFEASIBLE)
         status = KERN_FALLS;
     return p->found = status;
@@ -5432,7 +5511,8 @@ static kern_status kern_part_judge(kern_part *p, const kern_query *q,
     status = kern_part_prove(p, q, status);
     if (status < 0) { /* from no basis */
         kern_simplex_change(&p->eq.simplex, KERN_BASIS_NONE);
-        status = kern_part_prove(p, q, kern_part_ask(p, q, 1));
+        status = kern_part_prove(p, q,
+                                 kern_part_ask(p, q, KERN_SOLVER_BUILTIN));
     }
     /* other rounding, other room; in float it would prove what is critical */
     if (KERN_PICK(1, 0) > 0 && m->whole
@@ -5473,7 +5553,7 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
     int g, k;
     kern_model_weigh(m, q);
     kern_part_begin(p, m, m->graph.groups, &m->common);
-    p->contacts = p->own = m->s->contacts;
+    p->contacts = p->supports = m->s->contacts;
     p->ends = m->graph.ends;
     p->contact = kern_take_ints(&p->rest, p->contacts);
     if (!kern_take_fits(&p->rest))
@@ -5499,7 +5579,8 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
         if (status == KERN_FALLS && kern_part_lay(p)
-            && kern_part_judge(p, q, kern_part_ask(p, q, 0)) == KERN_FALLS)
+            && kern_part_judge(p, q, kern_part_ask(p, q, KERN_SOLVER_ANY))
+                   == KERN_FALLS)
             return KERN_FALLS;
         status = m->graph.groups > KERN_SMALL ? kern_ipm_verdict(m, p, q)
                                               : KERN_UNDECIDED;
@@ -5509,7 +5590,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         if (status != KERN_OK)
             return status;
     }
-    return kern_part_judge(p, q, kern_part_ask(p, q, 0));
+    return kern_part_judge(p, q, kern_part_ask(p, q, KERN_SOLVER_ANY));
 }
 
 /* ==== Part V: What is measured =========================================== */
@@ -5753,7 +5834,7 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
     const kern_query q = kern_path_at(path, s);
     kern_part *p = path->part;
     const int simplex = m->whole || path->alone;
-    const kern_status status = simplex   ? kern_part_ask(p, &q, 0)
+    const kern_status status = simplex   ? kern_part_ask(p, &q, KERN_SOLVER_ANY)
                              : path->ipm ? kern_ipm_evaluate(path->ipm, &q)
                                          : kern_model_evaluate(m, p, &q);
     if (status != KERN_STANDS && p->found == KERN_FALLS)
@@ -6683,7 +6764,8 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
         kern_model_set(&c.m, &c.path.q);
         status = kern_norm_open(p, &c.m)
                    ? kern_norm_find(p, kern_part_load(p, &c.path.q, p->dual.b),
-                                    KERN_BOUND, 0, KERN_NORM_ROUNDS)
+                                    KERN_BOUND, KERN_START_COLD,
+                                    KERN_NORM_ROUNDS)
                    : KERN_NO_SPACE;
         if (status == KERN_FALLS) /* unproven */
             status = KERN_UNDECIDED;
@@ -6708,15 +6790,22 @@ typedef struct kern_fall {
     kern_real *value; /* of each block, -1 as long as it stands       */
 } kern_fall;
 
+/* Which of the blocks that are left fall. */
+typedef enum kern_fall_which {
+    KERN_FALL_MOVING, /* those that move in the mechanism                 */
+    KERN_FALL_ALL
+} kern_fall_which;
+
 /* Blocks that are left fall there: all, or those that move in the mechanism. */
 static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
-                          int all)
+                          kern_fall_which which)
 {
     const kern_motion *v = m->answer.motion;
     int i;
     for (i = 0; i < m->s->blocks; i++)
         if (m->graph.group[i] < m->graph.groups
-            && (all || kern_block_speed(m->s->block + i, v + i) > KERN_REST)) {
+            && (which == KERN_FALL_ALL
+                || kern_block_speed(m->s->block + i, v + i) > KERN_REST)) {
             fall->value[i] = at;
             if (fall->weak-- > 0)
                 fall->sum += at;
@@ -6749,7 +6838,7 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
         if (rounds-- == 0)
             return KERN_UNDECIDED;
         if (status == KERN_FALLS) { /* the rest, just beyond the proof */
-            kern_fall_add(m, fall, at, 0);
+            kern_fall_add(m, fall, at, KERN_FALL_MOVING);
             kern_model_group(m, &path->q);
             if (m->graph.groups > 0)
                 status = kern_fall_beyond(m, path);
@@ -6765,7 +6854,7 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
         } else
             return status;
     }
-    kern_fall_add(m, fall, path->end, 1);
+    kern_fall_add(m, fall, path->end, KERN_FALL_ALL);
     return KERN_OK;
 }
 
@@ -7143,15 +7232,18 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     p->dual.u = kern_take_reals(&p->rest, 3 * r->size + 3 * p->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
+    p->dual.law = KERN_LAW_STIFF;
     p->dual.price = p->dual.u + r->size - p->contacts;
-    r->last = p->dual.price + 2 * p->contacts;
+    p->dual.stiff_n = p->dual.price + p->contacts;
+    r->last = p->dual.stiff_n + p->contacts;
     r->begin = r->last + 2 * p->contacts;
     r->best = r->begin + r->size;
     kern_zero(p->dual.price, p->contacts);
     for (k = 0; k < p->contacts; k++) {
         const kern_contact *c = m->s->contact + p->contact[k];
-        p->dual.price[p->contacts + k] =
-            KERN_R(0.1) + (c->line ? kern_abs(c->travel) / m->mean : KERN_R(0));
+        p->dual.stiff_n[k] = KERN_R(0.1)
+                           + (c->line ? kern_abs(c->travel) / m->mean
+                                      : KERN_R(0));
     }
     return 1;
 }
@@ -7248,7 +7340,8 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
         return 0;
     for (round = 0; round < rounds; round++) {
         const kern_status found = kern_norm_find(
-            p, tolerance, 2 * KERN_NORM_MOST, !cold || round > 0,
+            p, tolerance, 2 * KERN_NORM_MOST,
+            cold && round == 0 ? KERN_START_COLD : KERN_START_WARM,
             KERN_FEW_ROUNDS + 2);
         int pressed;
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
