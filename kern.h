@@ -2348,11 +2348,16 @@ static kern_real kern_speeds(const kern_contact *c, const kern_motion *motion)
     return kern_speed(motion + c->a) + kern_speed(motion + c->b);
 }
 
+/* Returns the error of a motion as a proof that the structure falls, as a share
+   of what is allowed. Infinity: the motion proves nothing. */
 static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
                                    const kern_motion *motion)
 {
     kern_real power = 0, terms = power, weight = power, closing = power;
     int i, first = -1; /* that moves */
+
+    /* Sums the power of all that acts on the moving blocks, the terms of that
+       sum, whose rounding counts, and the weight of what moves. */
     for (i = 0; i < s->blocks; i++) {
         const kern_motion *m = motion + i;
         kern_wrench w, p;
@@ -2369,9 +2374,13 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
         power += p.fx + p.fy + p.torque;
         terms += kern_wrench_sum(&p);
     }
+
+    /* Forces of this sum must not be able to hold the motion. Without a power
+       that is safely above 0 there is nothing to prove. */
     weight *= KERN_BOUND;
     if (!(power > KERN_POWER_LEAST) || !kern_is_finite(terms + weight))
         return KERN_INFINITY;
+
     /* a stone laid last is the first that may stop it */
     for (i = s->contacts - 1; i >= 0 && weight * closing <= power; i--) {
         const kern_contact *c = s->contact + i;
@@ -2382,12 +2391,15 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
                                             : KERN_INFINITY;
         }
     }
+
+    /* What forces could take from the power, and what rounding could. */
     return (weight * closing + KERN_ROUNDING * terms) / power;
 }
 
-/* Forces and the displacement that raised them: each contact that is loaded
-   approaches, and slides as its friction says. That is a proof for some
-   stiffness of each contact, f over its approach. */
+/* Returns the error of forces and of the displacement that raised them, as a
+   share of what is allowed. Each contact that is loaded approaches, and slides
+   as its friction says. That is a proof for some stiffness of each contact: its
+   force over its approach. */
 static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
                                    const kern_force *force,
                                    const kern_motion *motion, kern_real *sum)
@@ -2396,11 +2408,18 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
     kern_real least = KERN_INFINITY;
     kern_wrench w;
     int i;
+
+    /* What is fixed must rest. The least load tells which forces equilibrium
+       would not miss. */
     for (i = 0; i < s->blocks; i++)
         if (!s->block[i].fixed)
             least = kern_min(least, kern_wrench_on(s, q, i, &w));
         else if (!(kern_speed(motion + i) <= 0))
             return KERN_INFINITY;
+
+    /* Each loaded contact must approach by more than the rounding of its
+       blocks' motions. Inside of its cone it must stick, and on the cone it
+       must slide against its friction. */
     for (i = 0; i < s->contacts && error <= 1; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real f = force[i].normal, r = force[i].tangential;
@@ -2484,13 +2503,21 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
     if (!proof || !proof->force || !proof->motion
         || kern_query_check(task, shrink, proof, &q) != KERN_OK)
         return KERN_INFINITY;
+
+    /* The sums of the proof lie in the work memory, and behind them a mark for
+       each block. */
     s = &task->s;
     kern_take_open(&take, task->work);
     sum = kern_take_reals(&take, 5 * s->blocks);
     if (!kern_take_fits(&take) || raising == KERN_NOT_SHOWN)
         return KERN_INFINITY;
+
+    /* Forces and a displacement prove that the load is raised. */
     if (raising == KERN_RAISED)
         return kern_prove_raised(s, &q, proof->force, proof->motion, sum);
+
+    /* Otherwise the motion names the blocks that hang: nothing may hold them
+       up, and the forces must hold the others without them. */
     value = sum + 4 * s->blocks;
     for (i = 0; i < s->blocks; i++) { /* what moves must hang */
         const int falls = kern_speed(proof->motion + i) > 0;
@@ -2657,12 +2684,16 @@ static kern_real *kern_model_rays(const kern_model *m)
     return (kern_real *)(void *)m->answer.force;
 }
 
-/* Gives every free block that is not gone a group, and lists its contacts. */
+/* Gives every free block that is not gone a group, and lists the contacts of
+   each group. */
 static void kern_model_group(kern_model *m, const kern_query *q)
 {
     kern_graph *const graph = &m->graph;
     const kern_structure *s = m->s;
     int i, g, none = 0;
+
+    /* The groups are the free blocks. All that depends on groups begins anew:
+       the torques, the forces, the groups that the pass balances. */
     for (i = s->blocks - 1; i >= 0; i--)
         if (!s->block[i].fixed && !kern_is_gone(q, i))
             graph->block[none++] = i;
@@ -2672,18 +2703,25 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     m->whole = 0;
     kern_model_unload(m);
     kern_model_order(m);
+
+    /* A block's group is its place in the order; that of the ground is the
+       number after the last. */
     for (i = 0; i < s->blocks; i++)
         graph->group[i] = none;
     for (g = 0; g < none; g++) {
         graph->group[graph->block[g]] = g;
         graph->touch[g] = KERN_OUT;
     }
+
+    /* A contact that carries nothing has both of its ends on the ground. */
     for (i = s->contacts - 1; i >= 0; i--) {
         const kern_contact *c = s->contact + i;
         const int gone = kern_is_out(q, c);
         graph->ends[2 * i] = gone ? none : graph->group[c->b];
         graph->ends[2 * i + 1] = gone ? none : graph->group[c->a];
     }
+
+    /* Chains the ends at each group, from the first contact to the last. */
     for (i = 2 * s->contacts - 1; i >= 0; i--) { /* an end */
         g = graph->ends[i];
         if (g < none) {
@@ -2701,8 +2739,14 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     const kern_structure *s = &task->s;
     kern_take *const take = &m->rest;
     int i, groups = 0;
+
+    /* Room is for all free blocks: later queries may take some of them away,
+       but never add one. */
     for (i = 0; i < s->blocks; i++)
         groups += !s->block[i].fixed;
+
+    /* First the arrays that every method needs. A program of all groups then
+       begins at `common`. */
     kern_take_open(take, task->work);
     graph->group = kern_take_ints(take, s->blocks + groups);
     graph->block = graph->group + s->blocks;
@@ -2715,6 +2759,8 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->answer.sum = kern_take_reals(take, 7 * s->blocks);
     m->answer.motion = (kern_motion *)(void *)(m->answer.sum + 4 * s->blocks);
     m->common = *take;
+
+    /* Behind that place lie the arrays of the pass and of parts. */
     graph->touch = kern_take_ints(take, 6 * groups + 1);
     graph->carrier = graph->touch + groups;
     m->cluster.last = graph->carrier + groups;
@@ -2725,6 +2771,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     graph->torque = kern_take_reals(take, 4 * s->contacts);
     if (!kern_take_fits(take))
         return KERN_NO_SPACE;
+
     m->task = task;
     m->s = s;
     m->relative = task->options.relative;
@@ -3128,11 +3175,14 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
 
 /* ---- the basis ---- */
 
-/* v := B^-1 v, from rows to variables */
+/* v := B^-1 v, from rows to variables. */
 static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 {
     const kern_factors *f = &sx->factors;
     int e, g, k;
+
+    /* B_0^-1: from top to bottom each group's columns take what its rows ask
+       for, and pass on what they do to the group that they lead to. */
     for (g = 0; g < f->groups; g++) {
         const kern_real *d = f->block + 18 * g;
         kern_real *own = v + 3 * g;
@@ -3148,6 +3198,8 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
             to[2] -= x * d[5];
         }
     }
+
+    /* E_1 to E_n: each adds a multiple of its column. */
     for (e = 0; e < f->count; e++) {
         const kern_real x = v[f->pivot[e]], *a;
         kern_real *w;
@@ -3240,10 +3292,10 @@ typedef enum kern_crash {
     KERN_CRASH_ANY      /* any column, and the logical of the torque     */
 } kern_crash;
 
-/* Of the columns of group g, a list from j, three become basic and pass on what
-   they exert: those that carry its load with the largest least share. If not
-   `all` they must push against it, and none pull more than so many loads; else
-   one may be the logical of its torque. 0: there are none. */
+/* Makes three columns of group g, a list from j, basic, and passes on what they
+   exert: those that carry its load with the largest least share. With
+   KERN_CRASH_PUSHING no column may pull more than KERN_CRASH_PULL loads.
+   Returns 0 if there are none. */
 static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
 {
     const int logical = sx->lp->cols + 1 + 3 * g + 2;
@@ -3255,6 +3307,9 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
     kern_real best = all ? -KERN_INFINITY
                          : -KERN_CRASH_PULL * (kern_abs(x) + kern_abs(y));
     int mine[KERN_CRASH_COLUMNS], n = 0, found = 0, i, k;
+
+    /* Lists the columns: all, or those that push against the load within 60
+       degrees of it. Others would hardly carry it. */
     for (; j != KERN_OUT && n < KERN_CRASH_COLUMNS - 1; j = sx->place[j]) {
         const kern_real *a = part[n];
         kern_real along;
@@ -3266,11 +3321,16 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
               && 4 * along * along
                      >= (a[0] * a[0] + a[1] * a[1]) * (x * x + y * y));
     }
+
+    /* The logical of the torque is one more column. */
     if (all) {
         part[n][0] = part[n][1] = 0;
         part[n][2] = 1;
         mine[n++] = logical;
     }
+
+    /* Tries all threes of them. Cramer's rule gives the shares; that of the
+       third is computed first, since most threes are excluded by it. */
     for (i = 0; i < n; i++)
         for (j = i + 1; j < n; j++) {
             const kern_real *a = part[i], *b = part[j];
@@ -3297,6 +3357,9 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
                 }
             }
         }
+
+    /* What the three exert on other groups becomes a part of the load there.
+       What would pull counts as nothing. */
     for (k = 0; k < 3 && found; k++)
         kern_lp_subtract(sx->lp, base[k], kern_max(share[k], 0), sx->alpha);
     return found;
@@ -3345,8 +3408,9 @@ static void kern_simplex_crash(kern_simplex *sx)
 
 /* ---- factors ---- */
 
-/* Lets column j take one of its own rows that still have their logical: where
-   it is largest in terms of the columns before it. */
+/* Lets column j take one of its own rows that still has its logical: the row
+   where its entry is largest in terms of the columns before it. Returns 0 if it
+   takes none. */
 static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
@@ -3354,6 +3418,9 @@ static int kern_own_enter(kern_simplex *sx, int j)
     int k, best = KERN_OUT, row;
     if (!lp->ends || j == lp->cols)
         return 0;
+
+    /* The column in terms of its group's basis so far, and its largest entry in
+       a row that is left. */
     row = kern_lp_part(lp, j, KERN_END_OWN, part);
     block = sx->factors.block + 6 * row;
     for (k = 0; k < 3; k++) {
@@ -3365,6 +3432,9 @@ static int kern_own_enter(kern_simplex *sx, int j)
     }
     if (best == KERN_OUT)
         return 0;
+
+    /* Eliminates that row from the inverse of the group, and notes what the
+       column does to its other group. */
     own = block + 6 * best;
     for (k = 0; k < 3; k++)
         own[k] /= alpha[best];
@@ -3542,10 +3612,10 @@ static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
     return 1;
 }
 
-/* Prices; and of the variables outside of the basis that lowers what they stand
-   for fastest, or the first that does: sx->enters does by sx->gain = c_j -
-   y.A_j. 0: none does. What would have to carry more than lp->most to undo the
-   violations is no help: the bound on forces of a jam. */
+/* Computes prices and chooses the variable that enters, sx->enters, by the
+   rule: it lowers the sum of violations, or the costs, at the rate sx->gain =
+   c_j - y.A_j. What would have to carry more than lp->most to undo the
+   violations is no help: it is of a jam. Returns 0 if none enters. */
 static int kern_entering(kern_simplex *sx, kern_rule rule)
 {
     const kern_program *lp = sx->lp;
@@ -3553,15 +3623,22 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
     const int costs = !sx->violated, all = lp->cols + lp->follow;
     kern_real size, least;
     int j;
+
+    /* Prices y = B^-T c, refined where pivots have taken long. */
     kern_copy(sx->price, sx->slope, lp->rows);
     if (costs && !lp->cost && !lp->follow)
         return 0;
     kern_basis_solve_t(sx, sx->price);
     if (rule > KERN_RULE_LARGEST)
         kern_prices_mend(sx, sx->price, 0);
+
+    /* The least gain that counts: above rounding, and with a bound on variables
+       enough to undo the violations within it. */
     size = kern_largest(sx->price, lp->rows);
     least = costs || !(lp->most > 0) ? KERN_PRICE_TOL * size : sum / lp->most;
     least = kern_max(least, KERN_LP_ROUNDING * size);
+
+    /* The largest gain of all columns outside of the basis, or the first. */
     sx->gain = 0;
     for (j = 0; j < all; j++) {
         kern_real d;
@@ -3600,12 +3677,13 @@ static int kern_lp_spend(const kern_program *lp, int units)
     return kern_spend(lp->work, lp->limit, units);
 }
 
-/* The row that the entering column takes, and how far it goes, from those whose
-   variables reach zero on the way. The ratio test goes on past every one as
-   long as the sum of violations still falls: a long step, which passes through
-   degenerate corners. With `first`, and for costs, it stops at once. Of equals
-   it takes the largest pivot, with `first` the least index (Bland). Where its
-   work is refused, so is the pivot. */
+/* Chooses the row that the entering column takes, and in *step how far it goes,
+   from those whose variables reach zero on the way. The ratio test goes past
+   each of them as long as the sum of violations still falls: a long step, which
+   passes through degenerate corners. With Bland's rule, and for costs, it stops
+   at once. Of equals it takes the largest pivot, with Bland's rule the least
+   index. Returns KERN_OUT if no variable reaches zero, and leaves it to
+   kern_pivot_spend() to refuse the pivot where this work is refused. */
 static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
 {
     const kern_real least = KERN_PIVOT_LEAST
@@ -3613,11 +3691,16 @@ static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
     kern_real *at = sx->ratio, left = sx->gain;
     const int first = rule == KERN_RULE_BLAND;
     int *list = sx->list, i, n = 0, best = KERN_OUT, next, seen = 0;
+
+    /* Lists the rows whose variables change, and where each reaches zero. */
     for (i = 0; i < sx->lp->rows; i++)
         if (kern_abs(sx->alpha[i]) > least) {
             list[n] = i;
             n += kern_break(sx, i, at + n) > 0;
         }
+
+    /* Passes the nearest of them, until the slope of the sum is no longer
+       downwards. */
     for (; n > 0 && left > 2 * KERN_LP_ROUNDING * sx->gain; n--) {
         seen += n;
         next = 0;
@@ -3628,6 +3711,7 @@ static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
                               : kern_abs(sx->alpha[list[i]])
                                     > kern_abs(sx->alpha[list[next]]))))
                 next = i;
+
         best = list[next];
         left -= kern_break(sx, best, step);
         if (first || !sx->violated)
@@ -3635,6 +3719,7 @@ static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
         at[next] = at[n - 1];
         list[next] = list[n - 1];
     }
+
     kern_lp_spend(sx->lp, seen / (2 * KERN_UNIT));
     return best;
 }
@@ -3653,12 +3738,14 @@ static int kern_pivot_spend(const kern_simplex *sx)
 }
 
 /* Lowers the sum of violations, then the costs, until no column does. The sum
-   falls with every step that is not of length zero, unless prices are rounding:
-   when the budget is used up they are refined; beyond five the smallest indices
-   are taken (Bland), which cannot cycle. The limit ends what rounding might
-   keep going. Returns KERN_LP_OPTIMAL, KERN_LP_INFEASIBLE, KERN_LP_UNBOUNDED:
-   the last column may grow for ever; or where there is no room or no work left
-   for a pivot, KERN_NO_SPACE or KERN_LIMIT. */
+   falls with every step that is not of length zero, unless prices are rounding.
+   So after a budget of pivots prices are refined, and after five budgets
+   Bland's rule is used, which cannot cycle. The limit ends what rounding might
+   keep going.
+
+   Returns KERN_LP_OPTIMAL; KERN_LP_INFEASIBLE; KERN_LP_UNBOUNDED, where the
+   entering column may grow for ever; KERN_NO_SPACE or KERN_LIMIT, where there
+   is no room or no work left for a pivot; or KERN_UNDECIDED. */
 static kern_status kern_simplex_run(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -3674,22 +3761,34 @@ static kern_status kern_simplex_run(kern_simplex *sx)
         const int enters = kern_entering(sx, rule);
         kern_real step = 0;
         int p = KERN_OUT;
+
+        /* The entering column in terms of the basis, and its row. */
         if (enters) {
             kern_basis_column(sx, sx->enters);
             p = kern_leaving(sx, rule, &step);
         }
+
+        /* An end is only believed with refined values: then once more. */
         if (p == KERN_OUT && !sx->refined) {
             kern_basis_renew(sx);
             continue;
         }
+
+        /* No column lowers anything: the end. A column without a row may grow
+           for ever. */
         if (!enters)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
         if (p == KERN_OUT)
             return sx->violated ? KERN_UNDECIDED : KERN_LP_UNBOUNDED;
+
+        /* A pivot needs room for a factor, and work. */
         if (kern_basis_full(sx))
             return KERN_NO_SPACE;
         if (!kern_pivot_spend(sx))
             return KERN_LIMIT;
+
+        /* The step: values change along the column, one variable leaves, and
+           the column takes its row. */
         kern_add(sx->value, -step, sx->alpha, lp->rows);
         if (sx->base[p] <= lp->cols)
             sx->place[sx->base[p]] = KERN_OUT;
@@ -3698,6 +3797,7 @@ static kern_status kern_simplex_run(kern_simplex *sx)
         sx->refined = 0;
         lp->work->pivots++;
         count++;
+
         KERN_AUDIT(simplex, sx);
         if (kern_basis_full(sx))
             kern_basis_renew(sx);
@@ -3876,7 +3976,7 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
     return 0;
 }
 
-/* kern_lp_solve() of a program that has been checked. */
+/* Solves a program that has been checked, for kern_lp_solve(). */
 static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
                                kern_work *work)
 {
@@ -3887,20 +3987,27 @@ static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
     kern_take take;
     kern_status status;
     int i;
+
     kern_take_open(&take, work);
     kern_simplex_lay(&sx, &p, KERN_LP_ROOM(p.rows), &take);
     if (!kern_take_fits(&take))
         return KERN_NO_SPACE;
+
     status = kern_program_solve(&sx, KERN_SOLVER_ANY, x, y);
     if (work->units > kern_limit_of(p.limit))
         return KERN_LIMIT;
     if (status < 0)
         return status;
+
+    /* Along the entering column x grows for ever: that ray is the proof. */
     if (status == KERN_LP_UNBOUNDED && sx.state != KERN_BASIS_NONE) {
         kern_scale(sx.alpha, p.rows, -1);
         kern_basis_read(&sx, sx.alpha, x);
         x[sx.enters] = 1;
     }
+
+    /* Nothing is returned without a proof. Prices of an optimum are y with the
+       other sign. */
     if (!kern_lp_proven(&p, x, y, status))
         return KERN_UNDECIDED;
     for (i = 0; i < p.rows && status == KERN_LP_OPTIMAL; i++)
@@ -4059,6 +4166,8 @@ static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
     kern_real s10 = c1[0], s11 = c1[1], s12 = c1[2];
     kern_real s20 = c2[0], s21 = c2[1], s22 = c2[2];
     int i;
+
+    /* Nine sums in registers: most of a factor's time goes here. */
     for (i = 0; i < n; i++) {
         const kern_real x = b[i], y = b1[i], z = b2[i];
         s00 -= a[i] * x;
@@ -4071,6 +4180,7 @@ static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
         s21 -= a2[i] * y;
         s22 -= a2[i] * z;
     }
+
     c[0] = s00;
     c[1] = s01;
     c[2] = s02;
@@ -4082,7 +4192,7 @@ static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
     c2[2] = s22;
 }
 
-/* Cholesky's L of the matrix in its place; a pivot is at least rounding. */
+/* Replaces the matrix by Cholesky's L. A pivot is at least rounding. */
 static void kern_skyline_factor(kern_skyline *a)
 {
     int g, h, r, k;
@@ -4090,6 +4200,10 @@ static void kern_skyline_factor(kern_skyline *a)
         const int wide = 3 * (g - a->first[g] + 1);
         kern_real *row = a->entry + a->offset[g], *d = row + wide - 3;
         const kern_real was[3] = {d[0], d[wide + 1], d[2 * wide + 2]};
+
+        /* The row's blocks from its first column to the diagonal: first less
+           what the row has in common with row h, from the later of their first
+           columns on. */
         for (h = a->first[g]; h <= g; h++) {
             const int from = a->first[g] > a->first[h] ? a->first[g]
                                                        : a->first[h];
@@ -4100,6 +4214,9 @@ static void kern_skyline_factor(kern_skyline *a)
             kern_skyline_common(c, row + 3 * (from - a->first[g]), wide,
                                 other + 3 * (from - a->first[h]), wide_h,
                                 3 * (h - from));
+
+            /* Then divided by the diagonal block of row h, which in its own row
+               is being made. */
             for (r = 0; r < 3; r++, c += wide) {
                 if (h < g || r > 0)
                     c[0] /= l[0];
@@ -4506,9 +4623,10 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
     return push;
 }
 
-/* Line search: the share of the step at which the dual is largest, to an eighth
-   of its derivative; with prices to a thousandth, since the next round begins
-   there, and a place is work. The dual is concave: regula falsi. */
+/* Returns the share of the step at which the dual is largest: where its
+   derivative is at most an eighth of the first, or with stiff contacts a
+   thousandth, since the next price begins there. With these a place is work.
+   The dual is concave: regula falsi. */
 KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 {
     const int stiff = p->dual.law == KERN_LAW_STIFF;
@@ -4519,6 +4637,9 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
     kern_real lo = 0, at_lo = first, hi = KERN_INFINITY, at_hi = lo;
     kern_real at = 1;
     int round;
+
+    /* Grows the share until the derivative changes its sign, then cuts the
+       bracket where a straight derivative would be 0. */
     for (round = 0;
          round < (hi < KERN_INFINITY ? KERN_SHARE_PLACES : KERN_SHARE_GROWS);
          round++) {
@@ -4527,12 +4648,15 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
             at = hi < KERN_INFINITY
                    ? (hi * at_lo - lo * at_hi) / (at_lo - at_hi)
                    : 4 * at;
+
         slope = kern_norm_slope(p, push, at);
         if (kern_abs(slope) <= least
             || (stiff
                 && !kern_model_spend(p->m,
                                      (p->supports + 12) / KERN_PLACE_UNIT)))
             break;
+
+        /* The end of the same sign moves. */
         if (slope > 0) {
             at_hi /= 3; /* else the other end may stay for long */
             lo = at;
@@ -4763,14 +4887,17 @@ static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
     }
 }
 
-/* The least change that makes the rays exert b, by Newton's method with full
-   steps. KERN_FALLS: something is left; KERN_UNDECIDED: it does not end. */
+/* Finds the least change that makes the rays exert b, by Newton's method with
+   full steps. Returns KERN_STANDS; KERN_FALLS, where something is left whatever
+   the rays do; KERN_UNDECIDED, where the method does not end. */
 static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
                                    kern_real tolerance)
 {
     kern_real left[3], h[9], step[3], u[3] = {0, 0, 0}, last = KERN_INFINITY;
     int k, round, same = 0; /* nonzero: the same rays press as before */
     for (round = 0; round < KERN_ALONE_ROUNDS; round++) {
+        /* What is left with the rays that press now. If they are those of the
+           last round the problem was linear: it is solved, or cannot be. */
         const kern_real before = last / KERN_ALONE_PACE;
         int good, changed = 0;
         kern_ray_sum(c, n, b, left, h);
@@ -4779,6 +4906,9 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
             return KERN_STANDS;
         if (same && last > before)
             return KERN_FALLS;
+
+        /* A full step, after which other rays may press. While a solution is
+           refined they stay. */
         good = kern_pass_three(h, left, step);
         kern_add(u, 1, step, 3);
         for (k = 0; k < n; k++) {
@@ -4788,6 +4918,8 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
                 changed = 1;
             }
         }
+
+        /* Nothing to refine, and no ray began or ceased to press: solved. */
         if (good && !changed)
             return KERN_STANDS;
         same = !changed;
@@ -4795,7 +4927,8 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
     return KERN_UNDECIDED;
 }
 
-/* Balances group g alone. KERN_FALLS or KERN_UNDECIDED where it cannot be. */
+/* Balances group g alone. Returns KERN_FALLS or KERN_UNDECIDED where it cannot
+   be. */
 static kern_status kern_pass_alone(kern_model *m, int g)
 {
     const kern_real tolerance = KERN_PASS_TOL * m->size[g];
@@ -4804,6 +4937,9 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     kern_real b[3];
     kern_status status;
     int e, k, n = 0;
+
+    /* The load is the group's own and what rests on it. The contacts that carry
+       it give two rays each, with the forces that they have. */
     kern_copy(b, m->load + 3 * g, 3);
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
         const kern_row row = kern_model_row(m, e);
@@ -4819,6 +4955,8 @@ static kern_status kern_pass_alone(kern_model *m, int g)
         kern_ray_pair(c + 2 * n, &row, mu, way);
         of[n++] = e;
     }
+
+    /* Writes the forces; what carries them is balanced again. */
     status = kern_pass_solve(c, 2 * n, b, tolerance);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_real plus = kern_max(c[2 * k].x, 0);
@@ -4924,7 +5062,7 @@ static int kern_pass_parts(kern_part *p)
 }
 
 /* Opens the part of a cluster, and writes its minimum-norm forces if they
-   balance it. KERN_FALLS where no forces would, all else held. */
+   balance it. Returns KERN_FALLS where no forces would, with all else held. */
 KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
                                               int last)
 {
@@ -4932,24 +5070,32 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     kern_status status;
     kern_take take;
     int n;
+
+    /* Ends where there is no room for the part, or too little of the pass'
+       budget left for a step. */
     if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last))
         return KERN_NO_SPACE;
     take = p->rest;
     if (!kern_norm_lay(p, &take)
         || p->dual.cost > m->cluster.budget_end - m->task->work->units)
         return KERN_NO_SPACE;
+
+    /* Its loads are those of the groups and of what rests on them. `load` is
+       their sum, and `least` tells which residual counts. */
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
         kern_copy(p->dual.b + 3 * n, m->load + 3 * p->group[n], 3);
     }
-    for (n = p->supports; n < p->contacts;
-         n++) { /* and of what rests on them */
+    for (n = p->supports; n < p->contacts; n++) {
         const kern_force *f = m->answer.force + p->contact[n];
         kern_part_exert(p, n, -f->normal, -f->tangential, p->dual.b);
     }
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.b[n]);
+
+    /* Where the norm grows without limit no forces exist, but only a motion
+       that parts from what rests on the part proves that it falls. */
     status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_CLUSTER_NORM * load,
                             KERN_START_COLD, KERN_NORM_ROUNDS);
     if (status == KERN_STANDS)
@@ -5176,8 +5322,8 @@ static kern_real kern_ipm_solve(kern_ipm *in)
     return ds;
 }
 
-/* One step of the method: the predictor's, and the corrector's with what that
-   tells. 0: the limit or the digits do not reach for one. */
+/* Takes one step: first the predictor's, then the corrector's with what that
+   tells. Returns 0 where the limit or the digits do not reach for a step. */
 static int kern_ipm_step(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -5185,9 +5331,13 @@ static int kern_ipm_step(kern_ipm *in)
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real of_x = 0, of_z = of_x, mu = of_x, left = of_x, ds;
     int i, corrects;
+
     if (!(in->gap <= KERN_IPM_GAP_MOST)
         || !kern_model_spend(p->m, p->dual.cost))
         return 0;
+
+    /* Factors M = A D A', once for both solutions. Where a row of it is all
+       rounding its diagonal is shifted. */
     for (i = 0; i < rays; i++) {
         in->d[i] = p->x[i] / in->z[i];
         dx[i] = dz[i] = 0;
@@ -5196,6 +5346,9 @@ static int kern_ipm_step(kern_ipm *in)
     if (!kern_is_finite(kern_dot(in->g, in->gain, n)))
         kern_ipm_factor(in, KERN_IPM_SHIFT, in->g, in->gain);
     kern_ipm_ways(p, p->y, p->dual.way);
+
+    /* The predictor aims at mu = 0. The corrector aims at the mu that this
+       allows, and takes the products dx dz of the predictor into account. */
     for (corrects = 0;; corrects = 1) {
         for (i = 0; i < rays; i++)
             dx[i] = (mu - of_x * of_z * dx[i] * dz[i]) / in->z[i]
@@ -5207,18 +5360,25 @@ static int kern_ipm_step(kern_ipm *in)
             break;
         for (i = 0; i < rays; i++)
             left += (p->x[i] + of_x * dx[i]) * (in->z[i] + of_z * dz[i]);
+
         left = kern_max(kern_max(left / in->gap, 1 - of_x), KERN_IPM_AIM);
         mu = in->gap * left * left * left / KERN_R(rays);
     }
+
+    /* Goes almost as far as x and z stay above 0; x needs no backing off where
+       the step does not reach its boundary. */
     left = kern_min(KERN_IPM_BACKOFF * left, KERN_IPM_BACKOFF);
     of_z -= of_z * left;
     if (of_x < 1)
         of_x -= of_x * left;
-    in->s = kern_min(in->s + of_x * ds, 0); /* a sum that is rounded */
+
+    /* s is a sum that is rounded: it must not exceed 0. */
+    in->s = kern_min(in->s + of_x * ds, 0);
     for (i = 0; i < rays; i++) {
         p->x[i] = kern_max(p->x[i] + of_x * dx[i], p->x[i] * KERN_IPM_KEEP);
         in->z[i] += of_z * dz[i];
     }
+
     kern_add(p->y, of_z, p->dual.step, n);
     kern_ipm_centre(in, KERN_IPM_CENTRE * kern_dot(p->x, in->z, rays));
     KERN_AUDIT(ipm, in);
@@ -5255,7 +5415,7 @@ static void kern_ipm_lift(kern_real *v, int n)
 }
 
 /* Begins with minimum-norm forces of both signs, and such motions, lifted above
-   0 (Mehrotra). Returns 0 where they miss nothing, or no work is left. */
+   0 (Mehrotra). Returns 0 where the forces miss nothing, or no work is left. */
 static int kern_ipm_begin(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -5264,6 +5424,8 @@ static int kern_ipm_begin(kern_ipm *in)
     int i;
     if (!kern_model_spend(p->m, p->dual.cost))
         return 0;
+
+    /* x: the least-norm solution of A x = b, all rays equally stiff, lifted. */
     in->s = -1;
     for (i = 0; i < rays; i++) {
         in->z[i] = 0;
@@ -5273,12 +5435,17 @@ static int kern_ipm_begin(kern_ipm *in)
     kern_ipm_factor(in, KERN_IPM_SHIFT, p->eq.rhs, p->y);
     kern_ipm_ways(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
+
+    /* g is what these forces miss. */
     kern_ipm_excess(in);
     kern_copy(in->g, in->excess, n);
+
+    /* y: the least motion with g.y = 1, and z its opening speeds, lifted. */
     kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
     power = kern_dot(in->g, in->gain, n);
     if (!(power > 0))
         return 0;
+
     for (i = 0; i < n; i++)
         p->y[i] = in->gain[i] / power;
     kern_ipm_ways(p, p->y, in->z);
@@ -5287,16 +5454,19 @@ static int kern_ipm_begin(kern_ipm *in)
     return 1;
 }
 
-/* Opens all groups for queries like q; 0 if there is no room. */
+/* Opens all groups for queries like q. Returns 0 if there is no room. */
 static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
                          const kern_query *q)
 {
     int rays, n;
+
+    /* A program of all groups may lie where the lists of the groups must be. */
     if (m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
     if (!kern_norm_open(p, m) || p->contacts == 0)
         return 0;
+
     rays = 2 * p->contacts;
     n = 3 * p->groups + 3;
     in->p = p;
@@ -5304,6 +5474,10 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     p->x = kern_take_reals(&p->rest, 4 * rays + 5 * n - 3);
     if (!kern_take_fits(&p->rest))
         return 0;
+
+    /* The arrays lie one after the other: four of rays, five of rows. Each
+       of the latter has three numbers more, for what is held; the last
+       needs none. */
     in->z = p->x + rays;
     in->dx = in->z + rays;
     in->d = in->dx + rays;
@@ -5312,6 +5486,8 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     in->g = in->excess + n;
     in->gain = in->g + n;
     p->eq.rhs = in->gain + n;
+
+    /* What the search reads of a program: no columns, and room for a rate. */
     p->eq.rate = p->dual.grad;
     p->eq.shrink = KERN_INFINITY; /* there are no columns */
     kern_zero(p->y, 4 * n);       /* what is held rests */
@@ -6448,8 +6624,8 @@ static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                                        : -1;
 }
 
-/* The measure of an open task, with what is known of one like it. Where
-   kerns are not nested, all levels are among the even steps. */
+/* Computes the measure of an open task, with what is known of a structure like
+   it. Where kerns are not nested, all levels are among the even steps. */
 static kern_status kern_measure_task(kern_call *c, const kern_known *known,
                                      kern_margin *out, const kern_proof *proof)
 {
@@ -6460,10 +6636,14 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     kern_margin r = {0, 0, 0, range[1], task->options.epsilon, 0, 0};
     kern_status status;
     int last;
+
     path->proof = proof;
     path->warm = *known;
     kern_model_know(&c->m, known);
     path->end = r.most;
+
+    /* The steps of the level; the last is the one at which every kern is
+       closed. */
     if (!(r.epsilon > 0))
         r.epsilon = path->q.relative ? KERN_LEVEL_SHARE
                                      : KERN_LEVEL_STEP * c->m.mean;
@@ -6473,11 +6653,16 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     last = (int)steps;
     last += KERN_R(last) < steps; /* until every kern is closed */
     first = kern_min(r.epsilon, r.most);
+
+    /* Where kerns are nested the search asks at its first place whether it
+       stands. Where they are not, it walks in even steps, a whole number to a
+       step of the level. */
     status = nested ? KERN_STANDS : kern_path_evaluate(&c->m, path, 0);
     if (status == KERN_STANDS)
         status = kern_path_search(
             &c->m, path,
             nested ? 0 : first / KERN_R(1 + (int)(KERN_SCAN * first / r.most)));
+
     if (status == KERN_STANDS) {
         r.margin = path->critical;
         r.holds = path->holds;
@@ -6485,6 +6670,9 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
         r.saturated = path->never;
         kern_level_scan(&c->m, path, nested, last, &r);
     }
+
+    /* Where the limit ended the call, what has a proof by then is the
+       answer. */
     status = kern_ended(task, status);
     if (status == KERN_LIMIT) {
         r.fails = kern_min(path->proven.high, r.most);
@@ -6492,6 +6680,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
         r.level = -1;
         r.saturated = 0;
     }
+
     if (status >= 0 || status == KERN_LIMIT)
         *out = r;
     return status;
@@ -6523,21 +6712,32 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     kern_status status;
     if (!task)
         return KERN_BAD_POINTER;
+
+    /* Without arrays for it nothing is remembered. */
     known = task->known;
     if (!known.motion || !known.force) {
         known.fails = 0;
         return kern_measure_anew(task, &known, out, proof);
     }
+
+    /* The arrays of what is known take the new proof. So the old forces are
+       lost on the way and cannot begin the search; the old motion, which is
+       read first, can. */
     kept.force = known.force;
     kept.motion = known.motion;
     known.force = NULL; /* what was remembered is overwritten on the way */
+
     status = kern_measure_anew(task, &known, out, &kept);
     if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
         task->known.fails = 0;
+
+    /* The caller's proof is a copy of it. */
     if (status >= 0 && proof && proof->force)
         kern_copy(proof->force, kept.force, 2 * task->s.contacts);
     if (status >= 0 && !out->saturated && proof && proof->motion)
         kern_copy(proof->motion, kept.motion, 3 * task->s.blocks);
+
+    /* The bracket is remembered with its proof. */
     if (status == KERN_STANDS) {
         if (out->saturated)
             kern_zero(kept.motion, 3 * task->s.blocks);
@@ -6548,7 +6748,9 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     return status;
 }
 
-/* Grows the kerns of what falls, to the bound in >>rules, until it stands. */
+/* Grows the kerns of a structure that falls until it stands, at most to the
+   bound in >>rules, and finds the critical value in between. Returns KERN_FALLS
+   with path->critical, -infinity where it falls even at the bound. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     kern_real range[2], grown = path->unit * KERN_GROW_FIRST, limit;
@@ -6558,6 +6760,9 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     kern_box whole = {{none, none}, {-none, -none}};
     kern_status status;
     int i;
+
+    /* The bound is a multiple of the structure's extent, or of that over the
+       shortest travel. */
     for (i = 0; i < 2 * m->graph.groups; i++) {
         const kern_block *b = m->s->block + m->graph.block[i / 2];
         const kern_real way = kern_block_size(b) * KERN_R(i & 1 ? 0.5 : -0.5);
@@ -6570,6 +6775,8 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
           * kern_vec_largest(kern_vec_sub(whole.high, whole.low));
     if (path->q.relative)
         limit = range[0] < KERN_INFINITY ? limit / range[0] : 1;
+
+    /* Grows by a factor, small where a range that stands may be narrow. */
     path->start = -limit;
     for (;; grown = kern_min(grown * growth, limit)) {
         status = kern_path_evaluate(m, path, -grown);
@@ -6580,6 +6787,7 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
             return status;
         }
     }
+
     if (status == KERN_STANDS)
         status = kern_path_critical(m, path);
     return status == KERN_STANDS ? KERN_FALLS : status;
@@ -6632,23 +6840,33 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
     kern_status status = kern_number_open(&c, task, at, length);
     if (status != KERN_OK)
         return status;
+
+    /* Round 0 asks with all contacts, round 1 without those that have a length.
+       Further rounds halve the lengths in between, on a logarithmic scale. */
     for (round = 0; round < 2 || at > 0; round++) {
         c.path.q.shortest = at;
         kern_model_group(&c.m, &c.path.q);
         status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
         kern_proof_out(&c.m, proof, status);
+
+        /* An end of [lo, hi). That not even all contacts hold it ends the
+           search. */
         if (status == KERN_STANDS)
             lo = at;
         else if (lo < 0 || status < KERN_UNDECIDED)
             break;
         else
             hi = at;
+
+        /* No motion has a proof then. */
         if (status == KERN_UNDECIDED && proof && proof->motion)
             kern_zero(proof->motion, 3 * task->s.blocks);
+
         at = round == 0 ? KERN_INFINITY
                         : kern_length_between(&task->s, c.path.q.mean, lo, hi);
         status = KERN_STANDS;
     }
+
     status = kern_ended(task, status);
     if (status == KERN_STANDS || status == KERN_LIMIT)
         *length = lo;
@@ -6690,7 +6908,8 @@ static kern_status kern_growth_check(const kern_task *task,
     return KERN_OK;
 }
 
-/* Runs a path on which a load grows or gravity turns. */
+/* Runs a path on which a load grows or gravity turns: checks it, searches it,
+   and writes the factor or the angle to *out. */
 static kern_status kern_run(kern_call *c, const kern_task *task,
                             kern_real shrink, kern_path_kind kind,
                             const kern_wrench *pattern, kern_side side,
@@ -6704,16 +6923,21 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
         status = kern_growth_check(task, pattern, side);
     if (status != KERN_OK)
         return status;
+
     /* under loads that stay a tilt may stand again after it fell */
     loaded = tilt && kern_model_loaded(&c->m);
     kern_path_push(path, kind, pattern, side);
     path->proof = proof;
     path->end = tilt ? 1 : KERN_FACTOR_MOST;
+
+    /* Few groups: one linear program, whose value is exact. */
     if (!loaded && kern_model_is_small(&c->m))
         kern_model_whole(&c->m, path->part, &path->q);
+
     status = kern_path_evaluate(&c->m, path, 0);
     if (status == KERN_STANDS)
         status = kern_path_search(&c->m, path, KERN_R(loaded) / KERN_SCAN);
+
     status = kern_ended(task, status);
     if (status == KERN_LIMIT)
         path->critical = path->proven.low;
@@ -6825,23 +7049,31 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
     return status;
 }
 
-/* The whole collapse along a path, from one critical value to the next, and to
-   the mechanism there: the last verdict of a search may be another. Rounds that
-   take nothing away, where both proofs hold at one place, are bounded. */
+/* Follows the whole collapse along a path, from one critical value to the next,
+   and to the mechanism there: the last verdict of a search may be of another
+   place. Rounds that take nothing away, where both verdicts have a proof at one
+   place, are bounded. */
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
     kern_real range[2], at = 0;
     kern_status status = kern_path_evaluate(m, path, at);
     int rounds = 3 * m->graph.groups + KERN_FALL_IDLE;
+
     while (m->graph.groups > 0 && !path->never) {
         if (rounds-- == 0)
             return KERN_UNDECIDED;
+
+        /* What moves in the mechanism is taken away. The others are asked just
+           beyond the proof. */
         if (status == KERN_FALLS) { /* the rest, just beyond the proof */
             kern_fall_add(m, fall, at, KERN_FALL_MOVING);
             kern_model_group(m, &path->q);
             if (m->graph.groups > 0)
                 status = kern_fall_beyond(m, path);
+
+            /* They stand: the search continues to their critical value and to the
+           mechanism just beyond it. */
         } else if (status == KERN_STANDS) {
             status = kern_path_search(m, path,
                                       path->kind != KERN_PATH_SHRINK
@@ -6854,6 +7086,8 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
         } else
             return status;
     }
+
+    /* What is left stands to the end. */
     kern_fall_add(m, fall, path->end, KERN_FALL_ALL);
     return KERN_OK;
 }
@@ -6900,23 +7134,32 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     kern_real range[2], least = KERN_INFINITY, sum = 0;
     int i, free_blocks, half;
     kern_status status = kern_call_open(&c, task, 0, value ? out : NULL);
+
+    /* Every value is -1 until its block falls; also where the call ends
+       early. */
     for (i = 0;
          (status == KERN_OK || status == KERN_LIMIT) && i < task->s.blocks; i++)
         value[i] = -1;
     if (status != KERN_OK)
         return status;
+
+    /* Chooses the path: kerns shrink to the longest travel, or a load grows. */
     kern_is_nested(&c.m, range);
     if (side != KERN_SHRINK && !kern_has_side(&task->s, side))
         return KERN_BAD_OPTION;
     if (side != KERN_SHRINK)
         kern_path_push(&c.path, KERN_PATH_LOAD, NULL, side);
     c.path.end = side ? KERN_PROFILE_MOST : range[1];
+
+    /* The query reads the values, so that a block with one counts as gone. */
     c.path.q.fallen = value;
     free_blocks = c.m.graph.groups;
     fall.weak = half = (free_blocks + 1) / 2;
     fall.sum = sum;
     fall.value = value;
     status = kern_ended(task, kern_fall_follow(&c.m, &c.path, &fall));
+
+    /* Least and sum of the values of free blocks. */
     for (i = 0; i < task->s.blocks; i++) {
         if (task->s.block[i].fixed)
             value[i] = KERN_INFINITY;
@@ -6926,6 +7169,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     }
     if (status != KERN_OK)
         return status;
+
     out->least = least;
     out->mean = sum / KERN_R(free_blocks);
     out->weak = fall.sum / KERN_R(half);
@@ -6947,14 +7191,19 @@ static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
     return kern_abs(turn) > KERN_REST ? KERN_HINGES : KERN_RESTS;
 }
 
-/* How much a contact point limits is told by the first of these that any has:
-   the power f w that moving inward with a force f costs while the blocks turn
-   at w, unless its kern is closed; the rate of a hinge; the speed of slides. */
+/* Writes how contacts meet in the mechanism and how much each limits, and finds
+   the first that limits most. The measure is the first of these that is above 0
+   for any contact: (0) the power f w that moving inward with a force f costs
+   while the blocks turn at w, unless its kern is closed; (1) the rate of a
+   hinge; (2) the speed of a slide. */
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
     kern_real most = 0, narrow = kern_reduction(q), rate;
     int by, i;
+
+    /* Without forces measure 0 is left out. Measures 1 and 2 are tried where no
+       contact has been found so far. */
     for (by = !proof->force; by < 3 && out->contact < 0; by++)
         for (i = 0; i < s->contacts; i++) {
             const kern_contact *c = s->contact + i;
@@ -6963,6 +7212,7 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                  - proof->motion[c->a].spin;
             const kern_meeting meeting = kern_meeting_of(
                 c, kern_friction(c, narrow), u, spin * q->mean);
+
             kern_real limit = 0;
             kern_shift(c->travel, q->shrink, q->relative, &rate);
             if (by == 0 && meeting != KERN_OPENS)
@@ -6971,6 +7221,7 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                 limit = kern_abs(spin);
             if (by == 2 && meeting == KERN_SLIDES)
                 limit = kern_vec_length(u);
+
             if (out->meeting)
                 out->meeting[i] = meeting;
             if (out->limit)
@@ -6980,6 +7231,8 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                 out->contact = i;
             }
         }
+
+    /* The largest becomes 1. */
     for (i = 0; i < s->contacts && out->limit && most > 0; i++)
         out->limit[i] /= most;
 }
@@ -7079,10 +7332,11 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
     return -rate * spin * f;
 }
 
-/* What the blocks of contact i move of it, as the search would find it; pair is
-   the other end of its line, or i. Line: corners take ends along, which stay
-   midway between the edges; normal and middle take half of what an end does.
-   Point: a corner takes it along, an edge turns the normal. */
+/* Adds what the poses of the blocks of contact i do to it, as the contact
+   search would find it. `pair` is the other end of its line, or i. A line:
+   corners take ends along, the ends stay midway between the edges, and normal
+   and middle take half of what an end does. A point: a corner takes it along,
+   an edge turns the normal. */
 KERN_SHARED static void kern_pose_gain(const kern_task *task,
                                        const kern_contact_rate *rate, int i,
                                        int pair, kern_block_rate *out)
@@ -7094,8 +7348,12 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
     const kern_real across = kern_vec_dot(rate[i].p, c->n);
     kern_real off[2]; /* along the contact to the nearest corner */
     int end, k;
+
     if (!(kern_abs(along) + kern_abs(across) + kern_abs(rate[i].turn) > 0))
         return;
+
+    /* Which block's corner is the end of the contact: the distance along it to
+       the nearest vertex near its line. */
     for (end = 0; end < 2; end++) {
         const kern_block *b = task->s.block + (end ? c->b : c->a);
         off[end] = KERN_INFINITY;
@@ -7109,6 +7367,10 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
                 off[end] = at;
         }
     }
+
+    /* The block of the corner moves the end along the contact, and either block
+       its part across. What the turn of the normal does is left to the other
+       part. */
     for (end = 0; end < 2; end++) {
         const int on = end ? c->b : c->a;
         const kern_block *b = task->s.block + on;
@@ -7120,6 +7382,7 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
         const kern_real part = pair != i ? KERN_R(0.5) : owns;
         const kern_vec way = kern_vec_step(kern_vec_scale(t, owns * along),
                                            part * across, c->n);
+
         kern_block_rate *to = out + on;
         if (b->vertex) {
             to->place = kern_vec_add(to->place, way);
@@ -7144,14 +7407,21 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         &q);
     if (status != KERN_OK)
         return status;
+
+    /* Rates by the contacts' own data, and G_d as the sum of their shares. */
     for (i = 0; i < task->s.contacts; i++) {
         const kern_real g = kern_contact_gain(&task->s, &q, i, proof,
                                               contact + i);
         gain += g;
         most += kern_abs(g);
     }
+
+    /* Without a change of the power along the path there is no margin to
+       change. */
     if (margin->saturated || !(kern_abs(gain) > KERN_RATE_LEAST * most))
         return KERN_UNDECIDED;
+
+    /* Rates by loads, masses and centres of mass: the power of what acts. */
     for (i = 0; i < task->s.blocks; i++) {
         const kern_block *b = task->s.block + i;
         const kern_real mass = b->fixed ? 0 : b->mass;
@@ -7163,11 +7433,16 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
             v->spin * (g.y * mass), -v->spin * (g.x * mass));
         block[i].mass = g.x * v->vx + g.y * v->vy;
     }
+
+    /* Rates by the poses of the blocks, from those of the contacts. A line's
+       two ends belong together. */
     for (i = 0; i < task->s.contacts; i += 1 + line) {
         line = kern_line_begins(task->s.contact, task->s.contacts, i);
         for (end = 0; end <= line; end++)
             kern_pose_gain(task, contact, i + end, i + line - end, block);
     }
+
+    /* All were G_q; the rates of the margin are -G_q / G_d. */
     kern_scale(contact, 5 * task->s.contacts, -1 / gain);
     kern_scale(block, 9 * task->s.blocks, -1 / gain);
     return KERN_OK;
