@@ -1570,7 +1570,8 @@ extern "C" {
 
 /* ---- Vectors ------------------------------------------------------ >>vec */
 
-/* Without its sign, also of -0; compilers do not find the one instruction. */
+/* Returns a without its sign, also of -0. Compilers do not find the one
+   instruction by themselves. */
 static kern_real kern_abs(kern_real a)
 {
 #ifdef __GNUC__
@@ -1590,7 +1591,7 @@ KERN_SHARED static kern_real kern_min(kern_real a, kern_real b)
     return a < b ? a : b;
 }
 
-/* Where it is not, a - a is not a number. */
+/* Returns 1 if a is a finite number: otherwise a - a is not a number. */
 KERN_SHARED static int kern_is_finite(kern_real a) { return a - a <= 0; }
 
 static kern_vec kern_vec_make(kern_real x, kern_real y)
@@ -1614,7 +1615,7 @@ static kern_vec kern_vec_scale(kern_vec a, kern_real s)
     return kern_vec_make(a.x * s, a.y * s);
 }
 
-/* a + s b */
+/* Returns a + s b. */
 static kern_vec kern_vec_step(kern_vec a, kern_real s, kern_vec b)
 {
     return kern_vec_make(a.x + s * b.x, a.y + s * b.y);
@@ -1630,7 +1631,7 @@ static kern_real kern_vec_cross(kern_vec a, kern_vec b)
     return a.x * b.y - a.y * b.x;
 }
 
-/* a turned by +90 degrees */
+/* Returns a turned by +90 degrees. */
 static kern_vec kern_vec_turn(kern_vec a) { return kern_vec_make(-a.y, a.x); }
 
 static kern_real kern_vec_length(kern_vec a)
@@ -1648,20 +1649,21 @@ static kern_vec kern_vec_mid(kern_vec a, kern_vec b)
     return kern_vec_step(a, KERN_R(0.5), kern_vec_sub(b, a));
 }
 
-/* The larger coordinate, without its sign. */
+/* Returns the magnitude of the larger coordinate. */
 static kern_real kern_vec_largest(kern_vec a)
 {
     return kern_max(kern_abs(a.x), kern_abs(a.y));
 }
 
-/* Numbers, and none too large to reckon with? */
+/* Returns 1 if both coordinates are numbers and small enough to compute
+   with. */
 static int kern_vec_is_moderate(kern_vec a)
 {
     return kern_abs(a.x) + kern_abs(a.y) <= KERN_FAR;
 }
 
-/* The sine by its series: the last digit of libm's differs between machines;
-   angles below KERN_ANGLE_MOST are right to eight digits. */
+/* Returns the sine by its series, since the last digit of libm's differs
+   between machines. Angles below KERN_ANGLE_MOST are right to eight digits. */
 static kern_real kern_sine(kern_real angle)
 {
     const kern_real q = angle * angle;
@@ -1683,7 +1685,7 @@ static void kern_clip(kern_real *low, kern_real *high, kern_real at,
     }
 }
 
-/* Velocity of a point of a body, at an arm from its centre. */
+/* Returns the velocity of a point of a body, at an arm from its centre. */
 static inline kern_vec kern_velocity(const kern_motion *v, kern_vec arm)
 {
     return kern_vec_make(v->vx - v->spin * arm.y, v->vy + v->spin * arm.x);
@@ -1694,7 +1696,8 @@ static kern_real kern_block_size(const kern_block *block)
     return KERN_SQRT(kern_abs(block->area));
 }
 
-/* Sum of magnitudes, or of a motion's: 0 only for none, finite for finite. */
+/* Returns the sum of the magnitudes of a wrench or a motion: 0 only if all are
+   0, finite only if all are finite. */
 static kern_real kern_wrench_sum(const void *w)
 {
     const kern_real *of = (const kern_real *)w;
@@ -1735,6 +1738,7 @@ static void kern_add(void *v, kern_real s, const void *w, int n)
         *to++ += s * *from++;
 }
 
+/* Returns the largest magnitude of n numbers. */
 static kern_real kern_largest(const kern_real *v, int n)
 {
     kern_real size = 0;
@@ -1745,7 +1749,8 @@ static kern_real kern_largest(const kern_real *v, int n)
     return size;
 }
 
-/* sum of a[i] b[i] */
+/* Returns the sum of a[i] b[i]. Four sums keep the pipeline of a processor
+   full. */
 static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
 {
     kern_real s0 = 0, s1 = s0, s2 = s0, s3 = s0;
@@ -1761,11 +1766,13 @@ static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
     return s0 + s1 + (s2 + s3);
 }
 
+/* Returns the sum of three products. */
 static inline kern_real kern_three(const kern_real *a, const kern_real *b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/* Extends a box to point p. */
 static void kern_box_add(kern_box *box, kern_vec p)
 {
     box->low.x = kern_min(box->low.x, p.x);
@@ -1800,37 +1807,40 @@ typedef struct kern_query {
     kern_real shortest;      /* a shorter contact carries nothing [m]      */
 } kern_query;
 
-/* The tangent by which cones of friction are narrower. */
+/* Returns the tangent by which a query narrows the cones of friction. */
 static kern_real kern_reduction(const kern_query *q)
 {
     return kern_max(q->narrow * q->shrink, 0);
 }
 
-/* Friction of a contact whose cone is narrower by the angle of that tangent. */
+/* Returns the friction of a contact whose cone is narrower by the angle of a
+   tangent. */
 static inline kern_real kern_friction(const kern_contact *c, kern_real by)
 {
     return by > 0 ? kern_max(c->mu - by, 0) / (1 + c->mu * by) : c->mu;
 }
 
-/* Whether a block has been taken away. */
+/* Returns 1 if block i has been taken away. */
 static inline int kern_is_gone(const kern_query *q, int i)
 {
     return q->fallen && q->fallen[i] >= 0;
 }
 
-/* A travel too short to be one counts as none: slight beside the least line. */
+/* Returns the travel of a contact point, 0 where it is too short to be one. */
 KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
 {
     return kern_abs(c->travel) < KERN_TRAVEL_LEAST * mean ? 0 : c->travel;
 }
 
-/* Length of its line, or about that of its points; 0: it is a lone point. */
+/* Returns the length of a contact's line, or about that of its points; 0 for a
+   lone point. */
 static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
 {
     return 2 * kern_abs(kern_travel(c, mean));
 }
 
-/* Whether a contact carries nothing: too short, or one of its blocks gone. */
+/* Returns 1 if a contact carries nothing: it is too short, or one of its blocks
+   is gone. */
 static inline int kern_is_out(const kern_query *q, const kern_contact *c)
 {
     const kern_real len = q->shortest > 0 ? kern_contact_length(c, q->mean) : 0;
@@ -1838,7 +1848,7 @@ static inline int kern_is_out(const kern_query *q, const kern_contact *c)
         || kern_is_gone(q, c->b);
 }
 
-/* What gravity does to a mass. */
+/* Writes the weight of a mass. */
 static void kern_weigh(kern_vec gravity, kern_real mass, kern_wrench *w)
 {
     w->fx = gravity.x * mass;
@@ -1846,7 +1856,7 @@ static void kern_weigh(kern_vec gravity, kern_real mass, kern_wrench *w)
     w->torque = 0;
 }
 
-/* The load pattern's share of block i, for a factor of 1. */
+/* Writes the load pattern's wrench on block i, for a factor of 1. */
 static void kern_pattern_on(const kern_structure *s, const kern_query *q, int i,
                             kern_wrench *w)
 {
@@ -1857,14 +1867,16 @@ static void kern_pattern_on(const kern_structure *s, const kern_query *q, int i,
                    s->block[i].mass * KERN_R(q->side), w);
 }
 
-/* Magnitude of the force. Not 0 where only its squares underflow. */
+/* Returns the magnitude of a force, which is not 0 where only its squares
+   are. */
 static kern_real kern_force_size(const kern_wrench *w)
 {
     const kern_vec f = kern_vec_make(w->fx, w->fy);
     return kern_max(kern_vec_length(f), kern_vec_largest(f));
 }
 
-/* Adds a share of what acts on block b; returns its magnitude. */
+/* Adds a share of a wrench on block b to a sum. Returns the magnitude of what
+   is added. */
 static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
                                  const kern_wrench *w, kern_real share)
 {
@@ -1875,8 +1887,9 @@ static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
          * (kern_force_size(w) + kern_abs(w->torque) / kern_block_size(b));
 }
 
-/* All that acts on block i besides its contacts. Returns the sum of the
-   magnitudes: what its equilibrium is measured by. */
+/* Writes the sum of all that acts on block i besides its contacts. Returns
+   the sum of the magnitudes, by which the residual of its equilibrium is
+   measured. */
 static inline kern_real kern_wrench_on(const kern_structure *s,
                                        const kern_query *q, int i,
                                        kern_wrench *sum)
@@ -1892,7 +1905,8 @@ static inline kern_real kern_wrench_on(const kern_structure *s,
     return size + kern_wrench_add(sum, b, &pattern, q->factor);
 }
 
-/* How far along t a contact point moves with a shrinkage, and how fast. */
+/* Returns how far along t a contact point moves with a shrinkage, and in *rate
+   how fast. */
 static kern_real kern_shift(kern_real travel, kern_real shrink, int relative,
                             kern_real *rate)
 {
@@ -1914,9 +1928,10 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
     return kern_vec_step(c->p, shift, kern_vec_turn(c->n));
 }
 
-/* From the centres of its blocks, a and b, to where contact c acts. The centre
-   is taken off first, since far from the origin a place has fewer digits than
-   an arm. Returns how far along t it moved. A tenth of the time goes here. */
+/* Writes the arms from the centres of blocks a and b to the place where contact
+   c acts. Returns how far along t that has moved. The centre is subtracted
+   first, since far from the origin a place has fewer digits than an arm. A
+   tenth of the time is spent here. */
 static inline kern_real kern_arms(const kern_structure *s,
                                   const kern_contact *c, const kern_query *q,
                                   kern_vec arm[2])
@@ -1930,7 +1945,8 @@ static inline kern_real kern_arms(const kern_structure *s,
     return shift;
 }
 
-/* Velocity of block b relative to block a where contact point c acts. */
+/* Returns the velocity of block b relative to block a where contact point c
+   acts. */
 static kern_vec kern_meeting_motion(const kern_structure *s,
                                     const kern_query *q, const kern_contact *c,
                                     const kern_motion *motion)
@@ -1941,7 +1957,7 @@ static kern_vec kern_meeting_motion(const kern_structure *s,
                         kern_velocity(motion + c->a, arm[0]));
 }
 
-/* Do contact points i and i + 1 end one line? */
+/* Returns 1 if contact points i and i + 1 are the ends of one line. */
 static int kern_line_begins(const kern_contact *contact, int contacts, int i)
 {
     const kern_contact *c = contact + i;
@@ -1949,13 +1965,13 @@ static int kern_line_begins(const kern_contact *contact, int contacts, int i)
         && c->b == c[1].b;
 }
 
-/* Are they between the same blocks? */
+/* Returns 1 if two contacts are between the same blocks. */
 static int kern_same_blocks(const kern_contact *c, const kern_contact *d)
 {
     return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a);
 }
 
-/* And is d a point? */
+/* Returns 1 if contact d is a point between the blocks of contact c. */
 KERN_SHARED static int kern_same_interface(const kern_contact *c,
                                            const kern_contact *d)
 {
@@ -1972,12 +1988,15 @@ typedef struct kern_take {
     int reals, indices;
 } kern_take;
 
+/* Opens the whole work memory of a call. */
 KERN_SHARED static void kern_take_open(kern_take *take, const kern_work *work)
 {
     const kern_take all = {work->real, work->index, work->reals, work->indices};
     *take = all;
 }
 
+/* Takes n numbers, or indices. What does not fit leaves a count below 0, which
+   no later slice undoes. */
 static kern_real *kern_take_reals(kern_take *take, int n)
 {
     kern_real *const at = take->real;
@@ -1994,13 +2013,14 @@ static int *kern_take_ints(kern_take *take, int n)
     return at;
 }
 
-/* The last n numbers of what is left. */
+/* Takes the last n numbers of what is left. */
 static kern_real *kern_take_last(kern_take *take, int n)
 {
     take->reals -= n;
     return take->real + take->reals;
 }
 
+/* Returns 1 if every slice so far fitted. */
 static int kern_take_fits(const kern_take *take)
 {
     return take->reals >= 0 && take->indices >= 0;
@@ -2008,6 +2028,7 @@ static int kern_take_fits(const kern_take *take)
 
 /* ---- what a call may spend ---- */
 
+/* Returns the limit in units; 0 of the caller means the largest. */
 static int kern_limit_of(int limit)
 {
     return limit > 0 ? limit : KERN_WORK_MOST;
@@ -2026,7 +2047,7 @@ static void kern_work_begin(kern_work *work)
 }
 
 /* Counts work that is about to be done. Returns 0 where the call has no more
-   of it left: this and all further work is refused, and the call ends. */
+   left: this and all further work is refused, and the call ends. */
 static int kern_spend(kern_work *work, int limit, int units)
 {
     const int left = kern_limit_of(limit) - work->units;
@@ -2034,7 +2055,8 @@ static int kern_spend(kern_work *work, int limit, int units)
     return units <= left;
 }
 
-/* What a call returns: KERN_LIMIT where work was refused on the way. */
+/* Returns the status of a call: KERN_LIMIT where work was refused on the
+   way. */
 static kern_status kern_ended(const kern_task *task, kern_status status)
 {
     return task->work->units > kern_limit_of(task->options.limit) ? KERN_LIMIT
@@ -2045,6 +2067,7 @@ static kern_status kern_ended(const kern_task *task, kern_status status)
 /* All that the statics reads is looked at once, before any memory is used:
    numbers are within bounds, indices exist, normals have length 1. */
 
+/* Checks the options. */
 static kern_status kern_options_check(const kern_options *o)
 {
     if (!(kern_abs(o->mu + o->gap + o->angle + o->epsilon + o->overlap
@@ -2062,7 +2085,7 @@ static kern_status kern_options_check(const kern_options *o)
     return KERN_OK;
 }
 
-/* A contact whose normal may have any length. */
+/* Checks a contact, except the length of its normal. */
 static inline kern_status kern_contact_check(const kern_contact *c, int blocks)
 {
     if ((unsigned)c->a >= (unsigned)blocks
@@ -2078,7 +2101,7 @@ static inline kern_status kern_contact_check(const kern_contact *c, int blocks)
     return c->mu < 0 ? KERN_BAD_FRICTION : KERN_OK;
 }
 
-/* A block; *loaded becomes nonzero where it is free and something acts. */
+/* Checks a block. Sets *loaded where it is free and something acts on it. */
 static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
                                     int *loaded)
 {
@@ -2133,7 +2156,8 @@ static kern_status kern_structure_check(const kern_structure *s,
     return KERN_OK;
 }
 
-/* What is handed in, but for what its arrays hold; the answer goes to `out`. */
+/* Checks all arguments except the contents of the arrays; `out` is where the
+   answer goes. Clears the counters and the fault of the work memory. */
 static kern_status kern_task_check(const kern_task *task, kern_real shrink,
                                    const void *out)
 {
@@ -2160,7 +2184,8 @@ static kern_status kern_task_check(const kern_task *task, kern_real shrink,
              : KERN_BAD_NUMBER;
 }
 
-/* The query of a task, and checks what its arrays hold. */
+/* Writes the query of a task with kerns shrunk by `shrink`, and checks the
+   contents of the arrays. */
 static kern_status kern_query_read(const kern_task *task, kern_real shrink,
                                    kern_query *q)
 {
@@ -2180,6 +2205,7 @@ static kern_status kern_query_read(const kern_task *task, kern_real shrink,
                                                           : status;
 }
 
+/* Checks all arguments and writes the query. */
 static kern_status kern_query_check(const kern_task *task, kern_real shrink,
                                     const void *out, kern_query *q)
 {
@@ -2187,7 +2213,7 @@ static kern_status kern_query_check(const kern_task *task, kern_real shrink,
     return status == KERN_OK ? kern_query_read(task, shrink, q) : status;
 }
 
-/* What is wrong with the caller's linear program, if anything. */
+/* Checks the caller's linear program. */
 static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 {
     int i, n;
@@ -2223,8 +2249,9 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
    contact: forces of that sum could not hold it. The speed includes all that
    rounding may have taken from it: the proof holds without rounding as well. */
 
-/* What is left in the rows of free blocks under contact forces of `sum`, four a
-   block, or all normal forces, `total`: the larger share of what is allowed. */
+/* Returns the error of equilibrium: the largest residual of free blocks, or the
+   sum `total` of all normal forces, as a share of what is allowed. `sum` is
+   what contacts exert, four numbers a block. An error above 1 is at least 2. */
 static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                                  const kern_real *sum, kern_real total)
 {
@@ -2254,7 +2281,8 @@ static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
     return error <= 1 ? error : kern_max(error, 2);
 }
 
-/* Adds a force, normal f, to a block's sums: fx, torque, fy, largest f. */
+/* Adds a force with the normal part f to the sums of a block: fx, torque, fy,
+   and the largest f. */
 KERN_SHARED static void kern_prove_end(kern_real *sum, kern_vec arm,
                                        kern_real fx, kern_real fy, kern_real f)
 {
@@ -2264,7 +2292,9 @@ KERN_SHARED static void kern_prove_end(kern_real *sum, kern_vec arm,
     sum[3] = kern_max(sum[3], f);
 }
 
-/* `sum` is scratch, four a block. */
+/* Returns the error of forces as a proof that the structure stands, as a share
+   of what is allowed. Infinity: they prove nothing. `sum` is scratch, four
+   numbers a block. */
 static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
                                    const kern_force *force, kern_real *sum)
 {
@@ -2293,10 +2323,11 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
     return kern_prove_rows(s, q, sum, total);
 }
 
-/* How fast a motion closes contact c at the most, the rounding of this sum
-   included: the worst force of 1 there takes so much power out of the motion.
-   Every operation may lose half of KERN_EPS of its result. Of an arm these are
-   three, those of its three terms; what they lose, the spin multiplies. */
+/* Returns an upper bound of the speed at which a motion closes contact c: the
+   worst force of 1 there takes as much power out of the motion. The bound
+   includes the rounding of this sum. Each operation may lose half of KERN_EPS
+   of its result. An arm takes three operations, and its rounding error is
+   multiplied by the spin. */
 static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
                               const kern_query *q, const kern_motion *motion)
 {
@@ -2321,10 +2352,11 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
          + KERN_EPS / 2 * gap + KERN_POWER_LEAST;
 }
 
-/* The speed of a block that rests is 0. */
+/* Returns a number that is 0 only if a block rests. */
 static kern_real kern_speed(const kern_motion *m) { return kern_wrench_sum(m); }
 
-/* The larger of a block's speed and that of its turning. */
+/* Returns the speed of a block's centre, or of its turning if that is
+   larger. */
 static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
 {
     return kern_max(kern_vec_length(kern_vec_make(v->vx, v->vy)),
@@ -2342,7 +2374,7 @@ static void kern_motion_scale(const kern_structure *s, kern_motion *v)
         kern_scale(v, 3 * s->blocks, 1 / most);
 }
 
-/* Of both blocks of a contact. */
+/* Returns the sum of kern_speed() for both blocks of a contact. */
 static kern_real kern_speeds(const kern_contact *c, const kern_motion *motion)
 {
     return kern_speed(motion + c->a) + kern_speed(motion + c->b);
@@ -2441,8 +2473,8 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
     return error;
 }
 
-/* Takes those blocks out of the set (value >= 0) that are fixed or loaded, or
-   that a block outside presses against gravity. Returns how many are left. */
+/* Keeps in the set (value >= 0) only free, unloaded blocks that nothing outside
+   of it presses against gravity. Returns how many are left. */
 static int kern_hang(const kern_structure *s, kern_real *value)
 {
     const kern_real pull = kern_vec_length(s->gravity);
@@ -2640,10 +2672,10 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     return known;
 }
 
-/* Orders the blocks of all groups along gravity, at one height from side to
-   side: were it rounding that decides, few columns of a flat arch would be own
-   ones of their groups (>>lp). The rounding of float is larger: there by index.
-   Shell sort, since it needs neither memory nor recursion. */
+/* Sorts the blocks of all groups along gravity, and those at one height from
+   side to side: if rounding decided, few columns of a flat arch would be own
+   columns of their groups (>>lp). In float rounding is too large for that, and
+   the index decides. Shell's sort needs neither memory nor recursion. */
 static void kern_model_order(const kern_model *m)
 {
     const kern_block *block = m->s->block;
@@ -2670,15 +2702,16 @@ static void kern_model_order(const kern_model *m)
         }
 }
 
-/* No contact bears anything. */
+/* Sets all forces to 0. */
 static void kern_model_unload(kern_model *m)
 {
     kern_zero(m->answer.force, 2 * m->s->contacts);
 }
 
-/* Two numbers for each contact, one for each ray of its cone: what a program of
-   all groups needs besides x. They lie in the place of the answer's forces, which
-   mean nothing from the question to kern_part_forces(). */
+/* Returns an array of two numbers for each contact, one for each ray of its
+   cone, for programs of all groups. It lies in the place of the answer's
+   forces, which mean nothing while a program is asked, until kern_part_forces()
+   writes them. */
 static kern_real *kern_model_rays(const kern_model *m)
 {
     return (kern_real *)(void *)m->answer.force;
@@ -2789,7 +2822,8 @@ typedef struct kern_row {
     kern_real turn; /* along t it is (-n[1], n[0], turn)            */
 } kern_row;
 
-/* The row of a normal n that acts at an arm, its torque times `unit`. */
+/* Returns the row of a normal n that acts at an arm, its torque times
+   `unit`. */
 static inline kern_row kern_row_of(kern_vec n, kern_vec arm, kern_real unit)
 {
     const kern_row row = {{n.x, n.y, kern_vec_cross(arm, n) * unit},
@@ -2797,7 +2831,7 @@ static inline kern_row kern_row_of(kern_vec n, kern_vec arm, kern_real unit)
     return row;
 }
 
-/* w += the speed along n and t of motion v */
+/* w += the speed of motion v along n and t. */
 static inline void kern_row_speed(const kern_row *c, const kern_real *v,
                                   kern_real w[2])
 {
@@ -2805,7 +2839,7 @@ static inline void kern_row_speed(const kern_row *c, const kern_real *v,
     w[1] += c->n[0] * v[1] - c->n[1] * v[0] + c->turn * v[2];
 }
 
-/* w := the wrench of forces f along n and r along t */
+/* w := the wrench of forces f along n and r along t. */
 static inline void kern_row_wrench(const kern_row *c, kern_real f, kern_real r,
                                    kern_real w[3])
 {
@@ -2814,7 +2848,7 @@ static inline void kern_row_wrench(const kern_row *c, kern_real f, kern_real r,
     w[2] = f * c->n[2] + r * c->turn;
 }
 
-/* b += that wrench */
+/* b += the wrench of forces f along n and r along t. */
 static inline void kern_row_exert(const kern_row *c, kern_real f, kern_real r,
                                   kern_real *b)
 {
@@ -2823,7 +2857,7 @@ static inline void kern_row_exert(const kern_row *c, kern_real f, kern_real r,
     b[2] += f * c->n[2] + r * c->turn;
 }
 
-/* The rows of contact i: of block b, and of a. Torques depend on the query. */
+/* Writes the rows of contact i, of block b and of block a, for a query. */
 static inline void kern_model_rows(const kern_model *m, const kern_query *q,
                                    int i, kern_row row[2])
 {
@@ -2835,7 +2869,7 @@ static inline void kern_model_rows(const kern_model *m, const kern_query *q,
                          m->unit[m->graph.ends[2 * i + 1]]);
 }
 
-/* The row at an end, for the query that is set. */
+/* Returns the row at an end, for the query of kern_model_arms(). */
 static inline kern_row kern_model_row(const kern_model *m, int end)
 {
     const kern_vec n = m->s->contact[end >> 1].n;
@@ -2845,7 +2879,8 @@ static inline kern_row kern_model_row(const kern_model *m, int end)
     return row;
 }
 
-/* The cones, and the torques of all rows unless they are those, of a query. */
+/* Sets the cones of a query, and the torques of all rows unless they are of the
+   same shrinkage already. */
 static void kern_model_arms(kern_model *m, const kern_query *q)
 {
     kern_real *to = m->graph.torque;
@@ -2864,7 +2899,8 @@ static void kern_model_arms(kern_model *m, const kern_query *q)
     }
 }
 
-/* The unit of a group's torques: its block's size plus how far kerns grew. */
+/* Sets the unit of a group's torques: its block's size plus how far kerns
+   grew. */
 static inline void kern_model_unit(kern_model *m, const kern_query *q, int g)
 {
     const kern_real size = kern_block_size(m->s->block + m->graph.block[g]);
@@ -2872,12 +2908,13 @@ static inline void kern_model_unit(kern_model *m, const kern_query *q, int g)
     m->unit[g] = 1 / (q->relative ? size * (1 + grown) : size + grown);
 }
 
+/* Returns the friction of contact i for the query of kern_model_arms(). */
 static inline kern_real kern_model_mu(const kern_model *m, int i)
 {
     return kern_friction(m->s->contact + i, m->reduction);
 }
 
-/* What contacts must exert on group g: Eq. (5)'s -w. */
+/* Sets what contacts must exert on group g: -w of Eq. (5). */
 static inline void kern_model_load(kern_model *m, const kern_query *q, int g)
 {
     kern_real *load = m->load + 3 * g;
@@ -2888,7 +2925,7 @@ static inline void kern_model_load(kern_model *m, const kern_query *q, int g)
     load[2] = -w.torque * m->unit[g];
 }
 
-/* The loads of all groups, none in a part, and the unit of force. */
+/* Sets the loads of all groups, the unit of force, and that no part is open. */
 static void kern_model_weigh(kern_model *m, const kern_query *q)
 {
     kern_real weight = 0;
@@ -2904,14 +2941,14 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
     m->weight = weight > 0 ? weight : 1;
 }
 
-/* All of the model for a query. */
+/* Sets all of the model for a query. */
 static void kern_model_set(kern_model *m, const kern_query *q)
 {
     kern_model_weigh(m, q);
     kern_model_arms(m, q);
 }
 
-/* Whether a load lies on a block that is free. */
+/* Returns 1 if a load lies on a block that is free. */
 static int kern_model_loaded(const kern_model *m)
 {
     int g;
@@ -2921,9 +2958,10 @@ static int kern_model_loaded(const kern_model *m)
     return 0;
 }
 
-/* Whether kerns are nested, as those of lines are: what a smaller one can carry
-   a larger one can. Points that move toward each other along different tangents
-   are not. range: the shortest of their travels, and the longest, d_max. */
+/* Returns 1 if kerns are nested, as those of lines are: what a smaller one can
+   carry a larger one can. Points that move toward each other along different
+   tangents are not nested. range: the shortest of their travels, and the
+   longest, d_max. */
 static int kern_is_nested(const kern_model *m, kern_real range[2])
 {
     const int *ends = m->graph.ends, none = 2 * m->graph.groups;
@@ -2944,25 +2982,28 @@ static int kern_is_nested(const kern_model *m, kern_real range[2])
     return points == 0;
 }
 
-/* What is known of a structure like it, if anything is. */
+/* Sets what is known of a structure like this one, if anything is. */
 KERN_SHARED static void kern_model_know(kern_model *m, const kern_known *known)
 {
     m->answer.known = known->fails > 0 && known->force ? known : NULL;
 }
 
+/* Charges units of work. Returns 0 if they are refused. */
 static int kern_model_spend(const kern_model *m, int units)
 {
     return kern_spend(m->task->work, m->task->options.limit, units);
 }
 
-/* The same for queries, however small: proofs are of all. */
+/* Charges n queries. Even for a small part a proof looks at all blocks. Returns
+   0 if they are refused. */
 static int kern_model_ask(const kern_model *m, int queries)
 {
     return kern_model_spend(
         m, queries * (3 + (m->s->blocks + m->s->contacts) / KERN_QUERY_UNIT));
 }
 
-/* Whether one linear program answers: few groups, all of the work memory. */
+/* Returns 1 if the whole may be solved as one linear program: at most
+   KERN_SMALL groups, and all of the work memory. */
 static int kern_model_is_small(const kern_model *m)
 {
     const kern_work *work = m->task->work;
@@ -2972,7 +3013,8 @@ static int kern_model_is_small(const kern_model *m)
         && work->indices >= indices;
 }
 
-/* Whether a proof with this error holds; notes the largest such error. */
+/* Returns 1 if a proof with this error holds, and records the largest such
+   error. */
 static int kern_model_proven(const kern_model *m, kern_real error)
 {
     if (error <= 1)
@@ -2980,15 +3022,16 @@ static int kern_model_proven(const kern_model *m, kern_real error)
     return error <= 1;
 }
 
-/* Whether the forces of the answer prove that it stands. */
+/* Returns 1 if the forces of the answer prove that the structure stands. */
 static int kern_answer_holds(const kern_model *m, const kern_query *q)
 {
     return kern_model_proven(
         m, kern_prove_forces(m->s, q, m->answer.force, m->answer.sum));
 }
 
-/* Replaces the forces of all lines, whose ends are where `from` puts them, by
-   those of the same wrenches at the ends where `shrink` < `from` puts them. */
+/* Replaces the forces at the ends of each line, which lie where `from` puts
+   them, by forces of the same wrench at the ends where `shrink` < `from` puts
+   them. */
 static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
 {
     int i, k;
@@ -3015,7 +3058,7 @@ static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
     }
 }
 
-/* Hands the proof of a verdict to the caller. */
+/* Copies the proof of a verdict to the caller. */
 KERN_SHARED static void kern_proof_out(const kern_model *m,
                                        const kern_proof *proof,
                                        kern_status status)
@@ -3115,13 +3158,13 @@ typedef struct kern_simplex {
 
 /* ---- columns ---- */
 
-/* Column j where it is dense. */
+/* Returns column j of a dense program, or the column of the place. */
 static const kern_real *kern_lp_dense(const kern_program *lp, int j)
 {
     return j == lp->cols ? lp->rate : lp->a + j * lp->rows;
 }
 
-/* y.A_j of a column, or of the place. */
+/* Returns y.A_j for a column, or for the place. */
 static inline kern_real kern_lp_dot(const kern_program *lp, int j,
                                     const kern_real *y)
 {
@@ -3153,7 +3196,7 @@ static inline int kern_lp_part(const kern_program *lp, int j, kern_lp_end which,
     return 3 * ends[end];
 }
 
-/* v -= s * variable j */
+/* v -= s times the column of variable j. */
 static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
                              kern_real *v)
 {
@@ -3216,7 +3259,7 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
     }
 }
 
-/* c := B^-T c, from variables to rows; zero where no rows are. */
+/* c := B^-T c, from variables to rows; zero behind the last row. */
 static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
     const kern_factors *f = &sx->factors;
@@ -3242,7 +3285,7 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
     }
 }
 
-/* Column j in terms of the basis: to sx->alpha. */
+/* Writes column j in terms of the basis to sx->alpha. */
 static void kern_basis_column(kern_simplex *sx, int j)
 {
     kern_zero(sx->alpha, sx->factors.size + 3);
@@ -3250,7 +3293,7 @@ static void kern_basis_column(kern_simplex *sx, int j)
     kern_basis_solve(sx, sx->alpha);
 }
 
-/* Whether there is no room for one more factor. */
+/* Returns 1 if there is no room for one more factor. */
 static int kern_basis_full(const kern_simplex *sx)
 {
     const kern_factors *f = &sx->factors;
@@ -3279,6 +3322,7 @@ static void kern_basis_enter(kern_simplex *sx, int q, int p)
 
 /* ---- the crash basis ---- */
 
+/* Returns the determinant of three columns. */
 static kern_real kern_three_det(const kern_real *a, const kern_real *b,
                                 const kern_real *c)
 {
@@ -3365,7 +3409,9 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
     return found;
 }
 
-/* Begins from the columns that x uses, if they may be a basis, and the last. */
+/* Begins from the columns that x uses, if they may be a basis, and the last
+   ones. If more are used than there are rows the next program begins without a
+   basis. */
 static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
                                kern_real least)
 {
@@ -3383,7 +3429,8 @@ static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
     sx->state = KERN_BASIS_STALE;
 }
 
-/* Logicals; of a network three columns of each group, from top to bottom. */
+/* Begins from logicals, and for a network from three columns of each group,
+   from top to bottom. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -3464,8 +3511,8 @@ static void kern_left_enter(kern_simplex *sx, int j)
         kern_basis_enter(sx, j, best);
 }
 
-/* What the values leave of the right-hand side, to sx->alpha: returns its
-   largest entry as a share of the largest value. */
+/* Writes the residual of the right-hand side to sx->alpha. Returns its largest
+   entry as a share of the largest value. */
 static kern_real kern_basis_residual(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -3481,9 +3528,9 @@ static kern_real kern_basis_residual(kern_simplex *sx)
     return size > 0 ? kern_largest(sx->alpha, lp->rows) / size : KERN_INFINITY;
 }
 
-/* The basic solution. What it leaves of the right-hand side is solved for
-   again until that is rounding: the inverse grows with every course of a wall,
-   and one solve may lose half of the digits. Returns 0 where it is not. */
+/* Computes the basic solution, and refines it until its residual is rounding:
+   the inverse grows with every course of a wall, and one solve may lose half of
+   the digits. Returns 0 if the residual stays too large. */
 static int kern_basis_values(kern_simplex *sx)
 {
     kern_real left = kern_basis_residual(sx);
@@ -3497,7 +3544,7 @@ static int kern_basis_values(kern_simplex *sx)
     return left <= KERN_BASIS_TOL;
 }
 
-/* Factors the basis anew: three own columns of each group, then the others. */
+/* Factors the basis again: three own columns of each group, then the others. */
 static void kern_basis_refactorise(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -3525,8 +3572,8 @@ static void kern_basis_refactorise(kern_simplex *sx)
     kern_basis_values(sx);
 }
 
-/* The basic solution, of a basis that is factored anew where the matrix changed
-   or pivots have made the factors too long, or lost digits. */
+/* Computes the basic solution. Factors the basis again where the matrix
+   changed, or where the factors became too long or lost digits. */
 static void kern_basis_renew(kern_simplex *sx)
 {
     if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
@@ -3554,20 +3601,21 @@ typedef enum kern_rule {
     KERN_RULE_BLAND
 } kern_rule;
 
-/* Whether variable j must be zero: a logical, or a place that is held. */
+/* Returns 1 if variable j must be zero: a logical, or a place that is held. */
 static int kern_lp_fixed(const kern_program *lp, int j)
 {
     return j >= lp->cols + lp->follow;
 }
 
-/* By what the costs fall where variable j grows; 1 for a place that is free. */
+/* Returns by what the costs fall as variable j grows; 1 for a place that is
+   free. */
 static kern_real kern_lp_worth(const kern_program *lp, int j)
 {
     return lp->cost && j < lp->cols ? -lp->cost[j]
                                     : KERN_R(j == lp->cols ? lp->follow : 0);
 }
 
-/* c to sx->slope; returns the sum of violations. */
+/* Writes c to sx->slope. Returns the sum of violations. */
 static kern_real kern_violations(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -3589,11 +3637,11 @@ static kern_real kern_violations(kern_simplex *sx)
     return sum;
 }
 
-/* Corrects y by what a solution that lost digits leaves of y.A_j = c of basic
-   variables; and lifts it, as a certificate, off the columns, by a share of its
-   size. Rounding puts it a little below zero there as often as above; a few
-   roundings higher it costs of its power no more than all of x is worth, times
-   those roundings. 0: no basis, since the backend has answered. */
+/* Refines y once by the residual of y.A_j = c for basic columns, and then lifts
+   it until y.A_j >= lift times its largest entry for them. A certificate needs
+   that: rounding puts y.A_j a little below zero as often as above, and the lift
+   costs little of its power. Returns 0 without a basis, where the backend has
+   answered. */
 static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 {
     const kern_program *lp = sx->lp;
@@ -3655,9 +3703,10 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
     return sx->gain > least;
 }
 
-/* How much the slope of the sum rises when the basic variable of row p, which
-   falls at the rate alpha, passes zero, and in `at` where that is. What
-   violates may move towards zero only, what must be zero leaves it at once. */
+/* Returns by how much the slope of the sum rises when the basic variable of row
+   p passes zero, which it approaches at the rate alpha, and in *at where that
+   is. Returns 0 if it never does. A variable that violates may move towards
+   zero only; one that must be zero leaves zero at once. */
 static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 {
     const int fixed = kern_lp_fixed(sx->lp, sx->base[p]);
@@ -3671,7 +3720,7 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
     return fixed ? kern_abs(a) + falls : kern_abs(a);
 }
 
-/* Counts work on a program that is about to be done; 0: it is refused. */
+/* Charges work on a program. Returns 0 if it is refused. */
 static int kern_lp_spend(const kern_program *lp, int units)
 {
     return kern_spend(lp->work, lp->limit, units);
@@ -3724,7 +3773,8 @@ static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
     return best;
 }
 
-/* Counts a pivot: a column, prices, what both cost of factors; 0: refused. */
+/* Charges a pivot: a column, prices, and the factors that both pass. Returns 0
+   if it is refused. */
 static int kern_pivot_spend(const kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -3835,7 +3885,8 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->ratio = kern_take_reals(take, m);
 }
 
-/* The next program begins without a basis, or from the same, factored anew. */
+/* Makes the next program begin without a basis, or from the same one, factored
+   again. */
 static void kern_simplex_change(kern_simplex *sx, kern_basis to)
 {
     if (sx->state > to)
@@ -3847,7 +3898,7 @@ static void kern_simplex_change(kern_simplex *sx, kern_basis to)
 #include "kern_lp.h"
 #endif
 
-/* x := v, of the basis, as variables. */
+/* x := the variables, from the values v of the basis. */
 static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
                             kern_real *x)
 {
@@ -3858,7 +3909,7 @@ static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
             x[sx->base[i]] = v[i];
 }
 
-/* x := what v, which is scratch, adds to rhs, in terms of the basis, if any. */
+/* x := B^-1 v as variables; destroys v. Returns 0 without a basis. */
 static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
 {
     if (sx->state == KERN_BASIS_NONE)
@@ -3868,11 +3919,11 @@ static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
     return 1;
 }
 
-/* The one entry of the engine. Starts from the last basis, or that of
-   kern_simplex_crash(). x is written for every verdict: one that falls leaves
-   A x = rhs in it, with what is negative about it, which tells how the verdict
-   changes with the matrix. y is a certificate for KERN_LP_INFEASIBLE, less the
-   prices for KERN_LP_OPTIMAL. `builtin` keeps it from the backend. */
+/* Solves a program from the last basis, or from that of kern_simplex_crash().
+   It is the only entry of the engine. Writes x for every verdict: of an
+   infeasible program x is the last basic solution, A x = rhs with negative
+   entries, from which Newton's step along a path is taken. Writes y: a
+   certificate for KERN_LP_INFEASIBLE, minus the prices for KERN_LP_OPTIMAL. */
 static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
                                       kern_real *x, kern_real *y)
 {
@@ -3915,8 +3966,8 @@ KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
             v[i] = 0;
 }
 
-/* from plus the sum of u v over n numbers, those of v so far apart, as a share
-   of all terms; not a number where one is not. */
+/* Returns from + u.v, as a share of all terms, over n numbers, those of v
+   `apart` from each other. Returns no number where a term is none. */
 static kern_real kern_lp_sum(kern_real from, const kern_real *u,
                              const kern_real *v, int apart, int n)
 {
@@ -3929,12 +3980,14 @@ static kern_real kern_lp_sum(kern_real from, const kern_real *u,
     return terms > 0 ? from / terms + (terms - terms) : from;
 }
 
-/* Whether x and y prove the status by products with the matrix alone, each row
-   and column to KERN_LP_TOL of its own terms. What is not a number proves nothing.
+/* Returns 1 if x and y prove the status by products with the matrix alone, each
+   row and column to KERN_LP_TOL of its own terms. What is not a number proves
+   nothing.
 
        optimal      A x = rhs,  cost + y A >= 0, = 0 where x > 0
        infeasible   y A >= 0,  y.rhs < 0
-       unbounded    A x = 0,  cost.x < 0                                      */
+       unbounded    A x = 0,  cost.x < 0
+ */
 static int kern_lp_holds(const kern_program *lp, const kern_real *x,
                          const kern_real *y, kern_status status)
 {
@@ -3959,8 +4012,9 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
                < -KERN_LP_TOL;
 }
 
-/* The same; where nothing else is in a row the last digits of x or y are all
-   there is: if need be they are taken out. */
+/* Sets negative entries of x to 0. Returns 1 if x and y then prove the status.
+   If they do not, sets entries that are rounding to 0 and checks once more: a
+   row that has no other entry consists of rounding. */
 static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
@@ -4046,9 +4100,9 @@ typedef struct kern_law {
     kern_force force; /* in the cone to the last digit                */
 } kern_law;
 
-/* The law of a contact that answers what presses it by `stiff`, and what shears
-   it by mu `along` times as much until it slides. With 2 and mu it is that of
-   rays of stiffness 1 that only press. */
+/* Returns the law of a contact of stiffness `stiff` along n that shears mu
+   `along` times as stiffly until it slides. With stiff = 2 and along = mu it is
+   the law of two rays of stiffness 1 that only press. */
 static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
                                       kern_real stiff, kern_real along)
 {
@@ -4069,10 +4123,10 @@ static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
     return s;
 }
 
-/* Takes room for the matrix of so many groups, with what the two groups of each
-   of n contacts exert on each other: the later one's row reaches to the column
-   of the other. Returns the products of a factor, if there is room: more than
-   an int holds where a row is long. */
+/* Takes room for the matrix of `groups` groups, with the block that couples the
+   two groups of each of n contacts: the row of the later group reaches to the
+   column of the other. Returns the products of a factor, if there is room. They
+   are a real, since long rows have more than an int holds. */
 static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
                                    int n, kern_take *take)
 {
@@ -4100,6 +4154,7 @@ static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
     return products;
 }
 
+/* Sets the matrix to 0. */
 static void kern_skyline_clear(kern_skyline *a)
 {
     int g;
@@ -4107,9 +4162,9 @@ static void kern_skyline_clear(kern_skyline *a)
         kern_zero(a->entry + a->offset[g], 9 * (g - a->first[g] + 1));
 }
 
-/* Adds what the two groups of a contact exert on each other by its law: to the
-   block of each, and to that in the row of the later one. What is fixed has the
-   last number and no row. */
+/* Adds what a contact's law couples: the block of each of its groups, and the
+   block in the row of the later group. What is fixed has the last number and no
+   row. */
 static void kern_skyline_law(kern_skyline *a, const int ends[2],
                              const kern_row row[2], const kern_law *s)
 {
@@ -4136,7 +4191,7 @@ static void kern_skyline_law(kern_skyline *a, const int ends[2],
     }
 }
 
-/* Adds a share of their mean to the entries of the diagonal. */
+/* Adds a share of the mean of the diagonal to each of its entries. */
 static void kern_skyline_shift(kern_skyline *a, kern_real share)
 {
     kern_real trace = 0, more = 0;
@@ -4238,7 +4293,7 @@ static void kern_skyline_factor(kern_skyline *a)
     KERN_AUDIT(factor, a);
 }
 
-/* out := the solution of matrix times it = b, by the factor, row by row. */
+/* out := the solution of matrix times out = b, by the factor. */
 static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
                                kern_real *out)
 {
@@ -4313,7 +4368,8 @@ typedef struct kern_part {
     kern_equations eq;
 } kern_part;
 
-/* Lists the groups of the part at the ends of its contacts; 0: no room. */
+/* Lists the groups of the part at the ends of its contacts. Returns 0 if there
+   is no room. */
 static int kern_part_ends(kern_part *p)
 {
     const kern_model *m = p->m;
@@ -4327,7 +4383,8 @@ static int kern_part_ends(kern_part *p)
     return kern_take_fits(&p->rest);
 }
 
-/* Lists the part's contacts: those that carry its groups, then those above. */
+/* Lists the part's contacts: its supports, which carry its groups, then those
+   by which other groups rest on it. */
 static void kern_part_list(kern_part *p)
 {
     const kern_model *m = p->m;
@@ -4354,8 +4411,9 @@ static void kern_part_list(kern_part *p)
     }
 }
 
-/* Three loads of a query a group, in units of force, as all of a part's
-   program. Returns what equilibrium may miss. */
+/* Writes the loads of a part's groups for a query, three numbers each, in units
+   of force, as a program has them. Returns the residual that equilibrium may
+   leave. */
 static kern_real kern_part_load(const kern_part *p, const kern_query *q,
                                 kern_real *to)
 {
@@ -4372,7 +4430,7 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
     return KERN_PART_TOL * least / m->weight;
 }
 
-/* Takes the lists of a part's groups; 0 if there is no room. */
+/* Takes the list of a part's groups. Returns 0 if there is no room. */
 static int kern_part_begin(kern_part *p, kern_model *m, int groups,
                            const kern_take *rest)
 {
@@ -4405,7 +4463,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     return 1;
 }
 
-/* y as a motion of the part. */
+/* Writes y as the motion of the part, and rest for all other blocks. */
 static void kern_part_motion(kern_part *p)
 {
     kern_model *m = p->m;
@@ -4419,7 +4477,7 @@ static void kern_part_motion(kern_part *p)
     kern_motion_scale(m->s, m->answer.motion);
 }
 
-/* Writes y as a motion: whether it proves that the part falls. */
+/* Writes y as a motion. Returns 1 if that proves that the part falls. */
 static int kern_part_falls(kern_part *p, const kern_query *q)
 {
     const kern_model *m = p->m;
@@ -4427,7 +4485,8 @@ static int kern_part_falls(kern_part *p, const kern_query *q)
     return kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion));
 }
 
-/* The forces of a program of all groups; 0 where rounding made them less. */
+/* Writes x, of a program of all groups, as contact forces. Negative rounding
+   becomes 0. */
 static void kern_part_forces(kern_part *p)
 {
     kern_model *m = p->m;
@@ -4442,7 +4501,7 @@ static void kern_part_forces(kern_part *p)
     }
 }
 
-/* Writes these forces: whether they prove that all stands. */
+/* Writes x as forces. Returns 1 if they prove that the structure stands. */
 static int kern_part_stands(kern_part *p, const kern_query *q)
 {
     kern_part_forces(p);
@@ -4459,8 +4518,9 @@ static int kern_part_stands(kern_part *p, const kern_query *q)
    ends after a few steps; its matrix is A_S A_S' of the rays S that press.
    Where no forces exist the dual grows without limit. */
 
-/* The approach of contact i at which its law exerts the force of the answer.
-   Newton's method begins there, and finds the least change of the forces. */
+/* Writes the approach of contact i at which its law exerts the force of the
+   answer, and returns the friction. Newton's method begins there, and so finds
+   the least change of the forces. */
 static inline kern_real kern_model_prior(const kern_model *m, int i,
                                          kern_real way[2])
 {
@@ -4471,7 +4531,7 @@ static inline kern_real kern_model_prior(const kern_model *m, int i,
     return mu;
 }
 
-/* The contact law of the part's contact k at (wn, wt). */
+/* Returns the law of the part's contact k at the approach (wn, wt). */
 static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
                                      kern_real wt)
 {
@@ -4481,7 +4541,8 @@ static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
                           stiff ? p->dual.stiff : mu);
 }
 
-/* Lays out the arrays for the part's minimum-norm forces; 0: no room. */
+/* Lays out the arrays for the part's minimum-norm forces. Returns 0 if there is
+   no room. */
 static int kern_norm_lay(kern_part *p, kern_take *take)
 {
     kern_dual *const d = &p->dual;
@@ -4502,7 +4563,7 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
     return kern_take_fits(take);
 }
 
-/* The rows of the part's contact k at its two ends. */
+/* Writes the rows of the part's contact k at its two ends. */
 static inline void kern_part_rows(const kern_part *p, int k, kern_row row[2])
 {
     row[0] = kern_model_row(p->m, 2 * p->contact[k]);
@@ -4510,7 +4571,8 @@ static inline void kern_part_rows(const kern_part *p, int k, kern_row row[2])
 }
 
 /* w += the approach of the part's contact k along n and t by the motion v. The
-   difference of velocities is formed first: a rigid motion gives exactly 0. */
+   difference of velocities is formed first, so that a rigid motion gives
+   exactly 0. */
 static inline void kern_part_speed(const kern_part *p, int k,
                                    const kern_real *v, kern_real *w)
 {
@@ -4524,7 +4586,7 @@ static inline void kern_part_speed(const kern_part *p, int k,
     w[1] += row[1].turn * t[2];
 }
 
-/* b += the wrenches of contact k of the part by f along n and r along t. Those
+/* b += the wrenches of the part's contact k with f along n and r along t. Those
    on held blocks go to the last three numbers. */
 static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
                                    kern_real r, kern_real *b)
@@ -4580,7 +4642,7 @@ static kern_real kern_norm_gradient(kern_part *p, kern_real *most)
     return value;
 }
 
-/* Adds what contact k of the part answers by a law to the matrix. */
+/* Adds to the matrix what the part's contact k couples by a law. */
 static void kern_part_add(kern_part *p, int k, const kern_law *s)
 {
     kern_row row[2];
@@ -4588,7 +4650,8 @@ static void kern_part_add(kern_part *p, int k, const kern_law *s)
     kern_skyline_law(&p->dual.matrix, p->ends + 2 * k, row, s);
 }
 
-/* The matrix of what presses at u, or of all, with more on its diagonal. */
+/* Writes the matrix of the contacts that press at u, or of all, with its
+   diagonal shifted. */
 static void kern_norm_matrix(kern_part *p, kern_press which)
 {
     const int all = which == KERN_PRESS_ALL,
@@ -4609,7 +4672,8 @@ static void kern_norm_matrix(kern_part *p, kern_press which)
     kern_skyline_shift(a, KERN_DUAL_SHIFT);
 }
 
-/* The dual's derivative at u + share * step, along it; `push`: the loads'. */
+/* Returns the derivative of the dual along the step at u + share * step; `push`
+   is what the loads contribute. */
 static kern_real kern_norm_slope(const kern_part *p, kern_real push,
                                  kern_real share)
 {
@@ -4669,9 +4733,9 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
     return at;
 }
 
-/* Minimum-norm forces of a part's own contacts under the loads p->dual.b, by
-   rounds [first, end); after round 0 u goes on from what it is. KERN_STANDS
-   with u; KERN_FALLS, unproven, where `bound` is exceeded; KERN_UNDECIDED. */
+/* Finds the minimum-norm forces of a part's supports under the loads p->dual.b.
+   Returns KERN_STANDS with u; KERN_FALLS, which is no proof, where the norm
+   exceeds `bound`; KERN_UNDECIDED after so many rounds; or KERN_LIMIT. */
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                   kern_real bound, kern_start start, int rounds)
 {
@@ -4701,7 +4765,7 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     return KERN_UNDECIDED;
 }
 
-/* Of how many contacts group g is an end. */
+/* Returns the number of contacts at group g. */
 static int kern_graph_degree(const kern_graph *graph, int g)
 {
     int e = graph->touch[g], n = 0;
@@ -4711,8 +4775,8 @@ static int kern_graph_degree(const kern_graph *graph, int g)
 }
 
 /* Lists the groups that contacts connect to `first`, from place n of the part
-   down: of each listed group the neighbours that are not yet, those of fewer
-   contacts first. Returns the place below the last. */
+   down: of each listed group the neighbours that are not listed yet, those with
+   fewer contacts first. Returns the place below the last. */
 static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
@@ -4737,9 +4801,9 @@ static int kern_norm_layers(kern_part *p, int first, int n)
     return n;
 }
 
-/* Orders the groups that are not marked, which are the part then, for short
-   rows of the factor: in layers around one of the last layer around another,
-   from the last place down (reverse Cuthill-McKee). */
+/* Lists the groups that are not marked, which become the part, in an order that
+   makes rows of the factor short: breadth-first layers from a group that lies
+   at an end, from the last place down (reverse Cuthill-McKee). */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
@@ -4757,7 +4821,8 @@ static void kern_norm_order(kern_part *p)
         local[p->group[g]] = g;
 }
 
-/* Opens all groups that are not marked as one part; 0: no room. */
+/* Opens all groups that are not marked as one part. Returns 0 if there is no
+   room. */
 static int kern_norm_open(kern_part *p, kern_model *m)
 {
     const int *local = m->graph.local;
@@ -4805,7 +4870,7 @@ static void kern_norm_write(kern_part *p)
    balanced; KERN_FALLS, a part that seems to fall is open; KERN_UNDECIDED, it
    is out of work memory or budget. */
 
-/* The cluster of a group must be balanced. */
+/* Marks that the cluster of group g must be balanced. */
 static void kern_pass_mark_open(kern_model *m, int g)
 {
     const int last = m->cluster.last[g];
@@ -4814,7 +4879,8 @@ static void kern_pass_mark_open(kern_model *m, int g)
         m->cluster.front = last;
 }
 
-/* Writes the force of contact i. Where it changed `on` is balanced again. */
+/* Writes the force of contact i. Where it changed, the cluster of group `on` is
+   balanced again. */
 static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
                             kern_real tolerance)
 {
@@ -4826,8 +4892,8 @@ static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
     *to = f;
 }
 
-/* x := H^-1 b for the lower half of a symmetric 3 x 3 matrix h. The unknown of
-   a pivot that is rounding becomes 0. Returns whether no pivot is small. */
+/* x := H^-1 b, from the lower half of a symmetric 3 x 3 matrix h. The unknown
+   of a pivot that is rounding becomes 0. Returns 1 if no pivot is small. */
 static int kern_pass_three(const kern_real h[9], const kern_real b[3],
                            kern_real x[3])
 {
@@ -4851,7 +4917,7 @@ typedef struct kern_ray { /* an edge of a friction cone at the group      */
     int press;            /* nonzero: it is among those that carry        */
 } kern_ray;
 
-/* The two rays of a row, with the forces of its motion along n and t. */
+/* Writes the two rays of a row, with their forces at the approach `way`. */
 static inline void kern_ray_pair(kern_ray *to, const kern_row *row,
                                  kern_real mu, const kern_real way[2])
 {
@@ -4863,7 +4929,7 @@ static inline void kern_ray_pair(kern_ray *to, const kern_row *row,
     to[0].press = to[1].press = 1;
 }
 
-/* b less what the rays exert that press; and the matrix of these. */
+/* Writes b less what the pressing rays exert, and the matrix of these. */
 static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
                          kern_real left[3], kern_real h[9])
 {
@@ -4984,7 +5050,7 @@ static void kern_pass_join(kern_model *m, int g, int h)
     } while (i != g);
 }
 
-/* Marks, or unmarks, every group of g's cluster; returns how many there are. */
+/* Writes a mark for each group of g's cluster. Returns how many there are. */
 static int kern_pass_mark(kern_model *m, int g, int mark)
 {
     int i = g, n = 0;
@@ -4996,8 +5062,9 @@ static int kern_pass_mark(kern_model *m, int g, int mark)
     return n;
 }
 
-/* Adds the clusters that rest on that of `last`, which cannot be balanced, and
-   leaves it open. Returns 0 if there are none, or it is too large now. */
+/* Adds the clusters that rest on that of `last`, which cannot be balanced,
+   and leaves it open. Returns 0 if there are none, or the cluster is too
+   large now. */
 static int kern_pass_grow(kern_model *m, int last)
 {
     const kern_clusters *c = &m->cluster;
@@ -5017,8 +5084,9 @@ static int kern_pass_grow(kern_model *m, int last)
     return grown && kern_pass_mark(m, last, KERN_OUT) <= c->groups_most;
 }
 
-/* Writes the minimum-norm forces of a part. Groups that rest on it and carry it
-   join it the second time: else they and it would be balanced in turns. */
+/* Writes the minimum-norm forces of a part. A group that rests on the part and
+   carries it joins it on the second attempt: otherwise the two would be
+   balanced in turns. */
 static void kern_pass_keep(kern_part *p, kern_real tolerance)
 {
     kern_model *m = p->m;
@@ -5042,8 +5110,9 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
     }
 }
 
-/* Whether u, the motion of a part that cannot be balanced, parts it from all
-   that rests on it, and its loads do work: no force from above holds it. */
+/* Returns 1 if u, the motion of a part that cannot be balanced, parts it from
+   all that rests on it, and its loads do work: then no force from above holds
+   it. */
 static int kern_pass_parts(kern_part *p)
 {
     const kern_real most = KERN_PARTS_TOL
@@ -5106,25 +5175,31 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     return status;
 }
 
-/* Balances the cluster of `last`. KERN_FALLS: a part that falls is open. */
+/* Balances the cluster of `last`. Returns KERN_FALLS where a part that falls is
+   open. */
 static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
 {
     kern_status status = m->cluster.next[last] == last
                            ? kern_pass_alone(m, last)
                            : KERN_UNDECIDED;
+
+    /* A group that no forces hold falls as a part of its own if nothing rests
+       on it. What rests on it could hold it: then it is undecided, and the
+       cluster grows. */
     if (status == KERN_FALLS) { /* whatever rests on it */
         if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last)
             || p->supports < p->contacts)
             status = KERN_UNDECIDED;
     } else if (status == KERN_UNDECIDED)
         status = kern_pass_part(p, m, last);
+
     if (status != KERN_FALLS)
         kern_pass_mark(m, last, KERN_OUT);
     return status;
 }
 
-/* Begins the next pass with the known forces, if there are any. Where kerns are
-   no smaller they balance all but the last block. */
+/* Makes the next pass begin with the known forces, if there are any. Where
+   kerns are no smaller than there these balance all but the last block. */
 static void kern_known_begin(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
@@ -5139,8 +5214,9 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
         m->cluster.changed = m->graph.group[m->s->blocks - 1];
 }
 
-/* Begins from the forces of the answer, all groups open, or those alone that
-   these do not balance. `share`: of a cluster. */
+/* Begins a pass from the forces of the answer, with all groups open, or only
+   the one that these may not balance. A cluster may have one `share`-th of all
+   groups. */
 static void kern_pass_begin(kern_model *m, int share)
 {
     kern_clusters *const c = &m->cluster;
@@ -5157,13 +5233,16 @@ static void kern_pass_begin(kern_model *m, int share)
     }
 }
 
-/* Balances all groups that must be, alone or with others in clusters, which
-   grow until they can be balanced, or fall. */
+/* Balances all groups that must be balanced, alone or in clusters, which grow
+   until they can be balanced, or fall. */
 static kern_status kern_pass(kern_model *m, kern_part *p)
 {
     kern_clusters *c = &m->cluster;
     c->budget_end = m->task->work->units
                   + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
+
+    /* The front moves down; a changed force moves it back up to a group above,
+       in clusters. The budget ends what does not settle. */
     while (c->front < m->graph.groups) {
         const int g = c->front++;
         kern_status status;
@@ -5171,6 +5250,7 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
             continue;
         if (m->task->work->units > c->budget_end || !kern_model_spend(m, 1))
             return KERN_UNDECIDED;
+
         c->open[g] -= KERN_OPEN;
         status = kern_pass_cluster(m, p, g);
         if (status == KERN_FALLS)
@@ -5214,7 +5294,7 @@ typedef struct kern_ipm {
 } kern_ipm;
 
 #ifndef KERN_NO_INTERIOR
-/* out := A'v, two rays a contact */
+/* out := A'v, two rays a contact. */
 static void kern_ipm_ways(const kern_part *p, const kern_real *v,
                           kern_real *out)
 {
@@ -5228,7 +5308,7 @@ static void kern_ipm_ways(const kern_part *p, const kern_real *v,
     }
 }
 
-/* out += A x */
+/* out += A x. */
 static void kern_ipm_carry(const kern_part *p, const kern_real *x,
                            kern_real *out)
 {
@@ -5239,7 +5319,7 @@ static void kern_ipm_carry(const kern_part *p, const kern_real *x,
                         out);
 }
 
-/* A x - b + s g, and the gap */
+/* Computes A x - b + s g, and the gap. */
 static void kern_ipm_excess(kern_ipm *in)
 {
     const kern_part *p = in->p;
@@ -5250,7 +5330,8 @@ static void kern_ipm_excess(kern_ipm *in)
     in->gap = kern_dot(p->x, in->z, 2 * p->contacts);
 }
 
-/* out := M^-1 b, M of in->d with a share of its mean diagonal more on that. */
+/* out := M^-1 b, with M of in->d, whose diagonal is shifted by a share of its
+   mean. */
 static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
                             kern_real *out)
 {
@@ -5272,7 +5353,7 @@ static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
     p->m->task->work->pivots++;
 }
 
-/* How much of a step keeps v above 0; at most all of it. */
+/* Returns how much of a step keeps v above 0; at most all of it. */
 static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
                                 int n)
 {
@@ -5297,8 +5378,8 @@ static void kern_ipm_centre(kern_ipm *in, kern_real gap)
     kern_ipm_excess(in);
 }
 
-/* One solution of Newton's equations: dx, which has x~ - x without what dy
-   makes of it, dy = dual.step and dz = dual.turn; returns ds. */
+/* Solves Newton's equations once. in->dx holds x~ - x, and becomes the step of
+   x; writes dy to dual.step and dz to dual.turn. Returns ds. */
 static kern_real kern_ipm_solve(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -5385,8 +5466,9 @@ static int kern_ipm_step(kern_ipm *in)
     return kern_is_finite(in->gap);
 }
 
-/* Takes A x - b from the forces, of each as a share of it: so M is far from
-   singular where x / z has entries of all sizes. Returns whether it stands. */
+/* Removes A x - b by a correction of each force in proportion to it, so that M
+   is far from singular where x / z has entries of all sizes. Returns 1 if the
+   forces then prove that the structure stands. */
 static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
 {
     kern_part *p = in->p;
@@ -5402,7 +5484,8 @@ static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
     return kern_part_stands(p, q);
 }
 
-/* v += 1.5 times what its least entry is below 0, a little of its largest */
+/* Lifts v above 0: by 1.5 times its least entry, if that is below 0, and by a
+   little of its largest. */
 static void kern_ipm_lift(kern_real *v, int n)
 {
     kern_real lift = 0;
@@ -5495,8 +5578,8 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     return 1;
 }
 
-/* Steps until forces, where s is 0, or the motion prove a verdict, while the
-   gap is neither rounding nor above its pace. */
+/* Takes steps until forces, where s is 0, or the motion prove a verdict, while
+   the gap is neither rounding nor above its pace. */
 static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
                                 kern_real pace)
 {
@@ -5513,7 +5596,8 @@ static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
     return KERN_UNDECIDED;
 }
 
-/* The verdict for a query: from what was found for the last, else anew. */
+/* Returns the verdict for a query: from the last one's x, y, z and s, otherwise
+   from the beginning. */
 static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
 {
     kern_part *p = in->p;
@@ -5534,7 +5618,7 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
     return p->found = status;
 }
 
-/* The verdict on all groups for a query. */
+/* Returns the verdict on all groups for a query. */
 static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
@@ -5550,7 +5634,8 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 
 /* ---- Verdicts ------------------------------------------------- >>verdict */
 
-/* Lays out the linear program of a part; 0 if there is no room. */
+/* Lays out the linear program of a part, with as much room for factors as there
+   is. Returns 0 if there is not even the least. */
 static int kern_part_lay(kern_part *p)
 {
     kern_equations *const eq = &p->eq;
@@ -5580,8 +5665,8 @@ static int kern_part_lay(kern_part *p)
     return 0;
 }
 
-/* Eq. (5) for a query: two columns a contact, along the edges n + mu t and
-   n - mu t of its friction cone, and the loads on the right. */
+/* Writes Eq. (5) for a query: two columns a contact, along the edges n + mu t
+   and n - mu t of its friction cone, and the loads on the right. */
 static void kern_part_set(kern_part *p, const kern_query *q)
 {
     kern_equations *const eq = &p->eq;
@@ -5608,14 +5693,15 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     }
 }
 
-/* Whether the part is all there is: then forces on it prove that it stands. */
+/* Returns 1 if the part has all groups: then forces on it prove that the
+   structure stands. */
 static int kern_part_is_whole(const kern_part *p)
 {
     return p->groups == p->m->graph.groups;
 }
 
-/* The proof of a verdict, and the verdict itself only if the proof holds. That
-   a part stands is no verdict, and needs no proof. */
+/* Returns the verdict if its proof holds, otherwise KERN_UNDECIDED. A part that
+   stands needs no proof, since that is no verdict on the whole. */
 static kern_status kern_part_prove(kern_part *p, const kern_query *q,
                                    kern_status status)
 {
@@ -5623,16 +5709,21 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     int again;
     if (status < 0 || (status == KERN_STANDS && !whole))
         return status;
+
+    /* The motion proves a fall as it is, or after its prices were refined and
+       lifted off the columns. */
     for (again = 0; status == KERN_FALLS && again < 2; again++)
         if ((!again || kern_prices_mend(&p->eq.simplex, p->y, KERN_LIFT))
             && kern_part_falls(p, q))
             return status;
+
     /* forces may still do, within the tolerance */
     return whole && kern_part_stands(p, q) ? KERN_STANDS : KERN_UNDECIDED;
 }
 
-/* Where normal forces are larger in sum than is allowed, the least that there
-   are, by costs of 1: if too large, their prices are a motion that shows it. */
+/* Bounds the forces. Where their sum exceeds KERN_BOUND, finds the forces of
+   the least sum, by costs of 1. If even that is too large, their prices are a
+   motion that proves it, and KERN_FALLS is returned; otherwise KERN_STANDS. */
 static kern_status kern_part_norm(kern_part *p, kern_solver solver)
 {
     kern_equations *const eq = &p->eq;
@@ -5652,7 +5743,7 @@ static kern_status kern_part_norm(kern_part *p, kern_solver solver)
                                                          : KERN_STANDS;
 }
 
-/* How far rhs can grow at eq.rate, which is the same for all of a program. */
+/* Returns how far rhs can grow at the rate -eq.rate; infinity: for ever. */
 static kern_real kern_part_follow(kern_part *p)
 {
     kern_status status;
@@ -5663,7 +5754,7 @@ static kern_real kern_part_follow(kern_part *p)
     return status == KERN_LP_OPTIMAL ? p->x[p->eq.lp.cols] : KERN_INFINITY;
 }
 
-/* What the simplex method says of a part, without a proof. */
+/* Returns what the simplex method says of a part, without a proof. */
 static kern_status kern_part_ask(kern_part *p, const kern_query *q,
                                  kern_solver solver)
 {
@@ -5679,17 +5770,22 @@ static kern_status kern_part_ask(kern_part *p, const kern_query *q,
     return p->found = status;
 }
 
-/* The verdict with its proof: `status`, else what a second solve finds. */
+/* Returns the verdict with its proof: `status` if that can be proved, otherwise
+   what further methods find. */
 static kern_status kern_part_judge(kern_part *p, const kern_query *q,
                                    kern_status status)
 {
     kern_model *m = p->m;
+
+    /* An answer that failed is asked once more: from no basis, and without the
+       backend. */
     status = kern_part_prove(p, q, status);
     if (status < 0) { /* from no basis */
         kern_simplex_change(&p->eq.simplex, KERN_BASIS_NONE);
         status = kern_part_prove(p, q,
                                  kern_part_ask(p, q, KERN_SOLVER_BUILTIN));
     }
+
     /* other rounding, other room; in float it would prove what is critical */
     if (KERN_PICK(1, 0) > 0 && m->whole
         && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
@@ -5700,8 +5796,8 @@ static kern_status kern_part_judge(kern_part *p, const kern_query *q,
     return status;
 }
 
-/* Passes the loads of the query that is set down: KERN_STANDS with a proof;
-   KERN_FALLS with an open part that seems to fall; or KERN_UNDECIDED. */
+/* Passes the loads down for a query that is set. Returns KERN_STANDS with a
+   proof; KERN_FALLS with an open part that seems to fall; or KERN_UNDECIDED. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
@@ -5721,8 +5817,8 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
     }
 }
 
-/* From now on one linear program of all groups answers, from its last basis. It
-   lies in the place of what the pass needs. */
+/* Opens one linear program of all groups, which answers all later queries, each
+   from the last basis. It takes the place of all that the pass needs. */
 static kern_status kern_model_whole(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
@@ -5742,8 +5838,9 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
     return m->whole ? KERN_OK : KERN_NO_SPACE;
 }
 
-/* The verdict for a query, with a proof or none, by the methods that >>method
-   lists. After KERN_FALLS the part that falls is open. */
+/* Returns the verdict for a query, with a proof or KERN_UNDECIDED without one,
+   by the methods that >>method lists. After KERN_FALLS the part that falls is
+   open. */
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q)
 {
@@ -5805,31 +5902,33 @@ typedef struct kern_path {
     const kern_proof *proof; /* the caller's: of the last verdict each way   */
 } kern_path;
 
-/* Width of a bracket, as it is wanted; from the critical value to its ends. */
+/* Returns the width that a bracket should have. */
 KERN_SHARED static kern_real kern_width(const kern_path *path)
 {
     return KERN_WIDTH * path->unit;
 }
 
+/* Returns the distance from the critical value to the ends of its bracket. */
 KERN_SHARED static kern_real kern_aside(const kern_path *path)
 {
     return kern_width(path) / 2;
 }
 
-/* The widest bracket that is an answer. */
+/* Returns the width of the widest bracket that is an answer. */
 KERN_SHARED static kern_real kern_widest(const kern_path *path)
 {
     return kern_width(path) * KERN_WIDEST;
 }
 
-/* The place that lies `aside` before the critical value, or the start. */
+/* Returns the place that lies `aside` before the critical value, or the
+   start. */
 KERN_SHARED static kern_real kern_before(const kern_path *path, kern_real aside)
 {
     return kern_max(path->critical - aside, path->start);
 }
 
-/* The query at s. Gravity turns by 4 atan(s), so that s in [0, 1] turns it
-   through half a circle by arithmetic alone. */
+/* Returns the query at place s. Gravity turns by 4 atan(s), so that s in [0, 1]
+   turns it through half a circle by arithmetic alone. */
 static kern_query kern_path_at(const kern_path *path, kern_real s)
 {
     kern_query q = path->q;
@@ -5847,7 +5946,7 @@ static kern_query kern_path_at(const kern_path *path, kern_real s)
     return q;
 }
 
-/* The tangent of half the angle whose tangent is t. */
+/* Returns the tangent of half the angle whose tangent is t. */
 static kern_real kern_halved(kern_real t)
 {
     return t / (1 + KERN_SQRT(1 + t * t));
@@ -6533,7 +6632,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 
 /* ---- The measures --------------------------------------------- >>measure */
 
-/* Along the path a load grows or gravity turns instead. */
+/* Makes the path one along which a load grows or gravity turns. */
 KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
                                        const kern_wrench *pattern,
                                        kern_side side)
@@ -6551,8 +6650,8 @@ typedef struct kern_call {
     kern_path path;
 } kern_call;
 
-/* Checks the task and opens its path, with kerns shrunk to begin with; `out` is
-   where the answer goes. What that costs is charged before. */
+/* Checks the task, charges for that, and opens its path, on which kerns shrink.
+   `out` is where the answer goes. */
 static kern_status kern_call_open(kern_call *c, const kern_task *task,
                                   kern_real shrink, const void *out)
 {
@@ -6579,7 +6678,8 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     return kern_model_open(&c->m, task, &path->q);
 }
 
-/* The same of a call whose answer is a number: -1 where it ends unread. */
+/* Opens a call whose answer is a number, which is -1 where the limit ends the
+   call before the task is read. */
 KERN_SHARED static kern_status kern_number_open(kern_call *c,
                                                 const kern_task *task,
                                                 kern_real shrink,
@@ -6603,9 +6703,10 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     return kern_ended(task, status);
 }
 
-/* Algorithm 1 of the paper: the first k at which kerns shrunk by k steps hold
-   no longer; last + 1 if they always do, -1 if a verdict is undecided. Up to
-   path->holds they do; where kerns are nested, none does from path->fails. */
+/* Finds the level by Algorithm 1 of the paper: the first k at which kerns
+   shrunk by k steps no longer hold; last + 1 if they always do, -1 if a verdict
+   is undecided. Up to path->holds all hold. Where kerns are nested, none holds
+   from path->fails on. */
 static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                             int last, kern_margin *out)
 {
@@ -6686,7 +6787,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     return status;
 }
 
-/* The same of a task that is not open yet. */
+/* Computes the measure of a task that is not open yet. */
 static kern_status kern_measure_anew(const kern_task *task,
                                      const kern_known *known, kern_margin *out,
                                      const kern_proof *proof)
@@ -6810,7 +6911,8 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
     return status;
 }
 
-/* A contact's length between lo and hi, near their logarithmic middle, or 0. */
+/* Returns the contact length between lo and hi that is next above their
+   logarithmic middle; 0 if there is none. */
 static kern_real kern_length_between(const kern_structure *s, kern_real mean,
                                      kern_real lo, kern_real hi)
 {
@@ -6873,14 +6975,15 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
     return status;
 }
 
-/* Gravity and a side to turn it to. */
+/* Returns 1 if there is gravity and a side to turn it to. */
 static int kern_has_side(const kern_structure *s, kern_side side)
 {
     return (side == KERN_RIGHT || side == KERN_LEFT)
         && kern_vec_largest(s->gravity) > 0;
 }
 
-/* The angle whose tangent is s >= 0: halved three times, then the series. */
+/* Returns the angle whose tangent is s >= 0: halves it three times, then takes
+   the series. */
 static kern_real kern_angle_of(kern_real s)
 {
     kern_real sum = 0, t2;
@@ -6892,7 +6995,8 @@ static kern_real kern_angle_of(kern_real s)
     return 8 * s * sum;
 }
 
-/* Checks what grows: a pattern, or a load or tilt that has a side (NULL). */
+/* Checks what grows: a pattern, or without one a load or tilt that has a
+   side. */
 static kern_status kern_growth_check(const kern_task *task,
                                      const kern_wrench *pattern, kern_side side)
 {
@@ -7020,7 +7124,7 @@ typedef enum kern_fall_which {
     KERN_FALL_ALL
 } kern_fall_which;
 
-/* Blocks that are left fall there: all, or those that move in the mechanism. */
+/* Records `at` as the value of the blocks that are left and fall there. */
 static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
                           kern_fall_which which)
 {
@@ -7036,7 +7140,8 @@ static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
         }
 }
 
-/* Evaluates where it fell last, and farther on while that is undecided. */
+/* Evaluates the place where the structure fell last, and places beyond it while
+   the verdict is undecided. */
 static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 {
     kern_real beyond = path->fails;
@@ -7092,8 +7197,9 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
     return KERN_OK;
 }
 
-/* e^-x for x >= 0, by the first terms of the series of e^x squared ten times:
-   libm may differ from machine to machine. Within 2e-4 of itself up to 10. */
+/* Returns e^-x for x >= 0, by the first terms of the series of e^x squared ten
+   times, since libm differs from machine to machine. The error is within 2e-4
+   of the value for x up to 10. */
 static kern_real kern_decay(kern_real x)
 {
     const kern_real t = x / KERN_R(1024);
@@ -7104,7 +7210,8 @@ static kern_real kern_decay(kern_real x)
     return 1 / y;
 }
 
-/* A stone's chance to fall times how far, above the lowest of them: the sum. */
+/* Returns the sum over free blocks of the chance to fall times the height above
+   the lowest block. */
 static kern_real kern_expected_drop(const kern_model *m, const kern_real *value)
 {
     const kern_structure *s = m->s;
@@ -7180,6 +7287,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 
 /* ---- What is critical ---------------------------------------- >>critical */
 
+/* Returns how a contact meets: opens, slides, hinges or rests. */
 static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
                                     kern_vec u, kern_real turn)
 {
@@ -7237,7 +7345,7 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
         out->limit[i] /= most;
 }
 
-/* Whether two blocks move as one rigid body. */
+/* Returns 1 if two blocks move as one rigid body. */
 static int kern_as_one(const kern_structure *s, const kern_motion *motion,
                        int i, int j)
 {
@@ -7250,7 +7358,8 @@ static int kern_as_one(const kern_structure *s, const kern_motion *motion,
     return kern_block_speed(s->block + j, &apart) < KERN_REST;
 }
 
-/* Groups around the fastest block that is in none. */
+/* Numbers the groups of blocks that move as one, each begun by the fastest
+   block that is in none; -1 for blocks that rest. */
 static void kern_critical_blocks(const kern_structure *s,
                                  const kern_motion *motion, kern_critical *out)
 {
@@ -7304,7 +7413,8 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 /* At the margin d* the power G of forces and loads on the mechanism is 0, also
    if a datum q changes: d*' = -G_q / G_d, by forces and motion of the proof. */
 
-/* G_q of contact i, and its share of G_d: 0 without a force or a motion. */
+/* Writes G_q for the data of contact i. Returns its share of G_d. Both are 0
+   without a force or a motion. */
 static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
                                    int i, const kern_proof *proof,
                                    kern_contact_rate *out)
