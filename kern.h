@@ -1225,9 +1225,11 @@ extern "C" {
 #endif
 
 /* ---- Constants -------------------------------------------------- >>tune */
-/* All of Parts III to V; those of the geometry are in >>tol. Lengths are shares of a block's size and forces are shares of
-   the weight of all, unless a unit stands in brackets. KERN_PICK(a, b) is a in
-   double and b in float. Each constant has one job. */
+/* All of Parts III to V; those of the geometry are in >>tol. Each constant has
+   one job. Lengths are shares of a block's size and forces are shares of the
+   weight of all, unless a unit stands in brackets. KERN_PICK(a, b) is a in
+   double and b in float. A value that is the name of another constant is so
+   because both bound the same rounding. */
 
 /* ---- what a proof allows ---- */
 
@@ -1239,42 +1241,46 @@ extern "C" {
    faster than its power divided by it. A larger gap leaves the interior point
    no digits. */
 #define KERN_BOUND KERN_PICK(1e6, 1e3)
-/* Rounding of a sum in a proof, as a share of its terms: a row of a structure
-   has some tens of terms. Part VI takes twice as much, as a share of the largest
-   coordinate, for the distance within which two places are the same. */
+/* Rounding of a sum in a proof, as a share of its terms: a row has some tens of
+   terms. Part VI takes twice as much, as a share of the largest coordinate, for
+   the distance within which two places are the same. */
 #define KERN_ROUNDING (32 * KERN_EPS)
 /* How far a tangential force may exceed its cone, as a share of the cone: the
    rounding of mu f. */
 #define KERN_CONE_TOL (8 * KERN_EPS)
-/* Least power of a motion and least closing speed in a proof [W, m/s]: products
-   of smaller numbers lose digits, since they are no normal numbers. */
+/* Least power [W] of a motion in a proof, and what is added to each closing
+   speed [m/s]: a product of smaller numbers may lose its digits by underflow. */
 #define KERN_POWER_LEAST (1 / (KERN_FAR * KERN_FAR))
-/* Residual that x and y of a linear program of the caller may leave in a row or
-   a column, as a share of its terms. */
+/* Residual of a row or column of a caller's linear program in the proof of its
+   answer, as a share of the terms. */
 #define KERN_LP_TOL KERN_TOL
-/* Distance of a tangential force from its cone below which the contact slides,
-   as a share of the cone, and least force of a contact that must approach, as a
-   share of the least load: below both, equilibrium would not miss it. */
+/* Raised forces: share of the cone by which a tangential force must be below it
+   for the contact to stick. */
 #define KERN_SLIDES_TOL KERN_TOL
+/* Raised forces: least force of a contact that must approach, as a share of the
+   least load of a block. Equilibrium would not miss a smaller one. */
 #define KERN_PRESSED_LEAST KERN_TOL
-/* The most that a proof of >>raised takes for sticking, in approaches. */
+/* Raised forces: the largest slide that is taken for sticking, in approaches.
+   The stiffness along t that >>raised begins with is its inverse. */
 #define KERN_STICKS KERN_PICK(2e-3, 0.2)
-/* Slope of a contact against gravity from which it may hold a block up, as a
-   share of gravity: less is the rounding of a vertical joint. */
+/* Cosine of a contact's normal and gravity from which the contact may hold a
+   block up: less is the rounding of a vertical joint. */
 #define KERN_HOLDS_UP KERN_R(1e-9)
 
 /* ---- what may be asked ---- */
 
-/* Largest coordinate and option [m], and largest sum of all that acts on a block
-   [N]. Squares, moments and products with KERN_BOUND of these keep all digits.
-   Part VI uses it for masses and areas as well. */
+/* Largest coordinate and option [m], and largest sum of all that acts on a
+   block [N]. Squares, moments and products with KERN_BOUND of these keep all
+   digits. Part VI uses it for masses and areas as well. */
 #define KERN_FAR KERN_PICK(1e60, 1e10)
-/* Least size [m], mass [kg] and sum of loads [N] of a block that is not 0, and
-   largest mass [kg]. The bounds keep digits as KERN_FAR does. */
+/* Least size [m] of a block: arms over it keep all digits. */
 #define KERN_SIZE_LEAST (1 / KERN_FAR)
+/* Least mass [kg] of a block: its weight is no underflow. */
 #define KERN_MASS_LEAST (1 / KERN_FAR)
-#define KERN_LOAD_LEAST (1 / KERN_FAR)
+/* Largest mass [kg] of a block: its weight keeps all digits. */
 #define KERN_MASS_MOST KERN_FAR
+/* Least sum of all that acts on a block [N], unless that is 0. */
+#define KERN_LOAD_LEAST (1 / KERN_FAR)
 /* How far the square of a normal's length may be from 1: the rounding of a
    normal that the caller computed in this precision. */
 #define KERN_NORMAL_TOL (64 * KERN_EPS)
@@ -1286,47 +1292,57 @@ extern "C" {
 #define KERN_RESERVE_MOST KERN_R(0.1)
 /* Gravity of a task that names none [m/s^2]. */
 #define KERN_GRAVITY KERN_R(9.81)
-/* Counts whose work memory, and products in it, are still an int: blocks of a
-   task and rows of a program; contact points, vertices, levels, blocks of a
-   search and columns; units of a call and entries of a matrix. */
+/* Largest numbers for which the work memory, and products in it, are an int:
+   blocks of a task, and rows of a program. */
 #define KERN_BLOCKS_MOST 20000
+/* Largest number of contact points, vertices, levels and columns, and of blocks
+   of a contact search. */
 #define KERN_POINTS_MOST 1000000
+/* Largest number of units of a call and of entries of a matrix. */
 #define KERN_WORK_MOST 2000000000
 
 /* ---- what work costs, in units ---- */
-/* Fitted to counts of instructions, so that a unit is 650 to 2,000 of them, as
-   >>verdicts says. A divisor n charges one unit for n blocks and contacts. */
+/* Fitted to counts of instructions: a unit is 650 to 2,000 of them, as
+   >>verdicts says. A constant *_UNIT tells how many things are done in one
+   unit. */
 
-/* Entries of sparse columns that a unit adds up (of a dense factor 8/3 as many,
-   since their loops have no indices). */
+/* Entries of sparse columns that are added up; of a dense factor it is 8/3 as
+   many, since no indices are read. */
 #define KERN_UNIT 64
-/* A call reads and checks so many blocks and contacts in a unit. */
+/* Blocks and contacts that a call reads and checks. */
 #define KERN_CALL_UNIT 5
-/* A query costs three units, and one for so many blocks and contacts: its proof
-   looks at all of them. */
+/* Blocks and contacts that the proof of a query looks at; three more units are
+   what a query costs besides. */
 #define KERN_QUERY_UNIT 14
-/* A part of all groups is ordered, and known forces are copied. */
+/* Groups and contacts that are put in order for a short skyline. */
 #define KERN_ORDER_UNIT 4
+/* Groups and contacts whose known forces are copied. */
 #define KERN_KNOWN_UNIT 32
-/* A place of the line search looks at so many contacts in a unit. */
+/* Contacts that a place of the line search looks at. */
 #define KERN_PLACE_UNIT 16
-/* Products of a step of Newton's method for each contact (its row and law) and
-   for each pair of blocks of a row of the factor. */
+/* Products that a step of Newton's method takes for a contact: its row, its law
+   and its block of the matrix. */
 #define KERN_CONTACT_PRODUCTS KERN_R(100)
+/* Products that the factor takes for a row, over the square of its blocks: 27
+   for each of half of all pairs. */
 #define KERN_PAIR_PRODUCTS KERN_R(14)
 
 /* ---- model ---- */
 
-/* Shares of the size for geometry that the statics reads. KERN_SLIGHT: the turn
-   [rad] below which a vertex is no corner and the inset of a foot, and KERN_GAP:
-   the default gap and the shortest line. Both are of Part VI now. */
+/* Left to Part VI: turn [rad] below which a vertex is no corner, and within
+   which of a half turn it is a spike: much larger, and round stones would lose
+   their shape. And how far a foot must lie inside its edge, so that rounding
+   makes no contacts between diagonal neighbours. */
 #define KERN_SLIGHT KERN_R(1e-6)
+/* Left to Part VI: the default gap and the length of the shortest line; and by
+   how much an area may differ, by rounding at large coordinates, from what the
+   block says. */
 #define KERN_GAP KERN_R(1e-3)
 /* Travel below which a contact point counts as one that does not travel [mean
    size]: a millionth of the shortest line is rounding. */
 #define KERN_TRAVEL_LEAST (KERN_R(1e-6) * KERN_GAP)
-/* Slope of the lines along which blocks count as equally high, in double: a flat
-   arch is then ordered from side to side and not by rounding. */
+/* Slope of the lines along which blocks count as equally high, in double: a
+   flat arch is then ordered from side to side and not by rounding. */
 #define KERN_LEVEL_SLOPE KERN_R(1e-6)
 /* Blocks of a run that is sorted by simple insertion: with shorter runs the
    steps of Shell's sort cost more than they save. */
@@ -1348,18 +1364,21 @@ extern "C" {
    of tilt under loads that stay: a range that falls, and is narrower than one,
    may be missed. A walk, or a climb, takes at most five times as many steps. */
 #define KERN_SCAN 1001
-/* Default step of a level [mean size], and where kerns are relative [share of
-   the travel]: the paper's steps are of this order. */
+/* Default step of a level [mean size]: the paper's steps are of this order. */
 #define KERN_LEVEL_STEP KERN_R(0.02)
+/* Default step of a level where kerns are relative [share of the travel]. */
 #define KERN_LEVEL_SHARE KERN_R(0.05)
 /* Largest load factor; beyond, the load counts as held for ever. */
 #define KERN_FACTOR_MOST KERN_R(1e6)
-/* Deficit: first growth of the kerns [mean size], and by how much it grows where
-   kerns are nested, and where they are not, so that a range that stands is
-   seldom missed; and largest growth, in extents of the structure. */
+/* Deficit: first growth of the kerns [mean size; share of the travel], less
+   than any deficit that matters. */
 #define KERN_GROW_FIRST KERN_R(0.001)
+/* Deficit: factor of the growth where kerns are nested: few verdicts. */
 #define KERN_GROW_NESTED KERN_R(4)
+/* Deficit: the same where they are not, so that a range that stands is seldom
+   missed. */
 #define KERN_GROW_EVEN KERN_R(1.1)
+/* Deficit: largest growth, in extents of the structure: the rule of >>rules. */
 #define KERN_GROW_MOST 1000
 
 /* Left to >>search: difference of two critical values that is rounding [mean
@@ -1378,12 +1397,14 @@ extern "C" {
 /* Places [widths of a bracket] beyond a critical value that are tried for a
    mechanism with a proof. */
 #define KERN_FALL_TRIES 8
-/* Steps of a collapse, besides three for each group, that may take nothing away:
-   both verdicts may have a proof at one place. */
+/* Steps of a collapse, besides three for each group, that may take nothing
+   away: both verdicts may have a proof at one place. */
 #define KERN_FALL_IDLE 8
-/* Expected drop: the load factor at which a stone's chance to fall is 1/e (0.05
-   to 0.1 rank as well), and the least height that counts [mean block size]. */
+/* Expected drop: load factor at which a stone's chance to fall is 1/e. From
+   0.05 to 0.1 structures are ranked as well. */
 #define KERN_DROP_LOAD KERN_R(0.07)
+/* Expected drop: least height that counts [mean block size], since the lowest
+   stones fall, too. */
 #define KERN_DROP_HEIGHT KERN_R(0.3)
 /* Share of the highest speed below which blocks rest, or do not approach. */
 #define KERN_REST KERN_R(1e-4)
@@ -1394,8 +1415,9 @@ extern "C" {
    terms. */
 #define KERN_RATE_LEAST KERN_PICK(1e-10, 1e-5)
 /* Sensitivity: distance of a contact's end from a corner that takes it along,
-   and difference of two such distances that counts as none. */
+   as much as the shortest line. */
 #define KERN_CORNER_NEAR KERN_R(1e-3)
+/* Sensitivity: difference of two such distances that counts as none. */
 #define KERN_CORNER_TIE KERN_R(1e-6)
 
 /* ---- residuals that rounding leaves ---- */
@@ -1415,15 +1437,17 @@ extern "C" {
 /* What is added to the diagonal of Newton's matrix, as a share of its mean:
    otherwise what no ray presses has no pivot. */
 #define KERN_DUAL_SHIFT KERN_ROUNDING
-/* Most rounds of Newton's method: it ends in far fewer, unless digits are lost. */
+/* Most rounds of Newton's method: it ends in far fewer, unless digits are
+   lost. */
 #define KERN_NORM_ROUNDS 100
-/* Line search: share of its first derivative at which it ends. With prices it
-   ends at 1/1000, since the next round begins there. */
+/* Line search: it ends where the derivative is the first over this. Newton's
+   next step makes up for the rest. */
 #define KERN_SHARE_TOL 8
+/* Line search: the same with prices, since the next prices begin there. */
 #define KERN_SHARE_TOL_PRICED 1000
-/* Most places of the line search until the maximum is passed (4^12 steps), and
-   after it (regula falsi needs few). */
+/* Line search: most places until the maximum is passed, 4^12 steps away. */
 #define KERN_SHARE_GROWS 13
+/* Line search: most places in all once it is passed; regula falsi needs few. */
 #define KERN_SHARE_PLACES 20
 
 /* ---- top-down pass ---- */
@@ -1449,14 +1473,15 @@ extern "C" {
 #define KERN_NORM_MOST KERN_R(100)
 /* Approach of a contact that parts, as a share of the largest speed. */
 #define KERN_PARTS_TOL KERN_R(1e-4)
-/* Groups of a cluster: a quarter of all in a verdict, a fifth in a search, a
-   seventh in one that knows forces. With a fifth verdicts take 7 % more, with a
-   quarter measures 6 %, and tries from known forces 6 % with a fifth. */
+/* Share of all groups that a cluster may have, inverse: a quarter in a verdict,
+   a fifth in a search, a seventh in one that knows forces. With a fifth
+   verdicts take 7 % more, with a quarter measures 6 %, and tries from known
+   forces 6 % with a fifth. */
 #define KERN_CLUSTER 4
-/* Groups of a cluster where there are more than KERN_SMALL: so many, and one
-   more for each KERN_CLUSTER_MORE groups. With fewer some measures of 100 blocks
-   take four times the work. */
+/* Groups of a cluster where there are more than KERN_SMALL. With fewer some
+   measures of 100 blocks take four times the work. */
 #define KERN_CLUSTER_MOST 20
+/* Groups of the structure for which such a cluster may have one more. */
 #define KERN_CLUSTER_MORE 32
 /* Units of work of a pass for each group and contact. With 30 measures of
    bricks take 1.4 times as long. */
@@ -1479,51 +1504,56 @@ extern "C" {
 #define KERN_IPM_ROUNDS 100
 /* What is added to a diagonal without pivots, as a share of its mean. */
 #define KERN_IPM_SHIFT KERN_PICK(1e-10, 1e-5)
-/* Share of the way to x, z = 0 that a step leaves, less as the gap closes: on
+/* Share of the way to x, z = 0 that a step leaves, less as the gap closes: from
    the boundary no further step is possible. */
 #define KERN_IPM_BACKOFF KERN_R(1e-3)
-/* Least share of a ray's force that a step keeps; and share that it keeps when
-   forces are balanced. */
+/* Least share of a ray's force that a step leaves: a force that rounds to 0
+   would never grow again. */
 #define KERN_IPM_KEEP KERN_EPS
+/* Least share of a ray's force that is left when forces are balanced. */
 #define KERN_IPM_BALANCE KERN_R(1e-3)
-/* How far x and z are lifted to begin: 1.5 times their least entry (Mehrotra),
-   and a share of the largest. */
+/* How far x and z are lifted to begin, in their least entry (Mehrotra). */
 #define KERN_IPM_LIFT_LEAST KERN_R(1.5)
+/* How far they are lifted besides, in their largest entry. */
 #define KERN_IPM_LIFT_SHARE KERN_R(1e-3)
-/* A query that goes on from the last begins with at most -s, and at least such a
-   gap: otherwise it is too near to the boundary to turn. */
+/* Least -s with which a query continues from the last: with s = 0 it could not
+   find that it falls. */
 #define KERN_IPM_S KERN_R(1e-3)
+/* Least gap with which it continues: nearer to the boundary it could not
+   turn. */
 #define KERN_IPM_GAP KERN_R(1e-3)
 /* Least product x z after a step, in means of all. */
 #define KERN_IPM_CENTRE KERN_R(0.03)
 /* Least share of a gap that a step aims at: with less, less is decided. */
 #define KERN_IPM_AIM KERN_R(0.03)
-/* Gap below which it is rounding, and above which digits are lost. */
+/* Gap that is rounding: the square of what shifts the diagonal. */
 #define KERN_IPM_GAP_LEAST (KERN_IPM_SHIFT * KERN_IPM_SHIFT)
+/* Gap above which no digits are left. */
 #define KERN_IPM_GAP_MOST KERN_BOUND
-/* Mean share of the gap that a step may leave, or the method begins again:
-   without that some walls take three times the work. The first gap may exceed
-   the last one's by KERN_IPM_SLACK. */
+/* Share of the gap that a step may leave, in the mean, or the method begins
+   again: without that some walls take three times the work. */
 #define KERN_IPM_PACE KERN_R(0.95)
+/* How much larger than its first gap a continued query may begin. */
 #define KERN_IPM_SLACK KERN_R(1.1)
 
 /* ---- simplex method ---- */
 
 /* Violation of x >= 0 that counts, as a share of the largest load. */
 #define KERN_VALUE_TOL KERN_PICK(1e-10, 1e-5)
-/* Least gain of a column that enters, as a share of the largest price. Less, and
-   the method chases rounding. */
-#define KERN_PRICE_TOL KERN_PICK(1e-10, 1e-5)
+/* Least gain of a column that enters, as a share of the largest price. Less,
+   and the method chases rounding. */
+#define KERN_PRICE_TOL KERN_VALUE_TOL
 /* Least pivot, as a share of the largest entry of the entering column. */
-#define KERN_PIVOT_LEAST KERN_PICK(1e-10, 1e-5)
+#define KERN_PIVOT_LEAST KERN_VALUE_TOL
 /* Rounding of a price, of a slope and of x and y, as a share of the largest. */
 #define KERN_LP_ROUNDING KERN_ROUNDING
-/* How far a certificate is lifted off the columns that it touches, as a share of
-   its largest entry: the check of a motion adds as much. */
+/* How far a certificate is lifted off the columns that it touches, as a share
+   of its largest entry: the check of a motion adds as much. */
 #define KERN_LIFT KERN_ROUNDING
-/* Residual of the basic solution, as a share of its largest value, above which a
-   basis is factored again; and how often it is refined before. */
+/* Residual of the basic solution, as a share of its largest value, above which
+   a basis is factored again. */
 #define KERN_BASIS_TOL KERN_PASS_TOL
+/* How often a basic solution is refined: each time it gains most digits. */
 #define KERN_REFINES 3
 /* Least pivot of a column that is factored after its group's own, as a share of
    its largest entry: less depends on the columns before it. */
@@ -1532,18 +1562,22 @@ extern "C" {
    makes the inverse grow from course to course, more fills it: at 0.01 a call
    may take more than 2,000 instructions for a unit of its limit. */
 #define KERN_OWN_TOL KERN_R(0.03)
-/* Crash basis: columns of a group that are tried, which is what its stack holds;
-   least determinant of three; and loads that a column may pull. */
+/* Crash basis: columns of a group that are tried; the arrays are on the
+   stack. */
 #define KERN_CRASH_COLUMNS 12
-#define KERN_CRASH_DET KERN_PICK(1e-4, 1e-2)
+/* Crash basis: least determinant of three columns, whose entries are about 1. */
+#define KERN_CRASH_DET KERN_LATE_PIVOT
+/* Crash basis: loads that a column may pull. */
 #define KERN_CRASH_PULL KERN_R(2)
-/* Pivots: 50 and two a row before prices are refined, and five times as many
-   before Bland's rule, since most programs end within half of that. In all 200
-   and 20 for each row and column, to end what rounding might keep going. */
+/* Pivots before prices are refined: most programs take fewer. */
 #define KERN_PIVOTS 50
+/* Such pivots more for each row. */
 #define KERN_PIVOTS_ROW 2
+/* Bland's rule begins after so many times as many: it is safe, and slow. */
 #define KERN_PIVOTS_BLAND 5
+/* Pivots in all, to end what rounding might keep going. */
 #define KERN_PIVOTS_MOST 200
+/* Such pivots more for each row and column. */
 #define KERN_PIVOTS_EACH 20
 
 /* ---- raised ---- */
@@ -1829,6 +1863,7 @@ static inline int kern_is_gone(const kern_query *q, int i)
 /* Returns the travel of a contact point, 0 where it is too short to be one. */
 KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
 {
+    KERN_ASSERT(mean > 0);
     return kern_abs(c->travel) < KERN_TRAVEL_LEAST * mean ? 0 : c->travel;
 }
 
@@ -2000,6 +2035,7 @@ KERN_SHARED static void kern_take_open(kern_take *take, const kern_work *work)
 static kern_real *kern_take_reals(kern_take *take, int n)
 {
     kern_real *const at = take->real;
+    KERN_ASSERT(n >= 0);
     take->real += n <= take->reals ? n : 0;
     take->reals = n <= take->reals ? take->reals - n : KERN_OUT;
     return at;
@@ -2051,6 +2087,7 @@ static void kern_work_begin(kern_work *work)
 static int kern_spend(kern_work *work, int limit, int units)
 {
     const int left = kern_limit_of(limit) - work->units;
+    KERN_ASSERT(units >= 0);
     work->units += units <= left ? units : left + 1;
     return units <= left;
 }
@@ -2301,6 +2338,7 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
     const kern_real by = kern_reduction(q);
     kern_real total = 0;
     int i;
+    KERN_ASSERT(force && sum);
     kern_zero(sum, 4 * s->blocks);
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
@@ -2780,6 +2818,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
 
     /* First the arrays that every method needs. A program of all groups then
        begins at `common`. */
+    KERN_ASSERT(groups > 0);
     kern_take_open(take, task->work);
     graph->group = kern_take_ints(take, s->blocks + groups);
     graph->block = graph->group + s->blocks;
@@ -3307,6 +3346,7 @@ static void kern_basis_enter(kern_simplex *sx, int q, int p)
     const kern_real one = 1 / sx->alpha[p];
     kern_real *entry = f->entry + f->first[f->count];
     int from = 0, to = f->size, i;
+    KERN_ASSERT(!kern_basis_full(sx));
     while (kern_largest(sx->alpha + from, 3) <= 0)
         from += 3;
     while (kern_largest(sx->alpha + to - 3, 3) <= 0)
@@ -3929,6 +3969,7 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
 {
     const kern_program *lp = sx->lp;
     kern_status status;
+    KERN_ASSERT(lp->rows > 0);
     lp->work->solves++;
 #ifdef KERN_USE_GLPK
     if (solver == KERN_SOLVER_ANY && !lp->follow && lp->rows > KERN_GLPK_ROWS) {
@@ -4183,6 +4224,7 @@ static void kern_skyline_law(kern_skyline *a, const int ends[2],
             kern_row_exert(row, v[2], w[2], to + 2 * wide);
             if (g < h)
                 continue;
+            KERN_ASSERT(h >= a->first[g]);
             to += 3 * (h - g);
             kern_row_exert(other, v[0], w[0], to);
             kern_row_exert(other, v[1], w[1], to + wide);
@@ -4323,12 +4365,9 @@ typedef enum kern_law_of {
     KERN_LAW_STIFF /* stiff along n and t, with a price: >>raised        */
 } kern_law_of;
 
-/* Where Newton's method begins: at u = 0, or at the present u. A warm start does
-   without the round of a cold one, in which all contacts press. */
+/* Where Newton's method begins: at u = 0, or at the present u. A warm start
+   does without the round of a cold one, in which all contacts press. */
 typedef enum kern_start { KERN_START_COLD, KERN_START_WARM } kern_start;
-
-/* Contacts of the matrix: those that press at u, or all. */
-typedef enum kern_press { KERN_PRESS_SOME, KERN_PRESS_ALL } kern_press;
 
 typedef struct kern_dual {
     kern_skyline matrix;        /* of the contacts that carry              */
@@ -4597,12 +4636,13 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
     kern_row_exert(row + 1, f, r, b + 3 * p->ends[2 * k + 1]);
 }
 
-/* Motions whose approach is computed: all of u, or a step that is added to it. */
+/* Motions whose approach is computed: all of u, or a step that is added to
+   it. */
 typedef enum kern_way_of { KERN_WAY_OF_U, KERN_WAY_OF_STEP } kern_way_of;
 
-/* Writes the approach of the supports along n and t, to `way` or `turn`. That of
-   u begins at minus the price of a stiff contact, otherwise at the force that
-   the contact has already. */
+/* Writes the approach of the supports along n and t, to `way` or `turn`. That
+   of u begins at minus the price of a stiff contact, otherwise at the force
+   that the contact has already. */
 KERN_SHARED static void kern_norm_ways(kern_part *p, kern_way_of of)
 {
     const int step = of == KERN_WAY_OF_STEP;
@@ -4652,9 +4692,9 @@ static void kern_part_add(kern_part *p, int k, const kern_law *s)
 
 /* Writes the matrix of the contacts that press at u, or of all, with its
    diagonal shifted. */
-static void kern_norm_matrix(kern_part *p, kern_press which)
+static void kern_norm_matrix(kern_part *p, kern_start start)
 {
-    const int all = which == KERN_PRESS_ALL,
+    const int all = start == KERN_START_COLD,
               stiff = p->dual.law == KERN_LAW_STIFF;
     kern_skyline *a = &p->dual.matrix;
     int k;
@@ -4742,6 +4782,7 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     kern_dual *const d = &p->dual;
     const int n = 3 * p->groups;
     int i, round;
+    KERN_ASSERT(p->supports <= p->contacts);
     for (i = start == KERN_START_COLD ? 0 : n; i < n + 3; i++)
         d->u[i] = d->step[i] = 0;
     kern_norm_ways(p, KERN_WAY_OF_U);
@@ -4754,7 +4795,7 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
             return KERN_FALLS;
         if (!kern_model_spend(p->m, d->cost))
             return KERN_LIMIT;
-        kern_norm_matrix(p, round == 0 ? KERN_PRESS_ALL : KERN_PRESS_SOME);
+        kern_norm_matrix(p, round == 0 ? KERN_START_COLD : KERN_START_WARM);
         kern_skyline_factor(&d->matrix);
         kern_skyline_solve(&d->matrix, d->grad, d->step);
         kern_norm_ways(p, KERN_WAY_OF_STEP);
@@ -4887,6 +4928,7 @@ static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
     kern_force *to = m->answer.force + i;
     const kern_real change = kern_abs(f.normal - to->normal)
                            + kern_abs(f.tangential - to->tangential);
+    KERN_ASSERT(f.normal >= 0);
     if (on < m->graph.groups && change > tolerance)
         kern_pass_mark_open(m, on);
     *to = f;
@@ -4934,9 +4976,7 @@ static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
                          kern_real left[3], kern_real h[9])
 {
     kern_zero(h, 9);
-    left[0] = b[0];
-    left[1] = b[1];
-    left[2] = b[2];
+    kern_copy(left, b, 3);
     for (; n > 0; n--, c++) {
         const kern_real *a = c->a, x = c->x;
         if (!c->press)
@@ -5241,8 +5281,8 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
     c->budget_end = m->task->work->units
                   + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
 
-    /* The front moves down; a changed force moves it back up to a group above,
-       in clusters. The budget ends what does not settle. */
+    /* The front moves down. Where a force changed that a cluster behind it must
+       carry it moves back. The budget ends what does not settle. */
     while (c->front < m->graph.groups) {
         const int g = c->front++;
         kern_status status;
@@ -5257,7 +5297,7 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
             return status;
         if (status != KERN_STANDS
             && !(status == KERN_UNDECIDED && kern_pass_grow(m, g)))
-            return KERN_UNDECIDED; /* or space or work ends */
+            return KERN_UNDECIDED; /* or no room, no work */
     }
     return KERN_STANDS;
 }
@@ -5413,6 +5453,7 @@ static int kern_ipm_step(kern_ipm *in)
     kern_real of_x = 0, of_z = of_x, mu = of_x, left = of_x, ds;
     int i, corrects;
 
+    KERN_ASSERT(in->s <= 0);
     if (!(in->gap <= KERN_IPM_GAP_MOST)
         || !kern_model_spend(p->m, p->dual.cost))
         return 0;
@@ -5717,7 +5758,8 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
             && kern_part_falls(p, q))
             return status;
 
-    /* forces may still do, within the tolerance */
+    /* Forces may hold it within the tolerance, also where the simplex method
+       found that none exist. */
     return whole && kern_part_stands(p, q) ? KERN_STANDS : KERN_UNDECIDED;
 }
 
@@ -5747,6 +5789,7 @@ static kern_status kern_part_norm(kern_part *p, kern_solver solver)
 static kern_real kern_part_follow(kern_part *p)
 {
     kern_status status;
+    KERN_ASSERT(kern_part_is_whole(p));
     p->eq.lp.follow = 1;
     status = kern_program_solve(&p->eq.simplex, KERN_SOLVER_BUILTIN, p->x,
                                 p->y);
@@ -5777,16 +5820,18 @@ static kern_status kern_part_judge(kern_part *p, const kern_query *q,
 {
     kern_model *m = p->m;
 
-    /* An answer that failed is asked once more: from no basis, and without the
-       backend. */
+    /* Without a proof the program is solved once more, from no basis and without
+       the backend: a long series of pivots may have lost digits. */
     status = kern_part_prove(p, q, status);
-    if (status < 0) { /* from no basis */
+    if (status < 0) {
         kern_simplex_change(&p->eq.simplex, KERN_BASIS_NONE);
         status = kern_part_prove(p, q,
                                  kern_part_ask(p, q, KERN_SOLVER_BUILTIN));
     }
 
-    /* other rounding, other room; in float it would prove what is critical */
+    /* The last resort for all groups, in double only: the interior point rounds
+       differently and needs other memory. In float it would prove what is
+       critical. */
     if (KERN_PICK(1, 0) > 0 && m->whole
         && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
             || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
@@ -5924,6 +5969,7 @@ KERN_SHARED static kern_real kern_widest(const kern_path *path)
    start. */
 KERN_SHARED static kern_real kern_before(const kern_path *path, kern_real aside)
 {
+    KERN_ASSERT(aside >= 0);
     return kern_max(path->critical - aside, path->start);
 }
 
@@ -6769,6 +6815,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
         r.holds = path->holds;
         r.fails = path->fails;
         r.saturated = path->never;
+        KERN_ASSERT(r.holds <= r.margin && r.margin <= r.fails);
         kern_level_scan(&c->m, path, nested, last, &r);
     }
 
@@ -7130,6 +7177,7 @@ static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
 {
     const kern_motion *v = m->answer.motion;
     int i;
+    KERN_ASSERT(at >= 0);
     for (i = 0; i < m->s->blocks; i++)
         if (m->graph.group[i] < m->graph.groups
             && (which == KERN_FALL_ALL
