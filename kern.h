@@ -1249,7 +1249,7 @@ extern "C" {
    rounding of mu f. */
 #define KERN_CONE_TOL (8 * KERN_EPS)
 /* Least power [W] of a motion in a proof, and what is added to each closing
-   speed [m/s]: a product of smaller numbers may lose its digits by underflow. */
+   speed [m/s]: a product of smaller numbers may lose digits by underflow. */
 #define KERN_POWER_LEAST (1 / (KERN_FAR * KERN_FAR))
 /* Residual of a row or column of a caller's linear program in the proof of its
    answer, as a share of the terms. */
@@ -1409,7 +1409,7 @@ extern "C" {
 /* Share of the highest speed below which blocks rest, or do not approach. */
 #define KERN_REST KERN_R(1e-4)
 /* By what share a limit or a speed must be larger than the largest so far, so
-   that the first of equals is reported, and not the one that rounding raised. */
+   that of equals the first is reported, not the one that rounding raised. */
 #define KERN_TIE KERN_R(1e-4)
 /* Sensitivity: the least sum of powers that is no rounding, as a share of its
    terms. */
@@ -1565,7 +1565,7 @@ extern "C" {
 /* Crash basis: columns of a group that are tried; the arrays are on the
    stack. */
 #define KERN_CRASH_COLUMNS 12
-/* Crash basis: least determinant of three columns, whose entries are about 1. */
+/* Crash basis: least determinant of three columns with entries of about 1. */
 #define KERN_CRASH_DET KERN_LATE_PIVOT
 /* Crash basis: loads that a column may pull. */
 #define KERN_CRASH_PULL KERN_R(2)
@@ -5820,8 +5820,8 @@ static kern_status kern_part_judge(kern_part *p, const kern_query *q,
 {
     kern_model *m = p->m;
 
-    /* Without a proof the program is solved once more, from no basis and without
-       the backend: a long series of pivots may have lost digits. */
+    /* Without a proof the program is solved once more, from no basis and
+       without the backend: a long series of pivots may have lost digits. */
     status = kern_part_prove(p, q, status);
     if (status < 0) {
         kern_simplex_change(&p->eq.simplex, KERN_BASIS_NONE);
@@ -7225,7 +7225,8 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
             if (m->graph.groups > 0)
                 status = kern_fall_beyond(m, path);
 
-            /* They stand: the search continues to their critical value and to the
+            /* They stand: the search continues to their critical value and to
+               the
            mechanism just beyond it. */
         } else if (status == KERN_STANDS) {
             status = kern_path_search(m, path,
