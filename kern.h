@@ -2606,25 +2606,37 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
    is fixed, or has been taken away, is the ground, and has the number after
    the last. A contact belongs to the upper group, which it carries. */
 
-/* Groups and the contacts between them. */
+/* Groups and the contacts between them.
+
+   `local` says which groups are in the part that is open. It has three phases:
+   KERN_OUT for every group while no part is open; KERN_MARKED for those that the
+   next part is to have; and its number in the part for each group of the open
+   one, KERN_OUT for all others. kern_norm_open() takes the groups that are not
+   marked: what is held has any other number then. */
 typedef struct kern_graph {
     int groups;
-    int *group;         /* of a block                                   */
-    int *block;         /* of a group                                   */
-    int *ends;          /* groups of b (2 i) and a (2 i + 1), contact i */
-    int *touch, *after; /* first end of a contact at a group, and the end
-                                 at the same group that follows an end        */
-    kern_real *torque;  /* two an end: of n and t, as its row has them  */
-    int *local;         /* of a group: its number in the open part      */
-    int *carrier;       /* of a group: what alone bears it; or KERN_OUT */
+    int *group;        /* of a block                                     */
+    int *block;        /* of a group                                     */
+    int *ends;         /* groups of b (2 i) and a (2 i + 1), contact i   */
+    int *touch;        /* of a group: the first end of a contact there   */
+    int *after;        /* of an end: the next end at the same group      */
+    kern_real *torque; /* two an end: of n and t, as its row has them    */
+    int *local;        /* of a group: its number in the open part        */
+    int *carrier;      /* of a group: what alone bears it; or KERN_OUT   */
 } kern_graph;
 
-/* What was found for the last verdict. */
+/* What was found for the last verdict.
+
+   `force` has two phases. Between verdicts, and in the pass, it holds contact
+   forces: those from which the pass begins become those that it finds. While a
+   program of all groups is solved they mean nothing, and the place belongs to
+   kern_model_rays(). `sum` is scratch of the proofs: no function leaves anything
+   in it for another. */
 typedef struct kern_answer {
     const kern_known *known; /* forces that held one like it, or NULL        */
     kern_force *force;       /* one a contact                                */
     kern_motion *motion;     /* one a block                                  */
-    kern_real *sum;          /* scratch, four a block                        */
+    kern_real *sum;          /* four a block                                 */
 } kern_answer;
 
 /* States of a cluster, or'ed: to be balanced; was balanced as it is. */
@@ -4381,11 +4393,13 @@ typedef struct kern_dual {
     kern_real stiff;            /* of stiff contacts along t, in stiff_n   */
 } kern_dual;
 
-/* Eq. (5) of a part as a linear program: see >>verdict. */
+/* Eq. (5) of a part as a linear program (>>verdict). Without columns, as the
+   interior point has it, only rhs, rate and shrink mean anything. */
 typedef struct kern_equations {
-    kern_real *arc, *rhs;
-    kern_real *rate;  /* less that of rhs along a path                */
-    kern_real shrink; /* of its columns                               */
+    kern_real *arc;   /* columns                                      */
+    kern_real *rhs;   /* loads                                        */
+    kern_real *rate;  /* minus the rate of rhs along a path           */
+    kern_real shrink; /* of the columns; infinity: there are none     */
     kern_program lp;
     kern_simplex simplex;
 } kern_equations;
@@ -4396,14 +4410,15 @@ typedef struct kern_part {
     int groups, contacts;
     int supports;      /* contacts that carry a group of the part: the
                                  first; by the others, groups rest on it      */
-    int *group;        /* of the part; ascending but in >>norm        */
+    int *group;        /* of the part; in >>norm in an order of its own */
     int *contact;      /* of the part                                  */
     int *ends;         /* of a contact: groups of the part, or none    */
-    kern_real *x, *y;  /* two a contact: forces, and how far the place
-                                 grows; three a group: motion                 */
+    kern_real *x;      /* two a contact: forces along the edges of its
+                                 cone; then how far the place grows           */
+    kern_real *y;      /* three a group: prices of equilibrium, a motion */
     kern_status found; /* what the program said, proven or not         */
-    kern_real ahead;   /* where it may stop to fall: >>search          */
-    kern_take rest;    /* work memory behind these                     */
+    kern_real ahead;   /* critical value predicted for >>search        */
+    kern_take rest;    /* work memory after these                      */
     kern_equations eq;
 } kern_part;
 
@@ -4645,16 +4660,17 @@ typedef enum kern_way_of { KERN_WAY_OF_U, KERN_WAY_OF_STEP } kern_way_of;
    that the contact has already. */
 KERN_SHARED static void kern_norm_ways(kern_part *p, kern_way_of of)
 {
+    const kern_dual *d = &p->dual;
     const int step = of == KERN_WAY_OF_STEP;
-    kern_real *way = step ? p->dual.turn : p->dual.way;
+    kern_real *way = step ? d->turn : d->way;
     int k;
     for (k = 0; k < p->supports; k++, way += 2) {
         way[0] = way[1] = 0;
-        if (!step && p->dual.law == KERN_LAW_STIFF)
-            way[0] = -p->dual.price[k];
+        if (!step && d->law == KERN_LAW_STIFF)
+            way[0] = -d->price[k];
         else if (!step)
             kern_model_prior(p->m, p->contact[k], way);
-        kern_part_speed(p, k, step ? p->dual.step : p->dual.u, way);
+        kern_part_speed(p, k, step ? d->step : d->u, way);
     }
 }
 
@@ -4733,9 +4749,10 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
    The dual is concave: regula falsi. */
 KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 {
-    const int stiff = p->dual.law == KERN_LAW_STIFF;
-    const kern_real push = kern_dot(p->dual.b, p->dual.step, 3 * p->groups);
-    const kern_real first = kern_dot(p->dual.grad, p->dual.step, 3 * p->groups);
+    const kern_dual *d = &p->dual;
+    const int stiff = d->law == KERN_LAW_STIFF;
+    const kern_real push = kern_dot(d->b, d->step, 3 * p->groups);
+    const kern_real first = kern_dot(d->grad, d->step, 3 * p->groups);
     const kern_real least = first
                           / (stiff ? KERN_SHARE_TOL_PRICED : KERN_SHARE_TOL);
     kern_real lo = 0, at_lo = first, hi = KERN_INFINITY, at_hi = lo;
@@ -7225,10 +7242,9 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
             if (m->graph.groups > 0)
                 status = kern_fall_beyond(m, path);
 
-            /* They stand: the search continues to their critical value and to
-               the
-           mechanism just beyond it. */
         } else if (status == KERN_STANDS) {
+            /* They stand: the search continues to their critical value and to
+               the mechanism just beyond it. */
             status = kern_path_search(m, path,
                                       path->kind != KERN_PATH_SHRINK
                                               || kern_is_nested(m, range)
