@@ -2294,6 +2294,9 @@ static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
 {
     kern_real error = 0, weight = 0;
     int i;
+
+    /* The residual of each row of a free block, as a share of what acts on
+       it. */
     for (i = 0; i < s->blocks; i++, sum += 4)
         if (!s->block[i].fixed && !kern_is_gone(q, i)) {
             kern_wrench w;
@@ -2310,6 +2313,9 @@ static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                 error = kern_max(
                     error, left / (KERN_TOL * size + KERN_ROUNDING * sum[3]));
         }
+
+    /* The sum of the forces, as a share of the largest that is taken for
+       real. */
     weight *= KERN_BOUND;
     if (!kern_is_finite(weight)) /* too much is allowed to prove anything */
         return KERN_INFINITY;
@@ -2340,6 +2346,8 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
     int i;
     KERN_ASSERT(force && sum);
     kern_zero(sum, 4 * s->blocks);
+
+    /* Each force must be in its cone. Sums what it does to its two blocks. */
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real f = force[i].normal, r = force[i].tangential;
@@ -3602,6 +3610,8 @@ static void kern_basis_refactorise(kern_simplex *sx)
     const kern_program *lp = sx->lp;
     kern_factors *f = &sx->factors;
     int i, p, left = 0;
+
+    /* Begins from logicals, and keeps the columns of the basis in a list. */
     for (i = 0; i <= lp->cols; i++)
         sx->place[i] = KERN_OUT;
     for (p = 0; p < lp->rows; p++) {
@@ -3609,12 +3619,17 @@ static void kern_basis_refactorise(kern_simplex *sx)
         sx->base[p] = lp->cols + 1 + p;
         sx->value[p] = 0;
     }
+
+    /* B_0 is the unit matrix, and there are no factors. */
     kern_zero(f->block, 18 * f->groups);
     for (p = 0; p < 3 * f->groups; p++) {
         f->block[6 * p + p % 3] = 1;
         f->to[p] = lp->rows;
     }
     f->count = f->first[0] = 0;
+
+    /* Own columns of a group take its rows in B_0. Those that find no row there
+       enter one after the other. */
     for (p = 0; p < lp->rows; p++)
         if (sx->list[p] <= lp->cols && !kern_own_enter(sx, sx->list[p]))
             sx->list[left++] = sx->list[p];
@@ -4442,15 +4457,19 @@ static int kern_part_ends(kern_part *p)
 static void kern_part_list(kern_part *p)
 {
     const kern_model *m = p->m;
-    int own, n, e;
+    int supporting, n, e;
     p->contacts = 0;
     p->contact = kern_take_ints(&p->rest, 0);
-    for (own = 1; own >= 0; own--) {
+
+    /* Round 1 lists the contacts to groups below and to the ground, round 0
+       those to groups above that are not in the part. */
+    for (supporting = 1; supporting >= 0; supporting--) {
         for (n = 0; n < p->groups; n++) {
             const int g = p->group[n];
             for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
                 const int other = m->graph.ends[e ^ 1];
-                if (own ? other > g
+                if (supporting
+                        ? other > g
                         : other < g && m->graph.local[other] == KERN_OUT) {
                     int *const to = kern_take_ints(&p->rest, 1);
                     if (!kern_take_fits(&p->rest))
@@ -4460,7 +4479,7 @@ static void kern_part_list(kern_part *p)
                 }
             }
         }
-        if (own)
+        if (supporting)
             p->supports = p->contacts;
     }
 }
@@ -4505,11 +4524,14 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     KERN_ASSERT(groups > 0 && !m->whole);
     if (!kern_part_begin(p, m, groups, &m->rest))
         return 0;
+
+    /* Numbers the marked groups in their order, from the last up. */
     for (g = last; n > 0; g--)
         if (m->graph.local[g] != KERN_OUT) {
             m->graph.local[g] = --n;
             p->group[n] = g;
         }
+
     kern_part_list(p);
     if (!kern_part_ends(p))
         return 0;
@@ -4800,18 +4822,29 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     const int n = 3 * p->groups;
     int i, round;
     KERN_ASSERT(p->supports <= p->contacts);
+
+    /* A cold start begins at rest; the three numbers of what is held are always
+       0. */
     for (i = start == KERN_START_COLD ? 0 : n; i < n + 3; i++)
         d->u[i] = d->step[i] = 0;
     kern_norm_ways(p, KERN_WAY_OF_U);
+
+    /* Each round balances what presses now. */
     for (round = start; round < rounds; round++) {
         kern_real most, share;
         const kern_real value = kern_norm_gradient(p, &most);
+
+        /* Equilibrium holds; or the dual has grown beyond what forces of the
+           bound allow, so that there are none. */
         if (kern_largest(d->grad, n) <= tolerance + KERN_RESIDUAL * most)
             return KERN_STANDS;
         if (!(value <= bound * bound / 2))
             return KERN_FALLS;
         if (!kern_model_spend(p->m, d->cost))
             return KERN_LIMIT;
+
+        /* Newton's step; a cold one in full, since all contacts are taken to
+           press. */
         kern_norm_matrix(p, round == 0 ? KERN_START_COLD : KERN_START_WARM);
         kern_skyline_factor(&d->matrix);
         kern_skyline_solve(&d->matrix, d->grad, d->step);
@@ -5126,6 +5159,9 @@ static int kern_pass_grow(kern_model *m, int last)
 {
     const kern_clusters *c = &m->cluster;
     int g = last, after, e, grown = 0;
+
+    /* Joins the cluster of every group above. A joined cluster's own upper
+       groups wait for the next time: `after` is what followed before. */
     do {
         after = c->next[g];
         for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
@@ -5137,6 +5173,7 @@ static int kern_pass_grow(kern_model *m, int last)
         }
         g = after;
     } while (g != last);
+
     kern_pass_mark_open(m, last);
     return grown && kern_pass_mark(m, last, KERN_OUT) <= c->groups_most;
 }
@@ -5150,7 +5187,11 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
     int *const of = m->cluster.last, *const open = m->cluster.open;
     const int last = p->group[p->groups - 1], again = open[last] & KERN_TRIED;
     int k;
+
     open[last] |= KERN_TRIED;
+
+    /* Writes the force of each support. A group of the part is balanced now, so
+       that only a group outside of it is balanced again. */
     for (k = 0; k < p->supports; k++) {
         const int i = p->contact[k], *ends = m->graph.ends + 2 * i;
         const kern_real *w = p->dual.way + 2 * k;
@@ -5159,6 +5200,7 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
         const int inside = p->ends[2 * k + low] < p->groups;
         kern_pass_write(m, i, inside ? m->graph.groups : on, s.force,
                         tolerance);
+
         if (again && on < m->graph.groups && of[on] < last
             && (open[of[on]] & KERN_OPEN)) {
             kern_pass_join(m, on, last);
@@ -5176,8 +5218,12 @@ static int kern_pass_parts(kern_part *p)
                          * kern_largest(p->dual.u, 3 * p->groups);
     kern_real power = 0;
     int n, k;
+
+    /* The power of the loads. */
     for (n = 0; n < p->groups; n++)
         power += kern_dot(p->dual.u + 3 * n, p->m->load + 3 * p->group[n], 3);
+
+    /* No contact from above may be closed, not even at the edge of its cone. */
     for (k = p->supports; k < p->contacts; k++) {
         kern_real w[2] = {0, 0};
         kern_part_speed(p, k, p->dual.u, w);
@@ -5663,14 +5709,19 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
     kern_status status = KERN_UNDECIDED;
     if (!kern_model_ask(m, 1))
         return KERN_LIMIT;
+
     m->task->work->solves++;
     kern_model_arms(m, q);
     kern_part_load(p, q, p->eq.rhs);
+
+    /* What was found for the last query is near: lifted a little, it saves some
+       rounds. */
     if (in->gap <= KERN_IPM_GAP_MOST) {
         in->s = kern_min(in->s, -KERN_IPM_S);
         kern_ipm_centre(in, kern_max(in->gap, KERN_IPM_GAP));
         status = kern_ipm_run(in, q, KERN_IPM_SLACK * in->gap);
     }
+
     if (status == KERN_UNDECIDED && kern_ipm_begin(in))
         status = kern_ipm_run(in, q, KERN_INFINITY);
     return p->found = status;
@@ -5706,6 +5757,9 @@ static int kern_part_lay(kern_part *p)
     int room = KERN_EXTRAS(n);
     eq->lp = lp;
     eq->shrink = KERN_INFINITY; /* none */
+
+    /* Takes as much room for factors as the work memory has: the less, the more
+       often the basis is factored again. */
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
         eq->lp.a = eq->arc = kern_take_reals(&take,
@@ -5732,9 +5786,14 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     int k, edge;
     KERN_ASSERT(eq->lp.rows == 3 * p->groups);
     m->reduction = kern_reduction(q);
+
+    /* Units and loads depend on all of a query. */
     for (k = 0; k < p->groups; k++)
         kern_model_unit(m, q, p->group[k]);
     kern_part_load(p, q, eq->rhs);
+
+    /* Columns depend on the shrinkage alone; with others the basis must be
+       factored again. */
     if (eq->shrink >= q->shrink && eq->shrink <= q->shrink)
         return;
     eq->shrink = q->shrink;
@@ -5858,8 +5917,9 @@ static kern_status kern_part_judge(kern_part *p, const kern_query *q,
     return status;
 }
 
-/* Passes the loads down for a query that is set. Returns KERN_STANDS with a
-   proof; KERN_FALLS with an open part that seems to fall; or KERN_UNDECIDED. */
+/* Passes the loads down for a query that is set, in clusters of at most one
+   `share`-th of all groups. Returns KERN_STANDS with a proof; KERN_FALLS with
+   an open part that seems to fall; KERN_UNDECIDED; or KERN_LIMIT. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
@@ -5868,11 +5928,16 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
         if (!kern_model_ask(m, 1))
             return KERN_LIMIT;
         m->task->work->solves++;
+
         kern_pass_begin(m, share);
         found = kern_pass(m, p);
         if (found == KERN_FALLS
             || (found == KERN_STANDS && kern_answer_holds(m, q)))
             return found;
+
+        /* Every group is balanced, and yet the forces prove nothing: the known
+           forces, of groups that were not balanced again, are of other loads.
+           Once more without them. */
         if (found != KERN_STANDS || !m->answer.known)
             return KERN_UNDECIDED;
         kern_model_unload(m);
@@ -5892,6 +5957,8 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
     p->contact = kern_take_ints(&p->rest, p->contacts);
     if (!kern_take_fits(&p->rest))
         return KERN_NO_SPACE;
+
+    /* The part has all groups and all contacts, in their order. */
     for (g = 0; g < p->groups; g++)
         p->group[g] = g;
     for (k = 0; k < p->contacts; k++)
@@ -5908,15 +5975,25 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 {
     kern_status status;
     p->found = KERN_UNDECIDED;
+
     if (!m->whole) {
         kern_model_set(m, q);
+
+        /* First the pass: forces for every group prove that the structure
+           stands. */
         status = kern_model_pass(m, p, q, KERN_CLUSTER);
         if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
+
+        /* A part that seems to fall is small: its own program gives the motion
+           that proves it. If that fails the part proves nothing. */
         if (status == KERN_FALLS && kern_part_lay(p)
             && kern_part_judge(p, q, kern_part_ask(p, q, KERN_SOLVER_ANY))
                    == KERN_FALLS)
             return KERN_FALLS;
+
+        /* All groups at once: many by the interior point, few, or what that
+           leaves undecided, by one program that stays for later queries. */
         status = m->graph.groups > KERN_SMALL ? kern_ipm_verdict(m, p, q)
                                               : KERN_UNDECIDED;
         if (status != KERN_UNDECIDED)
