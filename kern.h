@@ -1197,8 +1197,9 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 extern "C" {
 #endif
 
-/* Conditions that hold whatever the caller hands in, and what looks at the
-   state of an engine (tests/audit.h); off, unless a test build defines them. */
+/* KERN_ASSERT: a condition that holds whatever the arguments are. KERN_AUDIT: a
+   check of the state of an engine (tests/audit.h). Both are off, unless a test
+   build defines them. */
 #ifndef KERN_ASSERT
 #define KERN_ASSERT(condition) ((void)0)
 #endif
@@ -1217,7 +1218,7 @@ extern "C" {
 
 #define KERN_OUT (-1)
 
-/* Inlined, these take more room in firmware, by their callers or registers. */
+/* Marks functions that take more room in firmware when they are inlined. */
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define KERN_SHARED __attribute__((noinline))
 #else
@@ -1350,19 +1351,21 @@ extern "C" {
 
 /* ---- measures ---- */
 
-/* Width of the bracket of a measure, half of it before the critical value [mean
-   block size; load factor; tangent of a quarter of the angle]; up to all of it
-   may lie beyond. Narrower, fewer verdicts near critical have a proof; wider,
-   the bracket is no longer within the 2e-6 that are promised. */
+/* Width of the bracket of a measure [mean block size; load factor; tangent of
+   a quarter of the angle]. Half of it lies before the critical value; up to
+   all of it may lie beyond. If it were narrower, fewer verdicts near critical
+   would have a proof. If it were wider, it would exceed the 2e-6 that are
+   promised. */
 #define KERN_WIDTH KERN_PICK(1.26e-6, 1.8e-3)
-/* How many times wider it may get near what has no proof; wider: undecided. */
+/* How many times wider a bracket may become where proofs fail. A wider one is
+   no answer. */
 #define KERN_WIDEST KERN_R(20)
 /* Groups up to which one linear program is solved: margins are then exact.
    More, and its factor costs more than the interior point. */
 #define KERN_SMALL 64
 /* Steps to the largest travel where kerns are not nested, and of half a circle
    of tilt under loads that stay: a range that falls, and is narrower than one,
-   may be missed. A walk, or a climb, takes at most five times as many steps. */
+   may be missed. A walk or a climb takes at most five times as many steps. */
 #define KERN_SCAN 1001
 /* Default step of a level [mean size]: the paper's steps are of this order. */
 #define KERN_LEVEL_STEP KERN_R(0.02)
@@ -1375,8 +1378,8 @@ extern "C" {
 #define KERN_GROW_FIRST KERN_R(0.001)
 /* Deficit: factor of the growth where kerns are nested: few verdicts. */
 #define KERN_GROW_NESTED KERN_R(4)
-/* Deficit: the same where they are not, so that a range that stands is seldom
-   missed. */
+/* Deficit: factor of the growth where kerns are not nested, so that a range
+   that stands is seldom missed. */
 #define KERN_GROW_EVEN KERN_R(1.1)
 /* Deficit: largest growth, in extents of the structure: the rule of >>rules. */
 #define KERN_GROW_MOST 1000
@@ -1426,8 +1429,8 @@ extern "C" {
    load. A proof allows far more, and so residuals of many groups may add up. At
    1e-10 in double a light stone beside heavy ones stands that falls. */
 #define KERN_PASS_TOL KERN_PICK(1e-11, 1e-6)
-/* The same for a program of all groups, a tenth of KERN_TOL: its forces are not
-   passed on, so that no residuals add up. */
+/* Residual that a program of all groups leaves, a tenth of KERN_TOL: its forces
+   are not passed on, so that no residuals add up. */
 #define KERN_PART_TOL KERN_PICK(1e-10, 1e-5)
 /* Rounding of a residual, as a share of the largest force or value in it. */
 #define KERN_RESIDUAL (4 * KERN_EPS)
@@ -1443,7 +1446,7 @@ extern "C" {
 /* Line search: it ends where the derivative is the first over this. Newton's
    next step makes up for the rest. */
 #define KERN_SHARE_TOL 8
-/* Line search: the same with prices, since the next prices begin there. */
+/* Line search: this with prices, since the next prices begin there. */
 #define KERN_SHARE_TOL_PRICED 1000
 /* Line search: most places until the maximum is passed, 4^12 steps away. */
 #define KERN_SHARE_GROWS 13
@@ -1573,7 +1576,7 @@ extern "C" {
 #define KERN_PIVOTS 50
 /* Such pivots more for each row. */
 #define KERN_PIVOTS_ROW 2
-/* Bland's rule begins after so many times as many: it is safe, and slow. */
+/* Bland's rule begins after this multiple of these: it is safe, and slow. */
 #define KERN_PIVOTS_BLAND 5
 /* Pivots in all, to end what rounding might keep going. */
 #define KERN_PIVOTS_MOST 200
@@ -1823,10 +1826,12 @@ static void kern_box_add(kern_box *box, kern_vec p)
          \ | /
        ---- p ----  t
 
-   A has three rows a free block (force, torque about its centre), two columns a
-   contact point. Units are the size of the block and the weight of all. */
+   A has three rows for each free block (force, torque about its centre) and two
+   columns for each contact point. Units are the size of the block and the
+   weight of all. */
 
-/* A query: the weights and loads to carry, and how far kerns shrink. */
+/* A question: which weights and loads are to be carried, and how far kerns
+   shrink. */
 typedef struct kern_query {
     kern_real shrink;
     int relative;     /* nonzero: a share of each travel            */
@@ -2014,8 +2019,9 @@ KERN_SHARED static int kern_same_interface(const kern_contact *c,
 }
 
 /* ---- Work arrays ------------------------------------------------- >>work */
-/* What is left of the work memory. Slices are handed out one after the other.
-   Below 0 are left where one did not fit: it and what follows mean nothing. */
+/* Work memory that is left. Slices are taken from it one after the other. Where
+   a slice does not fit, the number that is left becomes -1 and stays below 0:
+   that slice and all later ones mean nothing. */
 
 typedef struct kern_take {
     kern_real *real;
@@ -2101,7 +2107,7 @@ static kern_status kern_ended(const kern_task *task, kern_status status)
 }
 
 /* ---- What is handed in ------------------------------------------ >>check */
-/* All that the statics reads is looked at once, before any memory is used:
+/* All that the statics reads is checked once, before any memory is used:
    numbers are within bounds, indices exist, normals have length 1. */
 
 /* Checks the options. */
@@ -2276,15 +2282,19 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
-/* From the caller's data alone. An error is a share of what is allowed.
+/* Proofs read the caller's data and nothing else. Their error is a share of
+   what is allowed: a proof with an error of at most 1 holds.
 
-   Forces prove "stands": each in its cone, the residual of every equilibrium
-   row within KERN_TOL of what acts on the block (or within the rounding of the
-   forces that meet there), their sum at most KERN_BOUND times the weight. A
-   motion proves "falls": its power exceeds its own rounding plus KERN_BOUND
-   times the weight of what moves times the highest speed at which it closes a
-   contact: forces of that sum could not hold it. The speed includes all that
-   rounding may have taken from it: the proof holds without rounding as well. */
+   Forces prove "stands". Each lies in its cone. The residual of each row of
+   equilibrium is within KERN_TOL of what acts on the block, or within the
+   rounding of the forces that meet there. Their sum is at most KERN_BOUND times
+   the weight.
+
+   A motion proves "falls". Its power exceeds its own rounding plus KERN_BOUND
+   times the weight of the moving part times the highest speed at which it
+   closes a contact: forces of that sum could not hold it. The speed includes
+   all that rounding may have taken from it, so that the proof holds without
+   rounding as well. */
 
 /* Returns the error of equilibrium: the largest residual of free blocks, or the
    sum `total` of all normal forces, as a share of what is allowed. `sum` is
@@ -2582,7 +2592,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
         || kern_query_check(task, shrink, proof, &q) != KERN_OK)
         return KERN_INFINITY;
 
-    /* The sums of the proof lie in the work memory, and behind them a mark for
+    /* The sums of the proof lie in the work memory, and after them a mark for
        each block. */
     s = &task->s;
     kern_take_open(&take, task->work);
@@ -2609,18 +2619,19 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 }
 
 /* ---- The model ------------------------------------------------- >>model */
-/* Free blocks become groups of three rows, numbered from top to bottom as
-   gravity sees them, so that what a group carries has a smaller number. What
-   is fixed, or has been taken away, is the ground, and has the number after
-   the last. A contact belongs to the upper group, which it carries. */
+/* Each free block becomes a group of three rows. Groups are numbered from top
+   to bottom, along gravity, so that the groups that a group carries have
+   smaller numbers. Blocks that are fixed or have been taken away are the
+   ground, which has the number after the last. A contact belongs to its upper
+   group, which it carries. */
 
 /* Groups and the contacts between them.
 
    `local` says which groups are in the part that is open. It has three phases:
-   KERN_OUT for every group while no part is open; KERN_MARKED for those that the
-   next part is to have; and its number in the part for each group of the open
-   one, KERN_OUT for all others. kern_norm_open() takes the groups that are not
-   marked: what is held has any other number then. */
+   KERN_OUT for every group while no part is open; KERN_MARKED for those that
+   the next part is to have; and its number in the part for each group of the
+   open one, KERN_OUT for all others. kern_norm_open() takes the groups that are
+   not marked: what is held has any other number then. */
 typedef struct kern_graph {
     int groups;
     int *group;        /* of a block                                     */
@@ -2638,8 +2649,8 @@ typedef struct kern_graph {
    `force` has two phases. Between verdicts, and in the pass, it holds contact
    forces: those from which the pass begins become those that it finds. While a
    program of all groups is solved they mean nothing, and the place belongs to
-   kern_model_rays(). `sum` is scratch of the proofs: no function leaves anything
-   in it for another. */
+   kern_model_rays(). `sum` is scratch of the proofs: no function leaves
+   anything in it for another. */
 typedef struct kern_answer {
     const kern_known *known; /* forces that held one like it, or NULL        */
     kern_force *force;       /* one a contact                                */
@@ -2647,7 +2658,8 @@ typedef struct kern_answer {
     kern_real *sum;          /* four a block                                 */
 } kern_answer;
 
-/* States of a cluster, or'ed: to be balanced; was balanced as it is. */
+/* States of a cluster, of which it may have both: it must be balanced; it has
+   been balanced in its present extent. */
 enum { KERN_OPEN = 1, KERN_TRIED = 2 };
 
 /* In graph.local: the group is to be one of the next part. */
@@ -2783,7 +2795,7 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     const kern_structure *s = m->s;
     int i, g, none = 0;
 
-    /* The groups are the free blocks. All that depends on groups begins anew:
+    /* The groups are the free blocks. All that depends on groups begins again:
        the torques, the forces, the groups that the pass balances. */
     for (i = s->blocks - 1; i >= 0; i--)
         if (!s->block[i].fixed && !kern_is_gone(q, i))
@@ -3142,19 +3154,19 @@ KERN_SHARED static void kern_proof_out(const kern_model *m,
    Rows come in groups of three. A column of a network (`ends` given) touches
    one or two groups; it is an own column of the first of them, in the order in
    which groups carry each other. B_0 has three own columns of each group, or
-   logicals: it is block triangular, and for each group its inverse, 3 x 3, and
-   what its three columns do to other groups is all there is to store. Without
-   `ends` B_0 is the unit matrix.
+   logicals. So it is block triangular, and only two things are stored for each
+   group: its 3 x 3 inverse, and what its three columns do to other groups.
+   Without `ends` B_0 is the unit matrix.
 
-   E_i lets one column more enter (the product form of the inverse). It is the
-   unit matrix but for one column: with alpha the entering column in terms of
-   the basis, and p the row in which it pivots, that is -alpha / alpha_p with 1
-   / alpha_p in row p. Its entries are kept in threes, from the first that is
-   not zero to the last.
+   E_i lets one more column enter (the product form of the inverse). It is the
+   unit matrix except for one column. Let alpha be the entering column in terms
+   of the basis, and p the row in which it pivots: then that column is -alpha /
+   alpha_p, with 1 / alpha_p in row p. Its entries are kept in threes, from the
+   first that is not zero to the last.
 
-   Vectors over the rows have three more places at their end: there lie the rows
-   of the group that a column leads to which leads to none. Reading it gives 0,
-   writing to it has no effect, and no loop tests for it. */
+   Vectors over the rows have three more places at their end, the rows of the
+   ground. A column that leads to no other group leads there: reading gives 0,
+   writing has no effect, and no loop has to test for it. */
 
 typedef struct kern_program {
     int rows, cols;
@@ -3167,7 +3179,7 @@ typedef struct kern_program {
                                2 i + 1, rows / 3 for none; NULL: dense        */
     const kern_real *rate; /* column of the place: less its growth of rhs    */
     int follow;            /* 1: the place grows from rhs's, 0: it is held   */
-    kern_real most;        /* what a variable can be at the most; 0: all     */
+    kern_real most;        /* largest value of a variable; 0: no bound     */
     int limit;             /* of work->units                                 */
     kern_work *work;       /* of the call                                    */
 } kern_program;
@@ -3318,7 +3330,7 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
     }
 }
 
-/* c := B^-T c, from variables to rows; zero behind the last row. */
+/* c := B^-T c, from variables to rows; zero after the last row. */
 static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
     const kern_factors *f = &sx->factors;
@@ -3649,23 +3661,23 @@ static void kern_basis_renew(kern_simplex *sx)
 }
 
 /* ---- pivots ---- */
-/* Every basis gives x with A x = rhs. While a variable violates x >= 0 (or is a
-   logical that is not zero) what is lowered is the sum of all violations. With
+/* Every basis gives an x with A x = rhs. A variable violates x >= 0 if it is
+   negative, or if it is a logical that is not zero. As long as one does, the
+   sum of all violations is lowered. With
 
-       y = B^-T c,    c = +1 or -1 for what violates, else 0,
+       y = B^-T c,    c = +1 or -1 for a variable that violates, otherwise 0,
 
    y.A_j < 0 tells how fast the sum falls when column j enters. When no column
-   lowers it and it is not zero, y is a Farkas certificate, and the one that
-   shows the largest sum of violations: what a step of Newton's method needs.
-   Where nothing violates c is less the costs, and y less their prices. */
+   lowers it and it is not zero, y is a Farkas certificate: the one that shows
+   the largest sum of violations, which a step of Newton's method needs. Where
+   nothing violates, c is minus the costs, and y minus their prices. */
 
-/* How pivots are chosen: the column of the largest gain; the same with prices
-   that are refined, when that has taken long; the first column of any gain and
-   of equal rows the least index (Bland), which cannot cycle. */
+/* How pivots are chosen. */
 typedef enum kern_rule {
-    KERN_RULE_LARGEST,
-    KERN_RULE_REFINED,
-    KERN_RULE_BLAND
+    KERN_RULE_LARGEST, /* the column of the largest gain                   */
+    KERN_RULE_REFINED, /* the same, with refined prices                    */
+    KERN_RULE_BLAND    /* the first column of any gain, and of equal rows
+                                 the least index: this cannot cycle        */
 } kern_rule;
 
 /* Returns 1 if variable j must be zero: a logical, or a place that is held. */
@@ -3924,7 +3936,7 @@ static kern_status kern_simplex_run(kern_simplex *sx)
 
 /* ---- opening, starting, reading ---- */
 
-/* Lays out the arrays of a simplex, with room for so many entries. */
+/* Lays out the arrays of a simplex, with room for `room` entries of factors. */
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take)
 {
@@ -4149,13 +4161,15 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 }
 
 /* ---- Contact law and skyline factor --------------------------- >>skyline */
-/* What a contact answers to a motion (wn, wt) along n and t is linear between
-   bends: f = nn wn + nt wt, r = nt wn + tt wt. A x = b then asks for a matrix
-   with the pattern of the groups, which is factored (skyline Cholesky) in their
-   order. Minimum-norm forces, >>ipm and >>raised differ in the law alone. */
+/* The force with which a contact answers a motion (wn, wt) along n and t is
+   linear between bends: f = nn wn + nt wt, r = nt wn + tt wt. So A x = b leads
+   to a matrix with the pattern of the groups, which is factored in their order
+   (skyline Cholesky). Minimum-norm forces, >>ipm and >>raised differ only in
+   the law. */
 
-/* A symmetric matrix of 3 x 3 blocks, a row of them a group, or its factor: of
-   each row what lies from its first column to the diagonal (>>skyline). */
+/* A symmetric matrix of 3 x 3 blocks, one row of them for each group, or its
+   factor. Of each row the blocks from its first column to the diagonal are
+   stored. */
 typedef struct kern_skyline {
     int groups;
     int *first;  /* of a row: its first block column             */
@@ -4382,9 +4396,10 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
 }
 
 /* ---- Parts ------------------------------------------------------ >>part */
-/* Some of the groups with all contacts that touch them, all other blocks held.
-   What is held can exert whatever is needed, so where a part falls the whole
-   falls: the motion of the part, and none of the others, proves it. */
+/* A part is some of the groups with all contacts that touch them; all other
+   blocks are held. Held blocks can exert any force, so that where a part falls
+   the whole falls: the motion of the part, with all other blocks at rest,
+   proves it. */
 
 /* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
 typedef enum kern_law_of {
@@ -4585,14 +4600,14 @@ static int kern_part_stands(kern_part *p, const kern_query *q)
 }
 
 /* ---- Minimum-norm forces ----------------------------------------- >>norm */
-/* Minimum-norm forces of a part, by a dual Newton method:
+/* Minimum-norm forces of a part solve
 
        min |x|^2 / 2,  A x = b,  x >= 0.
 
-   The dual, max b.u - |max(0, A'u)|^2 / 2, has three unknowns a group, is
-   concave and of piecewise constant curvature; x = max(0, A'u). Newton's method
-   ends after a few steps; its matrix is A_S A_S' of the rays S that press.
-   Where no forces exist the dual grows without limit. */
+   The dual, max b.u - |max(0, A'u)|^2 / 2, has three unknowns for each group.
+   It is concave and has a piecewise constant curvature, and x = max(0, A'u). So
+   Newton's method ends after a few steps. Its matrix is A_S A_S', of the rays S
+   that press at u. Where no forces exist the dual grows without limit. */
 
 /* Writes the approach of contact i at which its law exerts the force of the
    answer, and returns the friction. Newton's method begins there, and so finds
@@ -4801,7 +4816,7 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 
         /* The end of the same sign moves. */
         if (slope > 0) {
-            at_hi /= 3; /* else the other end may stay for long */
+            at_hi /= 3; /* otherwise the other end may stay for long */
             lo = at;
             at_lo = slope;
         } else {
@@ -4949,17 +4964,17 @@ static void kern_norm_write(kern_part *p)
 
 /* ---- The top-down pass ------------------------------------------- >>pass */
 /* The pass balances the groups from top to bottom. A group passes its load, and
-   what rests on it, on to the contacts that carry it: by the least change of
-   their forces, in three unknowns. A group that cannot do so alone forms a
-   cluster with the groups that rest on it. A group whose load changes is
-   balanced again. Forces that balance every group prove that the structure
-   stands. Where a cluster cannot be balanced, and its motion parts it from all
-   that rests on it, no forces from above could hold it: it is a part that
-   falls.
+   what rests on it, on to the contacts that carry it, by the least change of
+   their forces: a problem in three unknowns. A group that cannot be balanced
+   alone forms a cluster with the groups that rest on it. A group whose load
+   changes is balanced again. Forces that balance every group prove that the
+   structure stands. If a cluster cannot be balanced, and its motion parts it
+   from all that rests on it, no forces from above could hold it: then it is a
+   part that falls.
 
-   The outcome of a cluster, or of the whole pass: KERN_STANDS, its groups are
-   balanced; KERN_FALLS, a part that seems to fall is open; KERN_UNDECIDED, it
-   is out of work memory or budget. */
+   A cluster, or the whole pass, has one of three outcomes. KERN_STANDS: its
+   groups are balanced. KERN_FALLS: a part that seems to fall is open.
+   KERN_UNDECIDED: it has no work memory or budget left. */
 
 /* Marks that the cluster of group g must be balanced. */
 static void kern_pass_mark_open(kern_model *m, int g)
@@ -5344,8 +5359,8 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
     c->budget_end = m->task->work->units
                   + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
 
-    /* The front moves down. Where a force changed that a cluster behind it must
-       carry it moves back. The budget ends what does not settle. */
+    /* The front moves down, and back to a cluster that must be balanced again.
+       The budget ends what does not settle. */
     while (c->front < m->graph.groups) {
         const int g = c->front++;
         kern_status status;
@@ -5366,23 +5381,25 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
 }
 
 /* ---- Interior point ---------------------------------------------- >>ipm */
-/* The verdict on all groups at once, in some ten factorisations. With g what
-   the first forces, x > 0, miss of equilibrium, how much of it is made up:
+/* The verdict on all groups at once, in about ten factorisations. The first
+   forces, x > 0, miss equilibrium by g. The program asks how much of g can be
+   made up:
 
        max s,  A x + s g = b,  x >= 0,  s <= 0,
 
-   from s = -1. It stands if s gets to 0. The maximum is where
+   from s = -1. The structure stands if s reaches 0. The maximum is where
 
        A x = b - s g,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray:
 
    y is the mechanism by which it falls. A primal-dual method follows x z = mu >
-   0 to mu = 0. A step is Newton's,
+   0 to mu = 0. Its steps are Newton's,
 
        M dy - g ds = A x~ + s g - b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
 
-   with x~ the forces that mu demands, solved twice with one factor (Mehrotra):
-   the predictor, with mu = 0, tells how small mu may be, and what the corrector
-   has to take into account. Along a path x, y, z and s are those last found. */
+   with x~ the forces that mu demands. They are solved twice with one factor
+   (Mehrotra): the predictor, with mu = 0, tells how small mu may be and what
+   the corrector has to take into account. Along a path x, y, z and s begin
+   where the last query left them. */
 
 typedef struct kern_ipm {
     kern_part *p; /* all groups; its x, y and eq.rhs are x, y, b  */
@@ -6008,9 +6025,10 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 /* ==== Part V: What is measured =========================================== */
 
 /* ---- The kern -------------------------------------------------- >>kern */
-/* At a place that falls y gives the power -y.rhs > 0, which changes along the
-   path at the rate y.(rhs' - A' x): its zero is where this mechanism stops
-   (Newton's method). It converges quadratically, from the side that falls. */
+/* At a place where the structure falls the mechanism y has the power -y.rhs >
+   0. Along the path it changes at the rate y.(rhs' - A' x). Where it is zero
+   this mechanism stops falling: Newton's method, which converges quadratically,
+   from the side that falls. */
 
 typedef enum kern_path_kind {
     KERN_PATH_SHRINK,
@@ -7250,8 +7268,9 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
 }
 
 /* ---- The profile --------------------------------------------- >>profile */
-/* Progressive collapse: the path goes on past its critical value, without what
-   moves there. A model of fewer blocks is the same one with fewer groups. */
+/* Progressive collapse: the path continues past its critical value, without the
+   blocks that move there. A model of fewer blocks is the same model with fewer
+   groups. */
 
 typedef struct kern_fall {
     int weak;         /* places in the weaker half that are not taken */
@@ -7552,8 +7571,9 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 }
 
 /* ---- Sensitivity ------------------------------------------- >>sensitivity */
-/* At the margin d* the power G of forces and loads on the mechanism is 0, also
-   if a datum q changes: d*' = -G_q / G_d, by forces and motion of the proof. */
+/* At the margin d* the power G of forces and loads on the mechanism is 0, and
+   it stays 0 when a datum q changes: d*' = -G_q / G_d, with the forces and the
+   motion of the proof. */
 
 /* Writes G_q for the data of contact i. Returns its share of G_d. Both are 0
    without a force or a motion. */
