@@ -1833,17 +1833,18 @@ static void kern_box_add(kern_box *box, kern_vec p)
 /* A question: which weights and loads are to be carried, and how far kerns
    shrink. */
 typedef struct kern_query {
-    kern_real shrink;
-    int relative;     /* nonzero: a share of each travel            */
-    kern_real narrow; /* rate at which cones narrow                 */
-    kern_real mean;   /* size of the free blocks                    */
+    kern_real shrink; /* of all kerns [m; relative: share of each travel]   */
+    int relative;     /* nonzero: shrink is a share                         */
+    kern_real narrow; /* rate at which cones narrow                         */
+    kern_real mean;   /* size of the free blocks                            */
     kern_vec gravity;
-    const kern_wrench *pattern; /* NULL: side * m |g| horizontally            */
-    kern_real factor;           /* of the pattern                             */
-    kern_real loads;            /* share of the blocks' loads                 */
-    int side;
-    const kern_real *fallen; /* of a block, >= 0: it is gone; NULL: none   */
-    kern_real shortest;      /* a shorter contact carries nothing [m]      */
+    const kern_wrench *pattern; /* NULL: side * m |g| horizontally          */
+    kern_real factor;           /* of the pattern                           */
+    kern_real loads;            /* share of the blocks' loads               */
+    int side;                   /* 1 or -1, of the NULL pattern or a tilt   */
+    const kern_real *fallen;    /* block i is gone if fallen[i] >= 0; NULL:
+                                           none is gone                     */
+    kern_real shortest;         /* a shorter contact carries nothing [m]    */
 } kern_query;
 
 /* Returns the tangent by which a query narrows the cones of friction. */
@@ -2327,7 +2328,7 @@ static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
     /* The sum of the forces, as a share of the largest that is taken for
        real. */
     weight *= KERN_BOUND;
-    if (!kern_is_finite(weight)) /* too much is allowed to prove anything */
+    if (!kern_is_finite(weight)) /* it would allow any forces */
         return KERN_INFINITY;
     if (total > 0)
         error = kern_max(error, total / weight);
@@ -2393,7 +2394,7 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
     const kern_real nx = kern_abs(c->n.x), ny = kern_abs(c->n.y);
     kern_real gap;
     int end;
-    for (end = 0; end < 2; end++) { /* of b, less that of a */
+    for (end = 0; end < 2; end++) { /* velocity of b minus that of a */
         const kern_motion *m = motion + (end ? c->b : c->a);
         const kern_vec u = kern_velocity(m, arm[end]);
         const kern_real spin = 3 * kern_abs(m->spin);
@@ -2442,7 +2443,7 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
                                    const kern_motion *motion)
 {
     kern_real power = 0, terms = power, weight = power, closing = power;
-    int i, first = -1; /* that moves */
+    int i, first = -1; /* block that moves */
 
     /* Sums the power of all that acts on the moving blocks, the terms of that
        sum, whose rounding counts, and the weight of what moves. */
@@ -2607,7 +2608,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
     /* Otherwise the motion names the blocks that hang: nothing may hold them
        up, and the forces must hold the others without them. */
     value = sum + 4 * s->blocks;
-    for (i = 0; i < s->blocks; i++) { /* what moves must hang */
+    for (i = 0; i < s->blocks; i++) { /* every block that moves must hang */
         const int falls = kern_speed(proof->motion + i) > 0;
         value[i] = falls ? 1 : -1;
         n += falls;
@@ -2658,8 +2659,8 @@ typedef struct kern_answer {
     kern_real *sum;          /* four a block                                 */
 } kern_answer;
 
-/* States of a cluster, of which it may have both: it must be balanced; it has
-   been balanced in its present extent. */
+/* States of a cluster, of which it may have both: it must be balanced; its
+   groups have been balanced as one part before. */
 enum { KERN_OPEN = 1, KERN_TRIED = 2 };
 
 /* In graph.local: the group is to be one of the next part. */
@@ -3168,34 +3169,41 @@ KERN_SHARED static void kern_proof_out(const kern_model *m,
    ground. A column that leads to no other group leads there: reading gives 0,
    writing has no effect, and no loop has to test for it. */
 
+/* A program. It is dense, or the columns of a network, two for each contact: 2
+   i and 2 i + 1 touch the groups ends[2 i] and ends[2 i + 1]; rows / 3 is the
+   ground. Such a column has four entries (u, v, r, s): (u, v, r) in the rows of
+   the first of these groups, (-u, -v, s) in those of the second.
+
+   The place is one more variable, of the column `rate`: how far rhs has grown
+   along a path. */
 typedef struct kern_program {
     int rows, cols;
-    const kern_real *a; /* dense: rows x cols by columns; network: 4 a
-                               column, (u, v, r) in the head's rows and
-                               (-u, -v, s) in the tail's                      */
+    const kern_real *a; /* dense: by columns; network: four a column   */
     const kern_real *rhs;
-    const kern_real *cost; /* or NULL                                        */
-    const int *ends;       /* network: head and tail group of columns 2 i and
-                               2 i + 1, rows / 3 for none; NULL: dense        */
-    const kern_real *rate; /* column of the place: less its growth of rhs    */
-    int follow;            /* 1: the place grows from rhs's, 0: it is held   */
+    const kern_real *cost; /* NULL: all are 0                              */
+    const int *ends;       /* NULL: the program is dense                   */
+    const kern_real *rate; /* column of the place: minus the rate of rhs   */
+    int follow;            /* 1: the place grows from 0, 0: it is held     */
     kern_real most;        /* largest value of a variable; 0: no bound     */
-    int limit;             /* of work->units                                 */
-    kern_work *work;       /* of the call                                    */
+    int limit;             /* of work->units                               */
+    kern_work *work;       /* of the call                                  */
 } kern_program;
 
-/* The inverse of a basis: B_0, by groups, and the factors E_i. */
+/* The inverse of a basis: B_0, by groups, and the factors E_i. Of each row of
+   B_0 six numbers are stored: a row of the inverse of its group, and the
+   entries of its column in the rows of the other group, the first of which is
+   `to`. */
 typedef struct kern_factors {
-    int size;          /* rows, to a multiple of three                   */
-    int groups;        /* of B_0: all of a network, or 0                 */
-    kern_real *block;  /* row: of the inverse of its group, three; then
-                               what its column is in its other end's rows     */
-    int *to;           /* row: the first of those rows                   */
-    int most, room;    /* for factors, and for entries                   */
-    int count;         /* factors                                        */
-    int *pivot, *from; /* factor: its pivot's row, the first with entry  */
-    int *first;        /* where its entries begin; one more              */
-    kern_real *entry;  /* its column, in threes of rows                  */
+    int size;         /* rows, rounded up to a multiple of three            */
+    int groups;       /* of B_0: all of a network; 0: it is the unit matrix */
+    kern_real *block; /* of a row: six numbers                              */
+    int *to;          /* of a row: first row of its column's other group    */
+    int most, room;   /* largest number of factors, and of their entries    */
+    int count;        /* of factors                                         */
+    int *pivot;       /* of a factor: the row of its pivot                  */
+    int *from;        /* of a factor: its first row with an entry           */
+    int *first;       /* of a factor: its first entry; and the next free    */
+    kern_real *entry; /* of factors, in threes of rows                      */
 } kern_factors;
 
 typedef enum kern_basis {
@@ -3207,24 +3215,29 @@ typedef enum kern_basis {
 /* Who may solve a program: also the backend (KERN_USE_GLPK), or only this. */
 typedef enum kern_solver { KERN_SOLVER_ANY, KERN_SOLVER_BUILTIN } kern_solver;
 
+/* `alpha` is the vector that is solved for: the load that is left in the crash,
+   a residual while values are refined, otherwise the entering column. `list`
+   has the first column of each group in the crash, the columns that wait while
+   a basis is factored, and the rows of a ratio test. No phase reads what
+   another left in them. */
 typedef struct kern_simplex {
     const kern_program *lp;
     kern_basis state;
     kern_factors factors;
-    int *base;        /* row: its variable                              */
-    int *place;       /* column: its row, or KERN_OUT; then the place's */
-    kern_real *value; /* row: of its variable                           */
-    kern_real *slope; /* row: c, by what growth of its variable lowers
-                               violations, then costs                         */
-    kern_real *price; /* row: y                                         */
-    kern_real *alpha; /* row: of what is solved for, as what enters     */
-    kern_real *ratio; /* of the ratio test: steps                       */
-    int *list;        /* its rows; or the columns to be factored        */
-    int enters;       /* column                                         */
-    kern_real least;  /* violation that counts                          */
-    kern_real gain;   /* largest c_j - y.A_j                            */
-    int refined;      /* no pivot since the values were refined         */
-    int violated;     /* variables                                      */
+    int *base;        /* of a row: its variable                            */
+    int *place;       /* of a column, and of the place: its row, or KERN_OUT;
+                                 in the crash: the next column of a group  */
+    kern_real *value; /* of a row: that of its variable                    */
+    kern_real *slope; /* of a row: c of its variable (see below)           */
+    kern_real *price; /* of a row: y                                       */
+    kern_real *alpha; /* of a row                                          */
+    kern_real *ratio; /* of a row of the ratio test: the step to zero      */
+    int *list;
+    int enters;      /* column                                            */
+    kern_real least; /* smallest violation that counts                    */
+    kern_real gain;  /* c_j - y.A_j of the entering column                */
+    int refined;     /* 1: no pivot since the values were refined         */
+    int violated;    /* number of variables that violate their bound      */
 } kern_simplex;
 
 /* ---- columns ---- */
@@ -4636,7 +4649,7 @@ static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
    no room. */
 static int kern_norm_lay(kern_part *p, kern_take *take)
 {
-    kern_dual *const d = &p->dual;
+    kern_dual *d = &p->dual;
     const int n = 3 * p->groups + 3;
     kern_real products = KERN_CONTACT_PRODUCTS * KERN_R(p->contacts);
     d->law = KERN_LAW_RAYS;
@@ -4833,7 +4846,7 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                   kern_real bound, kern_start start, int rounds)
 {
-    kern_dual *const d = &p->dual;
+    kern_dual *d = &p->dual;
     const int n = 3 * p->groups;
     int i, round;
     KERN_ASSERT(p->supports <= p->contacts);
@@ -5098,8 +5111,9 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
     return KERN_UNDECIDED;
 }
 
-/* Balances group g alone. Returns KERN_FALLS or KERN_UNDECIDED where it cannot
-   be. */
+/* Balances group g alone. Returns KERN_FALLS where no forces of its contacts
+   do, KERN_UNDECIDED where it has too many contacts or the method does not
+   end. */
 static kern_status kern_pass_alone(kern_model *m, int g)
 {
     const kern_real tolerance = KERN_PASS_TOL * m->size[g];
@@ -5304,7 +5318,7 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
     /* A group that no forces hold falls as a part of its own if nothing rests
        on it. What rests on it could hold it: then it is undecided, and the
        cluster grows. */
-    if (status == KERN_FALLS) { /* whatever rests on it */
+    if (status == KERN_FALLS) {
         if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last)
             || p->supports < p->contacts)
             status = KERN_UNDECIDED;
@@ -5337,7 +5351,7 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
    groups. */
 static void kern_pass_begin(kern_model *m, int share)
 {
-    kern_clusters *const c = &m->cluster;
+    kern_clusters *c = &m->cluster;
     const int groups = m->graph.groups, only = c->changed;
     int i;
     c->changed = KERN_OUT;
@@ -5503,7 +5517,7 @@ static void kern_ipm_centre(kern_ipm *in, kern_real gap)
 static kern_real kern_ipm_solve(kern_ipm *in)
 {
     kern_part *p = in->p;
-    kern_dual *const d = &p->dual;
+    kern_dual *d = &p->dual;
     kern_real *way = d->way, *turn = d->turn;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real ds;
@@ -5674,7 +5688,7 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     rays = 2 * p->contacts;
     n = 3 * p->groups + 3;
     in->p = p;
-    in->gap = KERN_INFINITY; /* of no question so far */
+    in->gap = KERN_INFINITY; /* no query has been answered so far */
     p->x = kern_take_reals(&p->rest, 4 * rays + 5 * n - 3);
     if (!kern_take_fits(&p->rest))
         return 0;
@@ -5752,7 +5766,7 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
     return kern_ipm_open(&in, m, p, q) ? kern_ipm_evaluate(&in, q)
                                        : KERN_UNDECIDED;
 }
-#else /* it decides nothing */
+#else /* without it, nothing is decided here */
 #define kern_ipm_open(in, m, p, q) 0
 #define kern_ipm_evaluate(in, q) KERN_UNDECIDED
 #define kern_ipm_verdict(m, p, q) KERN_UNDECIDED
@@ -5941,7 +5955,7 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
     kern_status found;
-    for (;; m->answer.known = NULL) { /* known forces may be of other loads */
+    for (;; m->answer.known = NULL) { /* the second round knows nothing */
         if (!kern_model_ask(m, 1))
             return KERN_LIMIT;
         m->task->work->solves++;
