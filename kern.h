@@ -1855,9 +1855,12 @@ static kern_real kern_reduction(const kern_query *q)
 
 /* Returns the friction of a contact whose cone is narrower by the angle of a
    tangent. */
-static inline kern_real kern_friction(const kern_contact *c, kern_real by)
+static inline kern_real kern_friction(const kern_contact *c,
+                                      kern_real reduction)
 {
-    return by > 0 ? kern_max(c->mu - by, 0) / (1 + c->mu * by) : c->mu;
+    return reduction > 0
+             ? kern_max(c->mu - reduction, 0) / (1 + c->mu * reduction)
+             : c->mu;
 }
 
 /* Returns 1 if block i has been taken away. */
@@ -2352,7 +2355,7 @@ KERN_SHARED static void kern_prove_end(kern_real *sum, kern_vec arm,
 static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
                                    const kern_force *force, kern_real *sum)
 {
-    const kern_real by = kern_reduction(q);
+    const kern_real reduction = kern_reduction(q);
     kern_real total = 0;
     int i;
     KERN_ASSERT(force && sum);
@@ -2368,7 +2371,8 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
         if (kern_is_out(q, c))
             continue;
         if (!(f >= 0)
-            || !(kern_abs(r) <= kern_friction(c, by) * f * (1 + KERN_CONE_TOL)))
+            || !(kern_abs(r)
+                 <= kern_friction(c, reduction) * f * (1 + KERN_CONE_TOL)))
             return KERN_INFINITY; /* not in its cone */
         if (!(f > 0))
             continue;
@@ -4195,21 +4199,21 @@ typedef struct kern_law {
     kern_force force; /* in the cone to the last digit                */
 } kern_law;
 
-/* Returns the law of a contact of stiffness `stiff` along n that shears mu
-   `along` times as stiffly until it slides. With stiff = 2 and along = mu it is
-   the law of two rays of stiffness 1 that only press. */
+/* Returns the law of a contact of stiffness `stiff` along n, and mu `shear`
+   times that along t until it slides. With stiff = 2 and shear = mu it is the
+   law of two rays of stiffness 1 that only press. */
 static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
-                                      kern_real stiff, kern_real along)
+                                      kern_real stiff, kern_real shear)
 {
     const kern_real side = wt > 0 ? mu : -mu;
     kern_law s = {0, 0, 0, {0, 0}};
-    if (wn > 0 && along * kern_abs(wt) <= wn) {
+    if (wn > 0 && shear * kern_abs(wt) <= wn) {
         s.nn = stiff;
-        s.tt = along * mu * stiff;
+        s.tt = shear * mu * stiff;
         s.force.normal = stiff * wn;
         s.force.tangential = s.tt * wt;
     } else if (wn + side * wt > 0) {
-        s.nn = stiff * along / (along + mu);
+        s.nn = stiff * shear / (shear + mu);
         s.nt = side * s.nn;
         s.tt = side * s.nt;
         s.force.normal = s.nn * (wn + side * wt);
@@ -4998,17 +5002,17 @@ static void kern_pass_mark_open(kern_model *m, int g)
         m->cluster.front = last;
 }
 
-/* Writes the force of contact i. Where it changed, the cluster of group `on` is
-   balanced again. */
-static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
+/* Writes the force of contact i. Where it changed, the cluster of group
+   `carrier` is balanced again. */
+static void kern_pass_write(kern_model *m, int i, int carrier, kern_force f,
                             kern_real tolerance)
 {
     kern_force *to = m->answer.force + i;
     const kern_real change = kern_abs(f.normal - to->normal)
                            + kern_abs(f.tangential - to->tangential);
     KERN_ASSERT(f.normal >= 0);
-    if (on < m->graph.groups && change > tolerance)
-        kern_pass_mark_open(m, on);
+    if (carrier < m->graph.groups && change > tolerance)
+        kern_pass_mark_open(m, carrier);
     *to = f;
 }
 
@@ -5352,7 +5356,7 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
 static void kern_pass_begin(kern_model *m, int share)
 {
     kern_clusters *c = &m->cluster;
-    const int groups = m->graph.groups, only = c->changed;
+    const int groups = m->graph.groups, changed = c->changed;
     int i;
     c->changed = KERN_OUT;
     c->groups_most = groups > KERN_SMALL
@@ -5360,7 +5364,7 @@ static void kern_pass_begin(kern_model *m, int share)
                        : groups / share + 1;
     for (i = c->front = 0; i < groups; i++) {
         c->last[i] = c->next[i] = i;
-        c->open[i] = only == KERN_OUT || only == i ? KERN_OPEN : 0;
+        c->open[i] = changed == KERN_OUT || changed == i ? KERN_OPEN : 0;
         m->graph.local[i] = KERN_OUT; /* a part may have been open */
     }
 }
@@ -6831,12 +6835,16 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     kern_status status = kern_task_check(task, shrink, out);
     if (status != KERN_OK)
         return status;
+
+    /* Reading and checking the arrays is work, too. */
     if (!kern_spend(task->work, task->options.limit,
                     1 + (task->s.blocks + task->s.contacts) / KERN_CALL_UNIT))
         return KERN_LIMIT;
     status = kern_query_read(task, shrink, &path->q);
     if (status != KERN_OK)
         return status;
+
+    /* A path without a bracket, a proof or anything known. */
     path->kind = KERN_PATH_SHRINK;
     path->part = &c->part;
     path->proof = NULL;
@@ -6847,6 +6855,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     path->warm.fails = 0;
     path->proven.low = -1;
     path->proven.high = path->exact = path->fails = KERN_INFINITY;
+
     return kern_model_open(&c->m, task, &path->q);
 }
 
@@ -6870,6 +6879,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     kern_status status = kern_call_open(&c, task, shrink, task);
     if (status != KERN_OK)
         return status;
+
+    /* The path is not followed: its query at the start is the question. */
     status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
     kern_proof_out(&c.m, proof, status);
     return kern_ended(task, status);
@@ -6999,7 +7010,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
        read first, can. */
     kept.force = known.force;
     kept.motion = known.motion;
-    known.force = NULL; /* what was remembered is overwritten on the way */
+    known.force = NULL;
 
     status = kern_measure_anew(task, &known, out, &kept);
     if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
@@ -7483,11 +7494,11 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
     kern_real most = 0, narrow = kern_reduction(q), rate;
-    int by, i;
+    int measure, i;
 
     /* Without forces measure 0 is left out. Measures 1 and 2 are tried where no
        contact has been found so far. */
-    for (by = !proof->force; by < 3 && out->contact < 0; by++)
+    for (measure = !proof->force; measure < 3 && out->contact < 0; measure++)
         for (i = 0; i < s->contacts; i++) {
             const kern_contact *c = s->contact + i;
             const kern_vec u = kern_meeting_motion(s, q, c, proof->motion);
@@ -7498,11 +7509,11 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
 
             kern_real limit = 0;
             kern_shift(c->travel, q->shrink, q->relative, &rate);
-            if (by == 0 && meeting != KERN_OPENS)
+            if (measure == 0 && meeting != KERN_OPENS)
                 limit = kern_max(-spin * rate * proof->force[i].normal, 0);
-            if (by == 1 && meeting == KERN_HINGES)
+            if (measure == 1 && meeting == KERN_HINGES)
                 limit = kern_abs(spin);
-            if (by == 2 && meeting == KERN_SLIDES)
+            if (measure == 2 && meeting == KERN_SLIDES)
                 limit = kern_vec_length(u);
 
             if (out->meeting)
