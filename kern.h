@@ -2381,6 +2381,8 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
         kern_prove_end(sum + 4 * c->b, arm[1], fx, fy, f);
         total += f;
     }
+
+    /* What the sums leave of equilibrium. */
     return kern_prove_rows(s, q, sum, total);
 }
 
@@ -3432,7 +3434,7 @@ typedef enum kern_crash {
 static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
 {
     const int logical = sx->lp->cols + 1 + 3 * g + 2;
-    const int all = which == KERN_CRASH_ANY;
+    const int all = which != KERN_CRASH_PUSHING;
     int *base = sx->base + 3 * g;
     const kern_real *load = sx->alpha + 3 * g;
     const kern_real x = load[0], y = load[1];
@@ -3900,13 +3902,16 @@ static kern_status kern_simplex_run(kern_simplex *sx)
     const int budget = KERN_PIVOTS + KERN_PIVOTS_ROW * lp->rows;
     int count;
     for (count = 0; count < limit;) {
-        const kern_rule rule = count > KERN_PIVOTS_BLAND * budget
-                                 ? KERN_RULE_BLAND
-                             : count > budget ? KERN_RULE_REFINED
-                                              : KERN_RULE_LARGEST;
-        const int enters = kern_entering(sx, rule);
+        kern_rule rule = KERN_RULE_LARGEST;
         kern_real step = 0;
-        int p = KERN_OUT;
+        int enters, p = KERN_OUT;
+
+        /* After a budget of pivots prices may be rounding. After five, only
+           Bland's rule is sure to end. */
+        if (count > budget)
+            rule = count > KERN_PIVOTS_BLAND * budget ? KERN_RULE_BLAND
+                                                      : KERN_RULE_REFINED;
+        enters = kern_entering(sx, rule);
 
         /* The entering column in terms of the basis, and its row. */
         if (enters) {
@@ -4049,7 +4054,7 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
 }
 
 /* Numbers that kern_lp_clean() keeps: of both signs, or none below zero. */
-typedef enum kern_sign { KERN_SIGN_ANY, KERN_SIGN_PLUS } kern_sign;
+typedef enum kern_sign { KERN_SIGN_PLUS, KERN_SIGN_ANY } kern_sign;
 
 /* Sets to 0, of n numbers, those that are no larger than a share of the largest
    and those of a sign that is not kept. */
@@ -4429,11 +4434,11 @@ typedef enum kern_law_of {
 typedef enum kern_start { KERN_START_COLD, KERN_START_WARM } kern_start;
 
 typedef struct kern_dual {
+    kern_law_of law;            /* of the contacts                         */
     kern_skyline matrix;        /* of the contacts that carry              */
     kern_real *u, *step, *grad; /* three a group, and three of 0           */
     kern_real *b;               /* loads, three a group                    */
     kern_real *way, *turn;      /* two a contact: u and step along n and t */
-    kern_law_of law;            /* of the contacts                         */
     int cost;                   /* of a step, in units of work             */
     kern_real *price;           /* of a stiff contact: mu slip (>>raised)  */
     kern_real *stiff_n;         /* of a stiff contact: stiffness along n   */
@@ -4452,21 +4457,21 @@ typedef struct kern_equations {
 } kern_equations;
 
 typedef struct kern_part {
+    kern_take rest; /* work memory after these                      */
     kern_dual dual;
     kern_model *m;
     int groups, contacts;
-    int supports;      /* contacts that carry a group of the part: the
+    int supports; /* contacts that carry a group of the part: the
                                  first; by the others, groups rest on it      */
-    int *group;        /* of the part; in >>norm in an order of its own */
-    int *contact;      /* of the part                                  */
-    int *ends;         /* of a contact: groups of the part, or none    */
-    kern_real *x;      /* two a contact: forces along the edges of its
+    int *group;   /* of the part; in >>norm in an order of its own */
+    int *contact; /* of the part                                  */
+    int *ends;    /* of a contact: groups of the part, or none    */
+    kern_real *x; /* two a contact: forces along the edges of its
                                  cone; then how far the place grows           */
-    kern_real *y;      /* three a group: prices of equilibrium, a motion */
+    kern_real *y; /* three a group: prices of equilibrium, a motion */
+    kern_equations eq;
     kern_status found; /* what the program said, proven or not         */
     kern_real ahead;   /* critical value predicted for >>search        */
-    kern_take rest;    /* work memory after these                      */
-    kern_equations eq;
 } kern_part;
 
 /* Lists the groups of the part at the ends of its contacts. Returns 0 if there
@@ -4644,7 +4649,7 @@ static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
                                      kern_real wt)
 {
     const kern_real mu = kern_model_mu(p->m, p->contact[k]);
-    const int stiff = p->dual.law == KERN_LAW_STIFF;
+    const int stiff = p->dual.law != KERN_LAW_RAYS;
     return kern_law_stiff(wn, wt, mu, stiff ? p->dual.stiff_n[k] : 2,
                           stiff ? p->dual.stiff : mu);
 }
@@ -4707,7 +4712,7 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
 
 /* Motions whose approach is computed: all of u, or a step that is added to
    it. */
-typedef enum kern_way_of { KERN_WAY_OF_U, KERN_WAY_OF_STEP } kern_way_of;
+typedef enum kern_way_of { KERN_WAY_OF_STEP, KERN_WAY_OF_U } kern_way_of;
 
 /* Writes the approach of the supports along n and t, to `way` or `turn`. That
    of u begins at minus the price of a stiff contact, otherwise at the force
@@ -4720,7 +4725,7 @@ KERN_SHARED static void kern_norm_ways(kern_part *p, kern_way_of of)
     int k;
     for (k = 0; k < p->supports; k++, way += 2) {
         way[0] = way[1] = 0;
-        if (!step && d->law == KERN_LAW_STIFF)
+        if (!step && d->law != KERN_LAW_RAYS)
             way[0] = -d->price[k];
         else if (!step)
             kern_model_prior(p->m, p->contact[k], way);
@@ -4764,17 +4769,18 @@ static void kern_part_add(kern_part *p, int k, const kern_law *s)
    diagonal shifted. */
 static void kern_norm_matrix(kern_part *p, kern_start start)
 {
-    const int all = start == KERN_START_COLD,
-              stiff = p->dual.law == KERN_LAW_STIFF;
+    const int all = start == KERN_START_COLD;
     kern_skyline *a = &p->dual.matrix;
     int k;
     kern_skyline_clear(a);
     for (k = 0; k < p->supports; k++) {
         const kern_real *w = p->dual.way + 2 * k;
         kern_law s = kern_part_law(p, k, w[0], w[1]);
-        if (all && (stiff || !(s.nn > 0)))
+        if (all && (p->dual.law != KERN_LAW_RAYS || !(s.nn > 0)))
             s = kern_part_law(p, k, 1, 0);
-        if (all && stiff) /* as stiff along t for every friction */
+        if (all
+            && p->dual.law
+                   == KERN_LAW_STIFF) /* as stiff along t for every friction */
             s.tt = p->dual.stiff * s.nn;
         if (s.nn > 0)
             kern_part_add(p, k, &s);
@@ -4804,11 +4810,11 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
 KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_dual *d = &p->dual;
-    const int stiff = d->law == KERN_LAW_STIFF;
     const kern_real push = kern_dot(d->b, d->step, 3 * p->groups);
     const kern_real first = kern_dot(d->grad, d->step, 3 * p->groups);
     const kern_real least = first
-                          / (stiff ? KERN_SHARE_TOL_PRICED : KERN_SHARE_TOL);
+                          / (d->law != KERN_LAW_RAYS ? KERN_SHARE_TOL_PRICED
+                                                     : KERN_SHARE_TOL);
     kern_real lo = 0, at_lo = first, hi = KERN_INFINITY, at_hi = lo;
     kern_real at = 1;
     int round;
@@ -4826,7 +4832,7 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 
         slope = kern_norm_slope(p, push, at);
         if (kern_abs(slope) <= least
-            || (stiff
+            || (d->law != KERN_LAW_RAYS
                 && !kern_model_spend(p->m,
                                      (p->supports + 12) / KERN_PLACE_UNIT)))
             break;
@@ -6851,8 +6857,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     path->alone = path->never = 0;
     path->ipm = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
-    path->start = path->holds = path->critical = 0;
-    path->warm.fails = 0;
+    path->start = path->holds = path->critical = path->warm.fails = 0;
     path->proven.low = -1;
     path->proven.high = path->exact = path->fails = KERN_INFINITY;
 
