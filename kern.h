@@ -4423,7 +4423,7 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
    the whole falls: the motion of the part, with all other blocks at rest,
    proves it. */
 
-/* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
+/* How the contacts of a part answer a motion. */
 typedef enum kern_law_of {
     KERN_LAW_RAYS, /* two rays of stiffness 1 that only press            */
     KERN_LAW_STIFF /* stiff along n and t, with a price: >>raised        */
@@ -4433,6 +4433,7 @@ typedef enum kern_law_of {
    does without the round of a cold one, in which all contacts press. */
 typedef enum kern_start { KERN_START_COLD, KERN_START_WARM } kern_start;
 
+/* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
 typedef struct kern_dual {
     kern_law_of law;            /* of the contacts                         */
     kern_skyline matrix;        /* of the contacts that carry              */
@@ -4457,7 +4458,7 @@ typedef struct kern_equations {
 } kern_equations;
 
 typedef struct kern_part {
-    kern_take rest; /* work memory after these                      */
+    kern_take rest; /* work memory that the part has left           */
     kern_dual dual;
     kern_model *m;
     int groups, contacts;
