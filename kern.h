@@ -148,12 +148,13 @@
    the pass there, and goes on to that of the part that falls, until none does.
    Where the pass gives no proof, the whole is asked. Load factor and tilt of up
    to 64 free blocks are one linear program with the value as a column. A
-   proof to each side of the critical value makes the bracket.
+   proof to each side of the critical value makes the bracket. Why each of these is
+   there, and what it costs to leave it out: tests/DESIGN.md.
 
    RULES                                                               >>rules
 
    What each number is, exactly, so that another program can reproduce it; the
-   tests of each rule: CONTENTS of tests/kern_test.c.
+   tests of each rule: RULES of tests/kern_test.c.
 
    Contacts of two polygons that are not both fixed. `gap` and `angle` are
    those of the options; no tolerance is below 64 roundings of the largest
@@ -257,7 +258,7 @@
        and add both c.drop, the expected drop: larger is worse
 
    It ranks structures by their level of collapse as no other measure does
-   (README; examples/shaking/study/STUDY.md). Where stones slide before they
+   (README; examples/laboratory/STUDY.md). Where stones slide before they
    tip, as in low walls, all load factors end at mu and rank less well. Near
    contacts are not for verdicts: a gap carries nothing yet.
 

@@ -19,9 +19,9 @@
                 tableau.h    another simplex method
      answers    verdict.h    calls of the library, each answer verified
                 random.h     structures from a seed
-     geometry   polygon.h  contact.h  steps.h  outlines.h
-                simplify.h   outlines that kern_outline_simplify() simplifies
+     geometry   polygon.h  contact.h
                 turned.h     contacts, whichever way the world is turned
+                steps.h  simplify.h  outlines.h
      engine     engine.h     one row, one factor, one group, one basis
                 lp.h         linear programs
                 bases.h      a twin that tries all bases
