@@ -148,8 +148,8 @@
    the pass there, and goes on to that of the part that falls, until none does.
    Where the pass gives no proof, the whole is asked. Load factor and tilt of up
    to 64 free blocks are one linear program with the value as a column. A
-   proof to each side of the critical value makes the bracket. Why each of these is
-   there, and what it costs to leave it out: tests/DESIGN.md.
+   proof to each side of the critical value makes the bracket. Why each of these
+   is there, and what it costs to leave it out: tests/DESIGN.md.
 
    RULES                                                               >>rules
 
