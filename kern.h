@@ -9165,6 +9165,18 @@ static int kern_block_is_stale(const kern_block *block)
              <= KERN_GAP * kern_abs(block->area));
 }
 
+/* Returns 1 if two blocks cannot touch: they are far apart, both fixed, or the
+   first has no vertices. Blocks with one array of vertices are looked at: the
+   first has lost its own. */
+static int kern_search_is_apart(const kern_search *s, const kern_block *a,
+                                const kern_block *b)
+{
+    return !a->vertices
+        || (!kern_box_near(&a->box, &b->box, s->reach)
+            && a->vertex != b->vertex)
+        || (a->fixed && b->fixed);
+}
+
 /* Finds the contacts of blocks i and j, or an overlap. */
 KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
@@ -9174,11 +9186,7 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     int k;
     KERN_ASSERT(i >= 0 && i < j && j < s->blocks);
 
-    /* most pairs are far apart or cannot touch */
-    if (!a->vertices
-        || (!kern_box_near(&a->box, &b->box, s->reach)
-            && a->vertex != b->vertex) /* else the first has lost its own */
-        || (a->fixed && b->fixed))
+    if (kern_search_is_apart(s, a, b)) /* as most pairs are */
         return KERN_OK;
     if (i < s->from && kern_block_is_stale(a)) {
         s->fault->block = i;
