@@ -89,6 +89,11 @@ published() { # results of the literature and closed forms
         cmp "$out/published.md" tests/PUBLISHED.md
 }
 
+friction() { # toppling slopes, walls that slide, plain walls, other frames
+    # shellcheck disable=SC2086
+    gcc $plain -o "$out/friction" tests/friction.c -lm && "$out/friction"
+}
+
 noise() { # what nearly stands is not said to stand for certain
     # shellcheck disable=SC2086
     gcc $plain -o "$out/noise" tests/noise.c -lm && "$out/noise"
