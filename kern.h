@@ -604,6 +604,16 @@ typedef enum kern_raising {
     KERN_HANGS      /* some blocks rest on nothing, others stand alone  */
 } kern_raising;
 
+/* Why a search for forces that the load raises ended (kern_work.end). */
+typedef enum kern_end {
+    KERN_END_NONE,  /* nothing was searched for                       */
+    KERN_END_SHOWN, /* all that was asked is shown; of a load: up to the
+                       load factor                                    */
+    KERN_END_LOST,  /* no equilibrium was found: blocks run away, or
+                       nothing gains any more                         */
+    KERN_END_WORK   /* a limit of work                                */
+} kern_end;
+
 /* A profile in four numbers: of margins [m] or load factors of free blocks. */
 typedef struct kern_collapse {
     kern_real least; /* the weakest block's: the margin, the load factor */
@@ -647,6 +657,7 @@ typedef struct kern_work {
                              limit + 1 with KERN_LIMIT, else within the limit */
     kern_real error;  /* largest of a proof, in what is allowed: <= 1     */
     kern_fault fault; /* of the last call that returned less than 0       */
+    kern_end end;     /* why the last search for raised forces ended      */
 } kern_work;
 
 /* Warm start: what kern_measure() remembers for the next one of nearly the same
@@ -1363,15 +1374,26 @@ extern "C" {
 
 /* ---- raised ---- */
 
-/* Rounds of prices from nothing or along a load; from those of a smaller push,
-   or near a block, half as many, near it from a smaller push a sixth. More show
-   more that moves, fewer less that stays. */
-#define KERN_RAISE_ROUNDS 21
+/* A search is lost once u is this many times as far as in its first round, or
+   once prices have not settled for this many rounds and a fourth of the groups:
+   with fewer a long row is given up before its far end has moved. */
+#define KERN_RUNS_AWAY KERN_R(30)
+#define KERN_PATIENCE 20
+/* The most work of one search, in factors of its matrix. */
+#define KERN_SEARCH_COSTS 3000
+/* Prices go forward, by how many of their last changes, where the cosine of two
+   changes is larger than this. */
+#define KERN_FORWARD KERN_R(2)
+#define KERN_COHERENT KERN_R(0.7)
+/* Share of a price's fall in a round. */
+#define KERN_PRICE_FALL KERN_R(0.3)
+/* Newton's method: where no more contacts than this changed in the last round,
+   and its most steps. With more steps it costs more and finds no more. */
+#define KERN_FEW_CHANGES 4
+#define KERN_NEWTON_ROUNDS 4
 /* Steps of a load up to the load factor; where one fails, a fifth of it, and of
    that: with halves, to as little, loads take 1.4 times as long. */
 #define KERN_LOAD_STEPS 8
-/* Share of a price's fall in a round. */
-#define KERN_LOAD_FALL KERN_R(0.3)
 /* kern_stays(): from block to block, how many contacts away from the stone what
    is not held may be: with 3 and 5 it tells less. No proof is asked for,
    so that contacts may be less stiff along t. */
@@ -2401,10 +2423,16 @@ KERN_API void kern_work_need(int blocks, int contacts, int *reals, int *indices)
 KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
                                 int indices)
 {
-    const kern_work work = {
-        real,    reals,     index,
-        indices, 0,         0,
-        0,       KERN_R(0), {KERN_OUT, KERN_OUT, KERN_OUT, 0, 0}};
+    const kern_work work = {real,
+                            reals,
+                            index,
+                            indices,
+                            0,
+                            0,
+                            0,
+                            KERN_R(0),
+                            {KERN_OUT, KERN_OUT, KERN_OUT, 0, 0},
+                            KERN_END_NONE};
     return work;
 }
 
@@ -3909,6 +3937,77 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
         const kern_real *row = a->entry + a->offset[i / 3] + i % 3 * wide;
         out[i] /= row[i - from];
         kern_add(out + from, -out[i], row, i - from);
+    }
+}
+
+/* The same of a contact that answers the motion w . (wn, wt) by the force f:
+   adds an outer product, whose rows are those of f and whose columns of w. */
+static void kern_skyline_outer(kern_skyline *a, const int ends[2],
+                               const kern_row row[2], const kern_real f[2],
+                               const kern_real w[2])
+{
+    int k, i;
+    for (k = 0; k < 2; k++) {
+        const int g = ends[k], h = ends[1 - k];
+        if (g < a->groups) {
+            const int wide = 3 * (g - a->first[g] + 1);
+            kern_real *to = a->entry + a->offset[g] + wide - 3, v[3];
+            kern_row_wrench(row + k, f[0], f[1], v);
+            for (i = 0; i < 3; i++, to += wide) {
+                kern_row_exert(row + k, v[i] * w[0], v[i] * w[1], to);
+                if (h < g)
+                    kern_row_exert(row + 1 - k, v[i] * w[0], v[i] * w[1],
+                                   to + 3 * (h - g));
+            }
+        }
+    }
+}
+
+/* Factors a matrix that is not symmetric in its place: `low` has its rows up to
+   the diagonal, and `up` its columns, each stored as a row. L U = matrix, where
+   the diagonal of L is 1 and not stored. A pivot is at least rounding. */
+static void kern_skyline_split(kern_skyline *low, kern_skyline *up)
+{
+    int i, j;
+    for (i = 0; i < 3 * low->groups; i++) {
+        const int from = 3 * low->first[i / 3], wide = 3 * (i / 3) + 3 - from;
+        const int row = low->offset[i / 3] + i % 3 * wide;
+        kern_real *l = low->entry + row, *u = up->entry + row;
+        const kern_real least = KERN_EPS * (KERN_EPS + kern_abs(u[i - from]));
+        for (j = from; j < i; j++) {
+            const int begin = 3 * low->first[j / 3];
+            const int wide_j = 3 * (j / 3) + 3 - begin;
+            const int row_j = low->offset[j / 3] + j % 3 * wide_j;
+            const int at = begin > from ? begin : from;
+            const kern_real *lj = low->entry + row_j + at - begin;
+            const kern_real *uj = up->entry + row_j + at - begin;
+            u[j - from] -= kern_dot(u + at - from, lj, j - at);
+            l[j - from] -= kern_dot(l + at - from, uj, j - at);
+            l[j - from] /= uj[j - at];
+        }
+        u[i - from] -= kern_dot(l, u, i - from);
+        if (kern_abs(u[i - from]) < least)
+            u[i - from] = least;
+    }
+}
+
+/* out := the solution of L U times it = b. */
+static void kern_skyline_split_solve(const kern_skyline *low,
+                                     const kern_skyline *up, const kern_real *b,
+                                     kern_real *out)
+{
+    const int n = 3 * low->groups;
+    int i;
+    for (i = 0; i < n; i++) {
+        const int from = 3 * low->first[i / 3], wide = 3 * (i / 3) + 3 - from;
+        const kern_real *l = low->entry + low->offset[i / 3] + i % 3 * wide;
+        out[i] = b[i] - kern_dot(l, out + from, i - from);
+    }
+    for (i = n - 1; i >= 0; i--) {
+        const int from = 3 * up->first[i / 3], wide = 3 * (i / 3) + 3 - from;
+        const kern_real *u = up->entry + up->offset[i / 3] + i % 3 * wide;
+        out[i] /= u[i - from];
+        kern_add(out + from, -out[i], u, i - from);
     }
 }
 
@@ -6892,25 +6991,53 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
 }
 
 /* ---- Raised ----------------------------------------------------- >>raised */
-/* Forces that a load puts on unstressed contacts of some stiffness. They are
-   looked for as minimum-norm forces of stiff contacts (>>norm), a program with
-   a solution wherever forces exist, but with the associated flow rule of limit
-   analysis, by which what slides parts: f = k (approach + mu slip). A price mu
-   slip on each contact takes that away (the fixed point of Acary, Cadoux,
-   Lemarechal and Malick). Prices need not be exact (kern_prove_raised()). They
-   are extrapolated (Anderson's method with one difference): where no contact
-   opens or begins to slide, the map of prices is linear. Along a load they fall
-   slowly: else those of joints that lean on each other alternate. */
+/* Forces that a load puts on unstressed contacts of some stiffness. Groups are
+   displaced by u under loads b; a contact approaches by wn along n and shears
+   by wt along t, w = A' u. Coulomb's law for a stiffness k, and along t c mu k:
+
+       f = k max(0, wn),   r = c mu k wt, but within -mu f and mu f      (law)
+       A (f, r) = b                                                  (balance)
+
+   No linear or convex program has this law: in theirs, that of limit analysis,
+   sliding blocks also part. A price p on a contact takes the parting away. For
+   given prices >>norm finds the u at which the forces of that law, with wn - p
+   for wn, balance b. A contact that slides there by s beyond its elastic shear
+   parts by mu s, so that (law) and (balance) hold where
+
+       p = F(p) = max(0, mu s(p))                               (fixed point)
+
+   (Acary, Cadoux, Lemarechal and Malick). A search repeats rounds: balance for
+   the prices, then new prices. Once few contacts change between sticking,
+   sliding and open, Newton's method on (law) and (balance) ends it. Prices need
+   not be exact: the proof is a check of forces and u (kern_prove_raised()).
+
+   A search ends where it is lost: u runs away, or nothing gains (kern_watch). */
 
 typedef struct kern_raise {
     kern_part *p;            /* all groups, or those near a block            */
-    kern_real *last;         /* two a contact: last outcome, and its change  */
-    int size;                /* numbers of u and prices, one after the other */
-    kern_real *begin, *best; /* both: without a push, with the largest so far;
-                                 the last two along a load                    */
     int around;              /* the block asked about, or KERN_OUT           */
     const kern_proof *proof; /* that each step along a load writes, or NULL  */
+    kern_end end;            /* why the last search ended                    */
+    int size;                /* numbers of u and prices, one after the other */
+    kern_real *held;         /* u and prices of the last place that was shown */
+    kern_real *earlier; /* those of a place before it, to go on from          */
+    kern_real *last;    /* two a contact: last F(p), and its change           */
+    kern_real *kept;    /* u before Newton's method                           */
+    kern_skyline up;    /* columns of its matrix; p->dual.matrix has the rows */
+    int *state;         /* of a contact: kern_contact_state()                 */
 } kern_raise;
+
+/* How a search begins: unloaded, or from u and prices as they are. */
+typedef enum kern_begin { KERN_BEGIN_UNLOADED, KERN_BEGIN_HERE } kern_begin;
+
+/* What tells that a search is lost. */
+typedef struct kern_watch {
+    kern_real first; /* how far groups go in its first round              */
+    kern_real held;  /* how far they go where it was shown last; 0: never */
+    kern_real least; /* least change of prices of a round, squared        */
+    int since;       /* rounds since then                                 */
+    int units;       /* work before it                                    */
+} kern_watch;
 
 /* Marks all but the n groups near block i, and the ground, as place n. */
 static void kern_raise_near(kern_model *m, int i)
@@ -6933,12 +7060,13 @@ static void kern_raise_near(kern_model *m, int i)
     local[groups] = n;
 }
 
-/* Opens the groups as one part, without prices; 0: no room. Stiffness, a tenth
-   plus the length in mean sizes: of the laws tried nearest to a simulator. */
+/* Opens the groups as one part, without prices. Returns 0 if there is no room.
+   Stiffness is a tenth plus the length in mean sizes: of the laws tried nearest
+   to a simulator. */
 static int kern_raise_open(kern_raise *r, kern_model *m)
 {
     kern_part *p = r->p;
-    int k;
+    int g, k, entries = 0;
     if (r->around >= 0)
         kern_raise_near(m, r->around);
     if (!kern_norm_open(p, m))
@@ -6946,66 +7074,83 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     p->y = p->dual.step;
     p->dual.stiff = r->around < 0 ? KERN_R(1.1) / KERN_STICKS /* it proves */
                                   : KERN_STAYS_STIFF;
+    for (g = 0; g < p->groups; g++)
+        entries += 9 * (g - p->dual.matrix.first[g] + 1);
+    r->up = p->dual.matrix;
+    r->up.entry = kern_take_reals(&p->rest, entries);
     r->size = 3 * p->groups + 3 + p->contacts;
-    p->dual.u = kern_take_reals(&p->rest, 3 * r->size + 3 * p->contacts);
-    if (!kern_take_fits(&p->rest))
-        return 0;
+    r->kept = kern_take_reals(&p->rest, 3 * p->groups + 3);
+    r->held = kern_take_reals(&p->rest, 2 * r->size);
+    r->earlier = r->held + r->size;
+    p->dual.u = kern_take_reals(&p->rest, r->size + 3 * p->contacts);
     p->dual.price = p->dual.u + r->size - p->contacts;
     r->last = p->dual.price + 2 * p->contacts;
-    r->begin = r->last + 2 * p->contacts;
-    r->best = r->begin + r->size;
+    r->state = kern_take_ints(&p->rest, p->contacts);
+    if (!kern_take_fits(&p->rest))
+        return 0;
     kern_zero(p->dual.price, p->contacts);
     for (k = 0; k < p->contacts; k++) {
         const kern_contact *c = m->s->contact + p->contact[k];
+        r->state[k] = 0;
         p->dual.price[p->contacts + k] =
             KERN_R(0.1) + (c->line ? kern_abs(c->travel) / m->mean : KERN_R(0));
     }
     return 1;
 }
 
-/* Writes the forces, and what prices lead to. Returns whether every loaded
-   contact approaches, and none slides so far as only a stone that falls into a
-   jam. Along a load prices fall slowly, and a contact that parts keeps its
-   price where forces were found; where that is too low to open it, it grows by
-   twice what is missing: else a joint that no longer presses stays loaded. */
-static int kern_raise_price(kern_raise *r, kern_real tolerance, int along,
-                            int found)
+/* ---- a round of prices ---- */
+
+/* Returns how far contact k slides beyond its elastic shear; below 0 it sticks
+   or does not press. */
+static kern_real kern_raise_slip(const kern_part *p, int k, kern_real approach)
+{
+    return kern_abs(p->dual.way[2 * k + 1])
+         - kern_max(approach, 0) / p->dual.stiff;
+}
+
+/* Writes the forces, and to dual.turn F(p) and its change. Returns 1 if they may
+   be a proof: every loaded contact approaches, and none slides as far as a stone
+   that falls into a jam. Prices fall slowly, since those of joints that lean on
+   each other alternate. Where forces were `found`, a contact that parts keeps
+   its price, and one that should part and presses gets twice what is missing:
+   otherwise a joint that no longer presses stays loaded. */
+static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
 {
     kern_part *p = r->p;
-    kern_model *m = p->m;
+    const kern_real least = tolerance * p->m->weight;
     kern_real slid = KERN_R(0), most = KERN_R(0);
     int k, pressed = found;
     kern_norm_write(p);
     for (k = 0; k < p->contacts; k++) {
-        const int i = p->contact[k];
-        const kern_real *w = p->dual.way + 2 * (size_t)k;
-        kern_real *to = p->dual.turn + 2 * (size_t)k;
-        const kern_real mu = kern_model_mu(m, i), price = p->dual.price[k];
-        const kern_real approach = w[0] + price;
-        const kern_real slip = kern_abs(w[1])
-                             - kern_max(approach, 0) / p->dual.stiff;
-        if (m->answer.force[i].normal > tolerance * m->weight) {
+        const kern_real wn = p->dual.way[2 * k], price = p->dual.price[k];
+        const kern_real approach = wn + price;
+        const kern_real slip = kern_raise_slip(p, k, approach);
+        kern_real to = kern_model_mu(p->m, p->contact[k]) * kern_max(slip, 0);
+        if (p->m->answer.force[p->contact[k]].normal > least) {
             pressed &= approach > 0;
             slid = kern_max(slid, slip);
             most = kern_max(most, approach);
         }
-        to[0] = mu * kern_max(slip, 0);
-        if (along && found && !(approach > 0))
-            to[0] = kern_max(to[0], price) + 2 * kern_max(w[0] + to[0], 0);
-        if (along && to[0] < price)
-            to[0] = price + KERN_LOAD_FALL * (to[0] - price);
-        to[1] = to[0] - price;
+        if (found && !(approach > 0))
+            to = kern_max(to, price)
+               + 2 * kern_max(wn + kern_max(to, price), 0);
+        if (to < price)
+            to = price + KERN_PRICE_FALL * (to - price);
+        p->dual.turn[2 * k] = to;
+        p->dual.turn[2 * k + 1] = to - price;
     }
     return pressed && slid <= KERN_NORM_MOST * most;
 }
 
-/* Makes new prices, by Anderson's method: how much of the last difference is
-   taken back makes the next change least if the map is linear; more cycles. */
-static void kern_raise_extrapolate(kern_raise *r, int round)
+/* Makes new prices of the last two rounds. Where F is linear the change is least
+   if a share `back` of the last difference is taken back (Anderson's method). A
+   change that grows and keeps its direction is a slide that has only begun: then
+   prices go forward. Returns the change of prices, squared. */
+static kern_real kern_raise_extrapolate(kern_raise *r, int round)
 {
     const kern_part *p = r->p;
     const kern_real *to = p->dual.turn;
-    kern_real up = KERN_R(0), down = KERN_R(0), back;
+    kern_real up = KERN_R(0), down = up, both = up, was = up, is = up, back;
     int k;
     if (round == 0)
         kern_copy(r->last, to, 2 * p->contacts);
@@ -7013,20 +7158,181 @@ static void kern_raise_extrapolate(kern_raise *r, int round)
         const kern_real change = to[k] - r->last[k];
         up += to[k] * change;
         down += change * change;
+        both += to[k] * r->last[k];
+        was += r->last[k] * r->last[k];
+        is += to[k] * to[k];
     }
     back = down > 0 ? kern_max(-1, kern_min(up / down, 1)) : KERN_R(0);
+    if (up > 0 && both > KERN_COHERENT * KERN_SQRT(was * is))
+        back = -KERN_FORWARD;
     for (k = 0; k < p->contacts; k++)
         p->dual.price[k] = kern_max(
             to[2 * k] - back * (to[2 * k] - r->last[2 * k]), 0);
     kern_copy(r->last, to, 2 * p->contacts);
+    return is;
 }
 
-/* Whether forces and u prove it; near a block none asks. */
+/* Returns how many contacts have changed between open, sticking, sliding one way
+   and the other since it was called last. */
+static int kern_raise_changes(kern_raise *r)
+{
+    const kern_part *p = r->p;
+    int k, n = 0;
+    for (k = 0; k < p->contacts; k++) {
+        const kern_real approach = p->dual.way[2 * k] + p->dual.price[k];
+        const int state = !(approach > 0)                        ? 0
+                        : !(kern_raise_slip(p, k, approach) > 0) ? 1
+                        : p->dual.way[2 * k + 1] > 0             ? 2
+                                                                 : 3;
+        n += r->state[k] != state;
+        r->state[k] = state;
+    }
+    return n;
+}
+
+/* ---- Newton's method ---- */
+
+/* Takes what contact k exerts by Coulomb's law from grad, and adds its change
+   with u to the matrix, whose columns are those of `up`. Returns its force. */
+static kern_real kern_raise_contact(kern_raise *r, int k)
+{
+    static const kern_real approach[2] = {1, 0}, shear[2] = {0, 1};
+    kern_part *p = r->p;
+    const int *ends = p->ends + 2 * (size_t)k;
+    const kern_real *w = p->dual.way + 2 * (size_t)k;
+    const kern_real mu = kern_model_mu(p->m, p->contact[k]);
+    const kern_real stiff = p->dual.price[p->contacts + k];
+    kern_real by_approach[2], by_shear[2] = {0, 0};
+    kern_row row[2];
+    by_approach[0] = stiff;
+    by_approach[1] = KERN_R(0);
+    if (kern_raise_slip(p, k, w[0]) > 0)
+        by_approach[1] = w[1] > 0 ? mu * stiff : -mu * stiff;
+    else
+        by_shear[1] = p->dual.stiff * mu * stiff;
+
+    kern_part_exert(p, k, -by_approach[0] * w[0],
+                    -by_approach[1] * w[0] - by_shear[1] * w[1], p->dual.grad);
+    kern_part_rows(p, k, row);
+    kern_skyline_outer(&p->dual.matrix, ends, row, by_approach, approach);
+    kern_skyline_outer(&p->dual.matrix, ends, row, by_shear, shear);
+    kern_skyline_outer(&r->up, ends, row, approach, by_approach);
+    kern_skyline_outer(&r->up, ends, row, shear, by_shear);
+    return stiff * w[0];
+}
+
+/* grad := b less what the contacts exert by Coulomb's law; the matrix and `up`
+   := its change with u. Returns the largest force. */
+static kern_real kern_raise_linearise(kern_raise *r)
+{
+    kern_part *p = r->p;
+    kern_real most = KERN_R(0);
+    int k;
+    kern_skyline_clear(&p->dual.matrix);
+    kern_skyline_clear(&r->up);
+    kern_copy(p->dual.grad, p->dual.b, 3 * p->groups);
+    for (k = 0; k < p->contacts; k++)
+        if (p->dual.way[2 * k] > 0)
+            most = kern_max(most, kern_raise_contact(r, k));
+    kern_zero(p->dual.grad + 3 * p->groups, 3);
+    kern_skyline_shift(&p->dual.matrix, KERN_ROUNDING);
+    kern_skyline_shift(&r->up, KERN_ROUNDING);
+    return most;
+}
+
+/* Newton's method on (law) and (balance) from u, in whole steps, as long as they
+   come nearer to balance. Returns 1 if it balances, with the prices of its
+   slips; otherwise u is as it was. */
+static int kern_raise_newton(kern_raise *r, kern_real tolerance)
+{
+    kern_part *p = r->p;
+    const int n = 3 * p->groups;
+    kern_real *way = p->dual.way, last = KERN_INFINITY;
+    int k, round;
+    kern_copy(r->kept, p->dual.u, n + 3);
+    for (k = 0; k < p->contacts; k++)
+        way[2 * k] += p->dual.price[k];
+    for (round = 0; round < KERN_NEWTON_ROUNDS; round++) {
+        const kern_real most = kern_raise_linearise(r);
+        const kern_real left = kern_dot(p->dual.grad, p->dual.grad, n);
+        if (kern_largest(p->dual.grad, n) <= tolerance + 4 * KERN_EPS * most) {
+            for (k = 0; k < p->contacts; k++) {
+                const kern_real slip = kern_raise_slip(p, k, way[2 * k]);
+                p->dual.price[k] = kern_model_mu(p->m, p->contact[k])
+                                 * kern_max(slip, 0);
+                way[2 * k] -= p->dual.price[k];
+            }
+            return 1;
+        }
+        if (!(left < last) || !kern_model_spend(p->m, 2 * p->dual.cost))
+            break;
+        last = left;
+        kern_skyline_split(&p->dual.matrix, &r->up);
+        kern_skyline_split_solve(&p->dual.matrix, &r->up, p->dual.grad,
+                                 p->dual.step);
+        kern_norm_ways(p, 1);
+        kern_add(p->dual.u, KERN_R(1), p->dual.step, n);
+        kern_add(way, KERN_R(1), p->dual.turn, 2 * p->contacts);
+    }
+    kern_copy(p->dual.u, r->kept, n + 3);
+    kern_norm_ways(p, 0);
+    return 0;
+}
+
+/* ---- a search ---- */
+
+/* Returns how far any group of u is from where it is in `from`, or from its
+   unloaded place (NULL); a turn counts by half the size. */
+static kern_real kern_raise_far(const kern_raise *r, const kern_real *u,
+                                const kern_real *from)
+{
+    kern_real far = KERN_R(0);
+    int i;
+    for (i = 0; i < 3 * r->p->groups; i += 3) {
+        kern_real v[3];
+        kern_copy(v, u + i, 3);
+        if (from)
+            kern_add(v, KERN_R(-1), from + i, 3);
+        v[2] /= 2;
+        far = kern_max(far, kern_dot(v, v, 3));
+    }
+    return KERN_SQRT(far);
+}
+
+/* Returns 1 if u runs away: it goes much farther than in the first round, or from
+   the last place that was shown by more than that is from the unloaded one. */
+static int kern_raise_runs_away(const kern_raise *r, kern_watch *watch,
+                                int round)
+{
+    const kern_real far = kern_raise_far(r, r->p->dual.u, NULL);
+    if (round == 0)
+        watch->first = far;
+    return far > KERN_RUNS_AWAY * watch->first
+        || (watch->held > 0
+            && kern_raise_far(r, r->p->dual.u, r->held) > watch->held);
+}
+
+/* Returns 1 if prices stopped to settle: their change has not become less for
+   many rounds. What slides at one end of a row reaches the other in as many
+   rounds as there are groups between them. */
+static int kern_raise_stalls(const kern_raise *r, kern_watch *watch, int round,
+                             kern_real change)
+{
+    if (round == 0 || change < watch->least) {
+        watch->least = change;
+        watch->since = 0;
+    }
+    return watch->since++ > KERN_PATIENCE + r->p->groups / 4;
+}
+
+/* Returns 1 if forces and u prove it. Near a block no proof is asked for. */
 static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 {
     kern_part *p = r->p;
     const kern_model *m = p->m;
     int i;
+    if (r->around >= 0)
+        return 1;
     for (i = 0; i < 3 * p->groups; i++)
         p->y[i] = -p->dual.u[i];
     kern_part_motion(p);
@@ -7039,34 +7345,60 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
     return 1;
 }
 
-/* Looks for a proof, from nothing (cold) or from u and prices as they are. Near
-   a block in fewer rounds: slow prices are a sign that it moves. */
-static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
-                             int along)
+/* Makes one round of a search. Returns how the search ends, or KERN_END_NONE if
+   it goes on. */
+static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
+                                 kern_real tolerance, int first,
+                                 kern_watch *watch, int round)
 {
     kern_part *p = r->p;
-    const int rounds = KERN_RAISE_ROUNDS
-                     / (r->around >= 0  ? cold ? 2 : 6
-                        : along || cold ? 1
-                                        : 2);
-    const kern_real tolerance = kern_part_load(p, q, p->dual.b);
-    int round;
-    if (!kern_model_ask(p->m, r->around < 0 ? 3 : 1))
-        return 0;
-    for (round = 0; round < rounds; round++) {
-        const kern_status found = kern_norm_find(
-            p, tolerance, 2 * KERN_NORM_MOST, !cold || round > 0,
-            KERN_FEW_ROUNDS + 2);
-        int pressed;
-        if (found != KERN_STANDS && found != KERN_UNDECIDED)
-            return 0;
-        pressed = kern_raise_price(r, tolerance, along, found == KERN_STANDS);
-        kern_raise_extrapolate(r, round);
-        if (pressed && (r->around >= 0 || kern_raise_proves(r, q)))
-            return 1;
-    }
-    return 0;
+    const kern_status found = kern_norm_find(p, tolerance, 2 * KERN_NORM_MOST,
+                                             first, KERN_FEW_ROUNDS + 2);
+    kern_real change;
+    int pressed;
+    if (found == KERN_LIMIT || !kern_model_spend(p->m, 1 + p->contacts / 8)
+        || p->m->task->work->units - watch->units
+               > KERN_SEARCH_COSTS * p->dual.cost)
+        return KERN_END_WORK;
+    if (found == KERN_FALLS || kern_raise_runs_away(r, watch, round))
+        return KERN_END_LOST;
+
+    if (kern_raise_changes(r) <= KERN_FEW_CHANGES
+        && kern_raise_newton(r, tolerance))
+        return kern_raise_price(r, tolerance, 1) && kern_raise_proves(r, q)
+                 ? KERN_END_SHOWN
+                 : KERN_END_LOST;
+
+    pressed = kern_raise_price(r, tolerance, found == KERN_STANDS);
+    change = kern_raise_extrapolate(r, round);
+    if (pressed && kern_raise_proves(r, q))
+        return KERN_END_SHOWN;
+    return kern_raise_stalls(r, watch, round, change) ? KERN_END_LOST
+                                                      : KERN_END_NONE;
 }
+
+/* Searches for the fixed point under the loads of q. Returns 1 if it is shown;
+   r->end tells why the search ended. */
+static int kern_raise_settle(kern_raise *r, const kern_query *q,
+                             kern_begin begin)
+{
+    const kern_model *m = r->p->m;
+    const kern_real tolerance = kern_part_load(r->p, q, r->p->dual.b);
+    kern_watch watch = {0, 0, 0, 0, 0};
+    int round;
+    watch.units = m->task->work->units;
+    if (begin == KERN_BEGIN_HERE)
+        watch.held = kern_raise_far(r, r->held, NULL);
+    r->end = kern_model_ask(m, r->around < 0 ? 3 : 1) ? KERN_END_NONE
+                                                      : KERN_END_WORK;
+    for (round = 0; r->end == KERN_END_NONE; round++)
+        r->end = kern_raise_round(r, q, tolerance,
+                                  begin == KERN_BEGIN_HERE || round > 0, &watch,
+                                  round);
+    return r->end == KERN_END_SHOWN;
+}
+
+/* ---- questions ---- */
 
 /* The largest of a sequence of shares of gravity, none above `most` unless that
    is 0, that it bears to either side as kerns shrink by the same share of the
@@ -7086,23 +7418,23 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     int low = (int)(sizeof share / sizeof share[0]) - 1, at, high;
     while (most > 0 && KERN_R(share[low]) / 10000 > most)
         low--;
-    kern_copy(r->begin, r->p->dual.u, r->size);
+    kern_copy(r->earlier, r->p->dual.u, r->size);
     for (q.side = 1; q.side >= -1; q.side -= 2) {
-        kern_copy(r->best, r->begin, r->size);
+        kern_copy(r->held, r->earlier, r->size);
         for (at = low, high = low + 1, low = 0; high - low > 1;
              at = (low + high) / 2) {
             int k, good = 1;
             q.factor = KERN_R(share[at]) / 10000;
-            kern_copy(r->p->dual.u, r->best, r->size);
+            kern_copy(r->p->dual.u, r->held, r->size);
             for (k = nested; k < 2 && good; k++) {
                 q.shrink = asked->shrink
                          + (kern_real)k * q.factor
                                * (q.relative ? KERN_R(1) : m->mean);
                 kern_model_arms(m, &q);
-                good = kern_raise_settle(r, &q, 0, 0);
+                good = kern_raise_settle(r, &q, KERN_BEGIN_HERE);
             }
             if (good)
-                kern_copy(r->best, r->p->dual.u, r->size);
+                kern_copy(r->held, r->p->dual.u, r->size);
             low = good ? at : low;
             high = good ? high : at;
         }
@@ -7163,24 +7495,24 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     kern_real stood = *share = KERN_R(0), taken = KERN_R(1), *u = r->p->dual.u;
     kern_real step = end / KERN_LOAD_STEPS;
     int i, good = 1;
-    if (!kern_raise_settle(r, q, 1, 1))
+    if (!kern_raise_settle(r, q, KERN_BEGIN_UNLOADED))
         return KERN_R(-1);
-    kern_copy(r->best, u, r->size);
+    kern_copy(r->held, u, r->size);
     while (stood < end && step >= end / (32 * KERN_LOAD_STEPS)) {
         *share = kern_min(stood + step, end);
         for (i = 0; i < r->size; i++) {
             if (good) {
-                r->begin[i] = r->best[i];
-                r->best[i] = u[i];
+                r->earlier[i] = r->held[i];
+                r->held[i] = u[i];
             }
-            u[i] = r->best[i]
-                 + (*share - stood) / taken * (r->best[i] - r->begin[i]);
+            u[i] = r->held[i]
+                 + (*share - stood) / taken * (r->held[i] - r->earlier[i]);
             if (u + i >= r->p->dual.price)
                 u[i] = kern_max(u[i], 0);
         }
-        good = kern_raise_settle(r, q, 0, 1)
+        good = kern_raise_settle(r, q, KERN_BEGIN_HERE)
             || (!(stood > 0) /* from rest nothing leads there */
-                && kern_raise_settle(r, q, 1, 1));
+                && kern_raise_settle(r, q, KERN_BEGIN_UNLOADED));
         if (good) {
             taken = *share - stood;
             stood = *share;
@@ -7204,7 +7536,7 @@ static kern_status kern_raise_show(kern_raise *r, kern_call *c,
     const kern_status status = kern_raise_begin(r, c, out);
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
-    if (kern_raise_settle(r, &c->path.q, 1, 0)
+    if (kern_raise_settle(r, &c->path.q, KERN_BEGIN_UNLOADED)
         || (kern_model_loaded(&c->m)
             && kern_raise_climb(r, &grown, &grown.loads, KERN_R(1)) >= 1))
         *out = KERN_RAISED;
