@@ -1374,10 +1374,13 @@ extern "C" {
 
 /* ---- raised ---- */
 
-/* A search is lost once u is this many times as far as in its first round, or
-   once prices have not settled for this many rounds and a fourth of the groups:
-   with fewer a long row is given up before its far end has moved. */
+/* A search is lost once u goes this many times as far as in its first round, and
+   once more for each group, since in a row their slides add up; or, from a place
+   that was shown, this many times as far as that is from the unloaded one. */
 #define KERN_RUNS_AWAY KERN_R(30)
+#define KERN_JUMPS KERN_R(2)
+/* And once prices have not settled for this many rounds and half as many as there
+   are groups: with fewer a long row is given up before its far end has moved. */
 #define KERN_PATIENCE 20
 /* The most work of one search, in factors of its matrix. */
 #define KERN_SEARCH_COSTS 3000
@@ -1389,11 +1392,13 @@ extern "C" {
 #define KERN_PRICE_FALL KERN_R(0.3)
 /* Newton's method: where no more contacts than this changed in the last round,
    and its most steps. With more steps it costs more and finds no more. */
-#define KERN_FEW_CHANGES 4
-#define KERN_NEWTON_ROUNDS 4
-/* Steps of a load up to the load factor; where one fails, a fifth of it, and of
-   that: with halves, to as little, loads take 1.4 times as long. */
-#define KERN_LOAD_STEPS 8
+#define KERN_FEW_CHANGES 2
+#define KERN_NEWTON_ROUNDS 3
+/* Steps of a load up to the load factor; where one fails, the share of it that
+   is tried: a step that fails takes the work of ten that are shown, so there is
+   no third size. */
+#define KERN_LOAD_STEPS 10
+#define KERN_LOAD_FINER 12
 /* kern_stays(): from block to block, how many contacts away from the stone what
    is not held may be: with 3 and 5 it tells less. No proof is asked for,
    so that contacts may be less stiff along t. */
@@ -7307,9 +7312,10 @@ static int kern_raise_runs_away(const kern_raise *r, kern_watch *watch,
     const kern_real far = kern_raise_far(r, r->p->dual.u, NULL);
     if (round == 0)
         watch->first = far;
-    return far > KERN_RUNS_AWAY * watch->first
+    return far > (KERN_RUNS_AWAY + KERN_R(r->p->groups)) * watch->first
         || (watch->held > 0
-            && kern_raise_far(r, r->p->dual.u, r->held) > watch->held);
+            && kern_raise_far(r, r->p->dual.u, r->held)
+                   > KERN_JUMPS * watch->held);
 }
 
 /* Returns 1 if prices stopped to settle: their change has not become less for
@@ -7322,7 +7328,7 @@ static int kern_raise_stalls(const kern_raise *r, kern_watch *watch, int round,
         watch->least = change;
         watch->since = 0;
     }
-    return watch->since++ > KERN_PATIENCE + r->p->groups / 4;
+    return watch->since++ > KERN_PATIENCE + r->p->groups / 2;
 }
 
 /* Returns 1 if forces and u prove it. Near a block no proof is asked for. */
@@ -7356,7 +7362,7 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                                              first, KERN_FEW_ROUNDS + 2);
     kern_real change;
     int pressed;
-    if (found == KERN_LIMIT || !kern_model_spend(p->m, 1 + p->contacts / 8)
+    if (found == KERN_LIMIT || !kern_model_spend(p->m, 1 + p->contacts / 16)
         || p->m->task->work->units - watch->units
                > KERN_SEARCH_COSTS * p->dual.cost)
         return KERN_END_WORK;
@@ -7486,7 +7492,7 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
 }
 
 /* Raises the load of q, by *share of it, from 0 to `most` in steps, each from
-   the last two in the same direction, a fifth as long once one fails. The end
+   the last two in the same direction, finer once one fails. The end
    doubles if unknown. Returns the last share proven, below 0 if none. */
 static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                                   kern_real *share, kern_real most)
@@ -7498,7 +7504,8 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     if (!kern_raise_settle(r, q, KERN_BEGIN_UNLOADED))
         return KERN_R(-1);
     kern_copy(r->held, u, r->size);
-    while (stood < end && step >= end / (32 * KERN_LOAD_STEPS)) {
+    while (stood < end
+           && step >= end / (2 * KERN_LOAD_FINER * KERN_LOAD_STEPS)) {
         *share = kern_min(stood + step, end);
         for (i = 0; i < r->size; i++) {
             if (good) {
@@ -7517,7 +7524,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
             taken = *share - stood;
             stood = *share;
         } else
-            step /= 5;
+            step /= KERN_LOAD_FINER;
         if (!(stood < end) && end < most) {
             end = kern_min(2 * end, most);
             step = end / KERN_LOAD_STEPS;

@@ -273,13 +273,14 @@ static void benchmark(void)
         draw_slope(&s, mu);
         *(is_raised() ? &high : &low) = mu;
     }
-    report("the same, least friction at which it is raised", high, 0.7855, 0.8);
+    report("the same, least friction at which it is raised", high, 0.7855,
+           0.786);
     for (double mu = 0.8; mu < 0.99; mu += 0.02) {
         draw_slope(&s, mu);
         least = fmin(least, raised_load(&as_drawn, KERN_RIGHT)
                                 / critical_load(&s, mu));
     }
-    report("the same, least raised load / limit at mu .8 to .98", least, 0.16,
+    report("the same, least raised load / limit at mu .8 to .98", least, 0.95,
            1.001);
 }
 
@@ -312,8 +313,8 @@ static void slopes(void)
     report("60 random slopes: raised at .9 of the critical friction", raised[0],
            0, 0);
     report("  at .99", raised[1], 0, 0);
-    report("  at 1.02", raised[2], 46, 60);
-    report("  at 1.1", raised[3], 52, 60);
+    report("  at 1.02", raised[2], 59, 60);
+    report("  at 1.1", raised[3], 60, 60);
 }
 
 /* Long rows: raised load over limit equilibrium, the least of three. */
@@ -322,7 +323,7 @@ static void rows(void)
     static const struct {
         int columns;
         double least;
-    } row[] = {{20, 0.4}, {30, 0.3}, {40, 0}, {60, 0}, {90, 0}};
+    } row[] = {{20, 0.97}, {30, 0.97}, {40, 0.97}, {60, 0.96}, {90, 0.87}};
     uint64_t state = random_from(90);
     for (int k = 0; k < 5; k++) {
         double least = 2, most = 0;
@@ -480,8 +481,8 @@ static void walls(void)
     report("brick walls with openings: raised load / simulator, median",
            ratio[many / 2], 0.975, 1);
     report("  most", ratio[many - 1], 0.98, 1.03);
-    report("  share that reaches .94", (double)near / many, 0.78, 1);
-    report("  stand in the simulator and are not raised at rest", none, 0, 4);
+    report("  share that reaches .94", (double)near / many, 0.96, 1);
+    report("  stand in the simulator and are not raised at rest", none, 0, 0);
     report("  falls in the simulator and is raised at rest", fallen, 0, 0);
 }
 
@@ -513,8 +514,8 @@ static void bonds(void)
             kept = fmin(kept, chance);
         }
     }
-    report("16 running bonds: least reserve", least, 0, 0.1);
-    report("  least chance of a brick to stay", kept, 0.05, 1);
+    report("16 running bonds: least reserve", least, 0.0055, 0.1);
+    report("  least chance of a brick to stay", kept, 0.8, 1);
 }
 
 int main(void)
