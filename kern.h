@@ -1398,7 +1398,7 @@ extern "C" {
    is tried: a step that fails takes the work of ten that are shown, so there is
    no third size. */
 #define KERN_LOAD_STEPS 10
-#define KERN_LOAD_FINER 12
+#define KERN_LOAD_FINER 16
 /* kern_stays(): from block to block, how many contacts away from the stone what
    is not held may be: with 3 and 5 it tells less. No proof is asked for,
    so that contacts may be less stiff along t. */
