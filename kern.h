@@ -382,6 +382,8 @@ typedef float kern_real;
 #define kern_forces kern_forces_f32
 #define kern_ground_init kern_ground_init_f32
 #define kern_known_of kern_known_of_f32
+#define kern_least_load_of kern_least_load_of_f32
+#define kern_let_go kern_let_go_f32
 #define kern_load_factor kern_load_factor_f32
 #define kern_load_factor_of kern_load_factor_of_f32
 #define kern_lp_solve kern_lp_solve_f32
@@ -657,7 +659,7 @@ typedef struct kern_work {
                              limit + 1 with KERN_LIMIT, else within the limit */
     kern_real error;  /* largest of a proof, in what is allowed: <= 1     */
     kern_fault fault; /* of the last call that returned less than 0       */
-    kern_end end;     /* why the last search for raised forces ended      */
+    kern_end end;     /* of the last call that searched for raised forces */
 } kern_work;
 
 /* Warm start: what kern_measure() remembers for the next one of nearly the same
@@ -933,6 +935,20 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance);
 
+/* Whether the structure stays when all blocks are let go at once, from rest, in
+   the poses that are given: the answer for a finished structure.
+     KERN_STANDS     It stays: its load raises forces that hold it. Both arrays
+                     of the proof pass kern_check_raised() as KERN_RAISED.
+     KERN_FALLS      It moves by proof->motion, which passes kern_check_motion();
+                     or where blocks hang, kern_check_raised() as KERN_HANGS.
+     KERN_UNDECIDED  Neither is shown; work->end tells why.
+   *how (may be NULL) is KERN_HANGS where blocks hang, KERN_RAISED where it stays
+   and KERN_NOT_SHOWN elsewhere. The least friction or the tilt of this answer is
+   that of the verdict or more: bisect options.mu, or the angle of s.gravity,
+   from one at which it stays. Time: that of kern_raised(). */
+KERN_API kern_status kern_let_go(const kern_task *task, kern_raising *how,
+                                 const kern_proof *proof);
+
 /* The minimum-norm forces (>>measures): of all that hold the structure those of
    least sum of f^2 + (r / mu)^2 over the contact points. KERN_STANDS:
    force[0..contacts), checked like those of a proof. KERN_UNDECIDED: there are
@@ -1009,6 +1025,18 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          const kern_wrench *pattern,
                                          kern_real *factor,
                                          const kern_proof *proof);
+
+/* The least factor of the pattern at which the structure stands: 0 where it does
+   without, else the smallest load that holds it, as a prop or a hand does; the
+   largest is that of kern_load_factor_of() for the weights with this load.
+   KERN_STANDS: *factor, at which proof->force holds it; proof->motion moves it
+   just below (not written where it is 0). KERN_FALLS: it falls at every factor,
+   *factor is KERN_INFINITY. KERN_UNDECIDED, KERN_LIMIT: *factor is the largest
+   below which it is proven to fall. Time: a verdict for each mechanism. */
+KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
+                                        const kern_wrench *pattern,
+                                        kern_real *factor,
+                                        const kern_proof *proof);
 
 /* The load factor of Coulomb friction, from rest: stones that slide need not
    part. *factor is the largest multiple of the load with forces that it raises,
@@ -6504,11 +6532,18 @@ static kern_real kern_angle_of(kern_real s)
     return 8 * s * sum;
 }
 
-/* Checks what grows: a pattern, or a load or tilt that has a side (NULL). */
-static kern_status kern_growth_check(const kern_task *task,
-                                     const kern_wrench *pattern, kern_side side)
+/* Opens a call whose answer is how far a pattern grows, or where that is NULL a
+   load or tilt to a side. */
+KERN_SHARED static kern_status kern_growth_open(kern_call *c,
+                                                const kern_task *task,
+                                                kern_real shrink,
+                                                const kern_wrench *pattern,
+                                                kern_side side, kern_real *out)
 {
     int i;
+    const kern_status status = kern_number_open(c, task, shrink, out);
+    if (status != KERN_OK)
+        return status;
     if (!pattern && !kern_has_side(&task->s, side))
         return KERN_BAD_OPTION;
     for (i = 0; pattern && i < task->s.blocks; i++)
@@ -6529,9 +6564,7 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     const int tilt = kind == KERN_PATH_TILT;
     kern_path *const path = &c->path;
     int loaded;
-    kern_status status = kern_number_open(c, task, shrink, out);
-    if (status == KERN_OK)
-        status = kern_growth_check(task, pattern, side);
+    kern_status status = kern_growth_open(c, task, shrink, pattern, side, out);
     if (status != KERN_OK)
         return status;
     /* under loads that stay a tilt may stand again after it fell */
@@ -6573,6 +6606,64 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
     return pattern ? kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
                               KERN_SHRINK, factor, proof)
                    : KERN_BAD_POINTER;
+}
+
+/* Returns the factor of the pattern up to which the motion of the answer makes
+   the structure fall, as it does at q; infinity if at every larger one. */
+static kern_real kern_least_of(const kern_model *m, const kern_query *q)
+{
+    kern_query unloaded = *q;
+    kern_real power = KERN_R(0), held = power;
+    int i;
+    unloaded.factor = KERN_R(0);
+    for (i = 0; i < m->s->blocks; i++) {
+        const kern_motion *v = m->answer.motion + i;
+        const kern_wrench *load = q->pattern + i;
+        kern_wrench w;
+        if (!(kern_speed(v) > 0))
+            continue;
+        kern_wrench_on(m->s, &unloaded, i, &w);
+        power += w.fx * v->vx + w.fy * v->vy + w.torque * v->spin;
+        held -= load->fx * v->vx + load->fy * v->vy + load->torque * v->spin;
+    }
+    return held > 0 ? power / held : KERN_INFINITY;
+}
+
+/* Newton's method from below: each mechanism tells how much holds it, and just
+   beyond that the next one falls, or all stand. */
+KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
+                                        const kern_wrench *pattern,
+                                        kern_real *factor,
+                                        const kern_proof *proof)
+{
+    kern_real beyond = KERN_WIDTH, falls = KERN_R(0);
+    kern_call c;
+    kern_query *q = &c.path.q;
+    int round;
+    kern_status status = pattern ? kern_growth_open(&c, task, shrink, pattern,
+                                                    KERN_SHRINK, factor)
+                                 : KERN_BAD_POINTER;
+    if (status != KERN_OK)
+        return status;
+    kern_path_push(&c.path, KERN_PATH_LOAD, pattern, KERN_SHRINK);
+    for (round = 0; round < KERN_ROUNDS && falls < KERN_FACTOR_MOST; round++) {
+        status = kern_model_evaluate(&c.m, &c.part, q);
+        kern_proof_out(&c.m, proof, status);
+        if (status == KERN_FALLS)
+            falls = kern_max(falls, kern_least_of(&c.m, q));
+        else if (status != KERN_UNDECIDED)
+            break;
+        else if (falls < q->factor)
+            beyond *= 2;
+        q->factor = falls + beyond * (1 + falls);
+    }
+    if (status == KERN_FALLS && falls < KERN_FACTOR_MOST)
+        status = KERN_UNDECIDED;
+    status = kern_ended(task, status);
+    *factor = status == KERN_STANDS ? q->factor
+            : status == KERN_FALLS  ? KERN_INFINITY
+                                    : falls;
+    return status;
 }
 
 KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
@@ -7016,7 +7107,7 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
    sliding and open, Newton's method on (law) and (balance) ends it. Prices need
    not be exact: the proof is a check of forces and u (kern_prove_raised()).
 
-   A search ends where it is lost: u runs away, or nothing gains (kern_watch). */
+   A search ends where it is lost: u runs away, or nothing gains (kern_settling). */
 
 typedef struct kern_raise {
     kern_part *p;            /* all groups, or those near a block            */
@@ -7029,20 +7120,23 @@ typedef struct kern_raise {
     kern_real *last;    /* two a contact: last F(p), and its change           */
     kern_real *kept;    /* u before Newton's method                           */
     kern_skyline up;    /* columns of its matrix; p->dual.matrix has the rows */
-    int *state;         /* of a contact: kern_contact_state()                 */
+    int *state;         /* of a contact: open, sticks, slides one way, other  */
 } kern_raise;
 
 /* How a search begins: unloaded, or from u and prices as they are. */
 typedef enum kern_begin { KERN_BEGIN_UNLOADED, KERN_BEGIN_HERE } kern_begin;
 
-/* What tells that a search is lost. */
-typedef struct kern_watch {
-    kern_real first; /* how far groups go in its first round              */
-    kern_real held;  /* how far they go where it was shown last; 0: never */
-    kern_real least; /* least change of prices of a round, squared        */
-    int since;       /* rounds since then                                 */
-    int units;       /* work before it                                    */
-} kern_watch;
+/* A search, and what tells that it is lost. */
+typedef struct kern_settling {
+    kern_real tolerance; /* what equilibrium may miss                         */
+    int warm;            /* nonzero: u and prices are near                    */
+    int round;
+    int units;       /* of work, before it                                    */
+    kern_real first; /* how far groups go in its first round                  */
+    kern_real held;  /* how far they go where it was shown last; 0: never     */
+    kern_real least; /* least change of prices of a round, squared            */
+    int since;       /* rounds since then                                     */
+} kern_settling;
 
 /* Marks all but the n groups near block i, and the ground, as place n. */
 static void kern_raise_near(kern_model *m, int i)
@@ -7306,29 +7400,28 @@ static kern_real kern_raise_far(const kern_raise *r, const kern_real *u,
 
 /* Returns 1 if u runs away: it goes much farther than in the first round, or from
    the last place that was shown by more than that is from the unloaded one. */
-static int kern_raise_runs_away(const kern_raise *r, kern_watch *watch,
-                                int round)
+static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
 {
-    const kern_real far = kern_raise_far(r, r->p->dual.u, NULL);
-    if (round == 0)
-        watch->first = far;
-    return far > (KERN_RUNS_AWAY + KERN_R(r->p->groups)) * watch->first
-        || (watch->held > 0
-            && kern_raise_far(r, r->p->dual.u, r->held)
-                   > KERN_JUMPS * watch->held);
+    const kern_real *u = r->p->dual.u, groups = KERN_R(r->p->groups);
+    const kern_real far = kern_raise_far(r, u, NULL);
+    if (settling->round == 0)
+        settling->first = far;
+    return far > (KERN_RUNS_AWAY + groups) * settling->first
+        || (settling->held > 0
+            && kern_raise_far(r, u, r->held) > KERN_JUMPS * settling->held);
 }
 
 /* Returns 1 if prices stopped to settle: their change has not become less for
    many rounds. What slides at one end of a row reaches the other in as many
    rounds as there are groups between them. */
-static int kern_raise_stalls(const kern_raise *r, kern_watch *watch, int round,
+static int kern_raise_stalls(const kern_raise *r, kern_settling *settling,
                              kern_real change)
 {
-    if (round == 0 || change < watch->least) {
-        watch->least = change;
-        watch->since = 0;
+    if (settling->round == 0 || change < settling->least) {
+        settling->least = change;
+        settling->since = 0;
     }
-    return watch->since++ > KERN_PATIENCE + r->p->groups / 2;
+    return settling->since++ > KERN_PATIENCE + r->p->groups / 2;
 }
 
 /* Returns 1 if forces and u prove it. Near a block no proof is asked for. */
@@ -7354,33 +7447,34 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 /* Makes one round of a search. Returns how the search ends, or KERN_END_NONE if
    it goes on. */
 static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
-                                 kern_real tolerance, int first,
-                                 kern_watch *watch, int round)
+                                 kern_settling *settling)
 {
     kern_part *p = r->p;
-    const kern_status found = kern_norm_find(p, tolerance, 2 * KERN_NORM_MOST,
-                                             first, KERN_FEW_ROUNDS + 2);
+    const kern_status found = kern_norm_find(
+        p, settling->tolerance, 2 * KERN_NORM_MOST,
+        settling->warm || settling->round > 0, KERN_FEW_ROUNDS + 2);
     kern_real change;
     int pressed;
     if (found == KERN_LIMIT || !kern_model_spend(p->m, 1 + p->contacts / 16)
-        || p->m->task->work->units - watch->units
+        || p->m->task->work->units - settling->units
                > KERN_SEARCH_COSTS * p->dual.cost)
         return KERN_END_WORK;
-    if (found == KERN_FALLS || kern_raise_runs_away(r, watch, round))
+    if (found == KERN_FALLS || kern_raise_runs_away(r, settling))
         return KERN_END_LOST;
 
     if (kern_raise_changes(r) <= KERN_FEW_CHANGES
-        && kern_raise_newton(r, tolerance))
-        return kern_raise_price(r, tolerance, 1) && kern_raise_proves(r, q)
+        && kern_raise_newton(r, settling->tolerance))
+        return kern_raise_price(r, settling->tolerance, 1)
+                    && kern_raise_proves(r, q)
                  ? KERN_END_SHOWN
                  : KERN_END_LOST;
 
-    pressed = kern_raise_price(r, tolerance, found == KERN_STANDS);
-    change = kern_raise_extrapolate(r, round);
+    pressed = kern_raise_price(r, settling->tolerance, found == KERN_STANDS);
+    change = kern_raise_extrapolate(r, settling->round);
     if (pressed && kern_raise_proves(r, q))
         return KERN_END_SHOWN;
-    return kern_raise_stalls(r, watch, round, change) ? KERN_END_LOST
-                                                      : KERN_END_NONE;
+    return kern_raise_stalls(r, settling, change) ? KERN_END_LOST
+                                                  : KERN_END_NONE;
 }
 
 /* Searches for the fixed point under the loads of q. Returns 1 if it is shown;
@@ -7389,18 +7483,16 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q,
                              kern_begin begin)
 {
     const kern_model *m = r->p->m;
-    const kern_real tolerance = kern_part_load(r->p, q, r->p->dual.b);
-    kern_watch watch = {0, 0, 0, 0, 0};
-    int round;
-    watch.units = m->task->work->units;
-    if (begin == KERN_BEGIN_HERE)
-        watch.held = kern_raise_far(r, r->held, NULL);
+    kern_settling settling = {0, 0, 0, 0, 0, 0, 0, 0};
+    settling.tolerance = kern_part_load(r->p, q, r->p->dual.b);
+    settling.warm = begin == KERN_BEGIN_HERE;
+    settling.units = m->task->work->units;
+    settling.held = settling.warm ? kern_raise_far(r, r->held, NULL)
+                                  : KERN_R(0);
     r->end = kern_model_ask(m, r->around < 0 ? 3 : 1) ? KERN_END_NONE
                                                       : KERN_END_WORK;
-    for (round = 0; r->end == KERN_END_NONE; round++)
-        r->end = kern_raise_round(r, q, tolerance,
-                                  begin == KERN_BEGIN_HERE || round > 0, &watch,
-                                  round);
+    for (settling.round = 0; r->end == KERN_END_NONE; settling.round++)
+        r->end = kern_raise_round(r, q, &settling);
     return r->end == KERN_END_SHOWN;
 }
 
@@ -7580,12 +7672,14 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         return KERN_BAD_BLOCK;
     r.around = i;
     r.proof = NULL;
+    r.end = KERN_END_NONE;
     if (sag)
         kern_model_know(&c.m, &task->known);
     status = kern_raise_show(&r, &c, &raising, sag);
     kern_proof_out(&c.m, proof, status);
     if (raising != KERN_NOT_SHOWN)
         kern_proof_out(&c.m, proof, KERN_FALLS);
+    task->work->end = raising == KERN_NOT_SHOWN ? r.end : KERN_END_SHOWN;
     if (raising == KERN_RAISED && reserve)
         share = kern_raise_reserve(
             &r, &c.path.q, sag ? KERN_STAYS_MOST : task->options.reserve);
@@ -7602,6 +7696,19 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  const kern_proof *proof)
 {
     return kern_raise_task(task, shrink, out, reserve, proof, KERN_OUT, NULL);
+}
+
+KERN_API kern_status kern_let_go(const kern_task *task, kern_raising *how,
+                                 const kern_proof *proof)
+{
+    kern_raising raising = KERN_NOT_SHOWN;
+    kern_status status = kern_raise_task(task, KERN_R(0), &raising, NULL, proof,
+                                         KERN_OUT, NULL);
+    if (status == KERN_STANDS && raising != KERN_RAISED)
+        status = raising == KERN_HANGS ? KERN_FALLS : KERN_UNDECIDED;
+    if (how)
+        *how = raising;
+    return status;
 }
 
 KERN_API kern_status kern_stays(const kern_task *task, int i, kern_real *chance)
@@ -7640,6 +7747,7 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
         kern_model_open(&c.m, task, q);
         r.around = KERN_OUT;
         r.proof = proof;
+        r.end = KERN_END_NONE;
         status = kern_raise_begin(&r, &c, &hung);
         if (hung == KERN_HANGS)
             status = KERN_UNDECIDED;
@@ -7647,6 +7755,7 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
         kern_model_set(&c.m, q); /* the unit of force is what acts at the end */
         if (status == KERN_STANDS)
             stood = kern_raise_climb(&r, q, &q->factor, most);
+        task->work->end = r.end;
         status = kern_ended(
             task, status == KERN_STANDS && stood < 0 ? KERN_UNDECIDED : status);
     }
