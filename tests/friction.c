@@ -463,7 +463,7 @@ static void walls(void)
 {
     enum { WALLS = sizeof wall / sizeof wall[0] };
     double ratio[WALLS];
-    int many = 0, near = 0, none = 0, fallen = 0;
+    int many = 0, reached = 0, none = 0, fallen = 0;
     for (int k = 0; k < WALLS; k++) {
         double load;
         draw_wall(wall + k);
@@ -473,7 +473,7 @@ static void walls(void)
             continue;
         }
         ratio[many] = load / wall[k].collapse;
-        near += ratio[many] >= 0.94;
+        reached += ratio[many] >= 0.94;
         none += !is_raised();
         many++;
     }
@@ -481,7 +481,7 @@ static void walls(void)
     report("brick walls with openings: raised load / simulator, median",
            ratio[many / 2], 0.975, 1);
     report("  most", ratio[many - 1], 0.98, 1.03);
-    report("  share that reaches .94", (double)near / many, 0.96, 1);
+    report("  share that reaches .94", (double)reached / many, 0.96, 1);
     report("  stand in the simulator and are not raised at rest", none, 0, 0);
     report("  falls in the simulator and is raised at rest", fallen, 0, 0);
 }
