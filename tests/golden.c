@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    {200, 0x9e1c58344b08def4u},
-    {1000, 0x5602b713d77e3d3fu},
-    {5000, 0x3f94c31e19074a20u},
+    {200, 0x59f7a34137c302e6u},
+    {1000, 0x9daaa6f7784be65du},
+    {5000, 0x40d923d894375ed5u},
 #else
-    {200, 0xdc30c2c3f89b14c9u},
-    {1000, 0x354ab67d20640945u},
-    {5000, 0x7fed2e0ee9f0f6f4u},
+    {200, 0xb481fa2884b18af8u},
+    {1000, 0xf035363909f66045u},
+    {5000, 0x558fb238ae13c44du},
 #endif
 };
 

@@ -108,6 +108,11 @@ reality() { # experiments, and whether the page is what they say today
         cmp "$out/reality.md" tests/REALITY.md
 }
 
+friction() { # toppling slopes, walls that slide, plain walls, other frames
+    # shellcheck disable=SC2086
+    gcc $plain -o "$out/friction" tests/friction.c -lm && "$out/friction"
+}
+
 noise() { # what nearly stands is not said to stand for certain
     # shellcheck disable=SC2086
     gcc $plain -o "$out/noise" tests/noise.c -lm && "$out/noise"

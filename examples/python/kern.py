@@ -162,7 +162,8 @@ class _BlockRate(ctypes.Structure):
 class _Work(ctypes.Structure):
     _fields_ = [("real", c_void_p), ("reals", c_int), ("index", c_void_p),
                 ("indices", c_int), ("pivots", c_int), ("solves", c_int),
-                ("units", c_int), ("error", c_double), ("fault", _Fault)]
+                ("units", c_int), ("error", c_double), ("fault", _Fault),
+                ("end", c_int)]
 
 
 class _Known(ctypes.Structure):

@@ -533,6 +533,114 @@ static void raised_patterns(void)
     CHECK_INT(raised_load(&w, NULL, KERN_RIGHT, &value), KERN_FALLS);
 }
 
+/* ---- let go as a whole, and the least load that holds ---- */
+
+/* Returns kern_let_go() of a world; its proof is checked. */
+static int let_go(const world *w, kern_raising *how, kern_end *end)
+{
+    const kern_proof proof = proof_here();
+    kern_work work = work_of(w);
+    const kern_task *task = world_task(w, &work);
+    const kern_status got = kern_let_go(task, how, &proof);
+    if (got == KERN_STANDS || *how == KERN_HANGS)
+        CHECK(kern_check_raised(task, 0, *how, &proof) <= 1);
+    else if (got == KERN_FALLS)
+        CHECK(kern_check_motion(task, 0, proof.motion) <= 1);
+    *end = work.end;
+    return got;
+}
+
+/* A cube on the ground stays, one on a steep slope moves, one that only friction
+   holds between two walls hangs and moves. */
+static void let_go_as_whole(void)
+{
+    static world w;
+    kern_raising how;
+    kern_end end;
+    world_reset(&w);
+    world_box(&w, 0, -1, -1, 2, 0);
+    world_box(&w, 1, 0, 0, 1, 1);
+    CHECK(world_touch(&w) > 0);
+    CHECK_INT(let_go(&w, &how, &end), KERN_STANDS);
+    CHECK_INT(how, KERN_RAISED);
+    CHECK_INT(end, KERN_END_SHOWN);
+    w.gravity = vec(9, -9);
+    CHECK_INT(let_go(&w, &how, &end), KERN_FALLS);
+    CHECK_INT(how, KERN_NOT_SHOWN);
+    world_reset(&w);
+    world_box(&w, 0, -1, -1, 0, 2);
+    world_box(&w, 0, 1, -1, 2, 2);
+    world_box(&w, 1, 0, 0, 1, 1);
+    CHECK(world_touch(&w) > 0);
+    CHECK_INT(let_go(&w, &how, &end), KERN_FALLS);
+    CHECK_INT(how, KERN_HANGS);
+    CHECK_INT(kern_let_go(NULL, &how, NULL), KERN_BAD_POINTER);
+}
+
+/* kern_least_load_of(); its proofs are checked at the factor and just below. */
+static int least_load(const world *w, const kern_wrench *pattern, double *least)
+{
+    static kern_force force[MAX_POINTS];
+    static kern_motion motion[MAX_BLOCKS];
+    static world loaded;
+    const kern_proof proof = {force, motion};
+    kern_work work = work_of(w);
+    kern_real factor = 0;
+    int i;
+    const kern_status got = kern_least_load_of(world_task(w, &work), 0, pattern,
+                                               &factor, &proof);
+    *least = (double)factor;
+    if (got != KERN_STANDS)
+        return got;
+    for (int below = 0; below <= (factor > 0); below++) {
+        const kern_real at = factor * (below ? R(SINGLE ? 0.99 : 0.999) : 1);
+        loaded = *w;
+        for (i = 0; i < w->blocks; i++) {
+            loaded.block[i].load.fx += at * pattern[i].fx;
+            loaded.block[i].load.fy += at * pattern[i].fy;
+            loaded.block[i].load.torque += at * pattern[i].torque;
+        }
+        if (below)
+            CHECK(kern_check_motion(world_task(&loaded, &work), 0, proof.motion)
+                  <= 1);
+        else
+            CHECK(kern_check_forces(world_task(&loaded, &work), 0, proof.force)
+                  <= 1);
+    }
+    return got;
+}
+
+/* A cube on a slope of tan 1 and friction .4 is held by a push up the slope from
+   .6 of its weight along it on; a load into the slope holds it by friction; one
+   down the slope never does. */
+static void least_loads(void)
+{
+    static world w;
+    kern_wrench pattern[2] = {{0, 0, 0}, {0, 0, 0}};
+    const double pull = sqrt(0.5) * 9.81;
+    double least;
+    world_reset(&w);
+    world_box(&w, 0, -1, -1, 2, 0);
+    world_box(&w, 1, 0, 0, 1, 1);
+    w.gravity = vec(pull, -pull);
+    CHECK(world_touch(&w) > 0);
+    pattern[1].fx = -1;
+    CHECK_INT(least_load(&w, pattern, &least), KERN_STANDS);
+    CHECK_NEAR(least / pull, w.block[1].mass * (1 - 0.4), SINGLE ? 3e-3 : 1e-4);
+    pattern[1].fx = 0;
+    pattern[1].fy = -1;
+    CHECK_INT(least_load(&w, pattern, &least), KERN_STANDS);
+    CHECK_NEAR(least / pull, w.block[1].mass * 1.5, SINGLE ? 5e-3 : 1e-4);
+    pattern[1].fx = 1;
+    pattern[1].fy = 0;
+    CHECK_INT(least_load(&w, pattern, &least), KERN_FALLS);
+    CHECK(least > 1e30);
+    w.gravity = vec(0, -9.81);
+    CHECK_INT(least_load(&w, pattern, &least), KERN_STANDS);
+    CHECK_NEAR(least, 0, EXACT);
+    CHECK_INT(least_load(&w, NULL, &least), KERN_BAD_POINTER);
+}
+
 /* A cube that is tried between two walls hangs there, on the floor it does
    not. */
 static void plan_raised(void)
@@ -563,7 +671,8 @@ static const test raised_tests[] = {
     TEST(raised_by_hand), TEST(raised_reserve),  TEST(raised_random),
     TEST(raised_memory),  TEST(stays_law),       TEST(stays_random),
     TEST(stays_memory),   TEST(raised_loads),    TEST(raised_scaled),
-    TEST(raised_grown),   TEST(raised_patterns), TEST(plan_raised),
+    TEST(raised_grown),   TEST(raised_patterns), TEST(let_go_as_whole),
+    TEST(least_loads),    TEST(plan_raised),
 };
 
 #endif
