@@ -6118,7 +6118,8 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
             return status;
     }
     status = m->whole ? KERN_OK : kern_model_whole(m, path->part, &q);
-    if (status == KERN_OK && m->answer.known)
+    /* a basis that is filled up may not have the columns of points left out */
+    if (status == KERN_OK && m->answer.known && path->q.carry == KERN_CARRY_ALL)
         kern_known_start(m, path->part);
     if (status == KERN_OK && path->kind != KERN_PATH_SHRINK)
         status = kern_path_follow(m, path);
