@@ -1266,6 +1266,9 @@ extern "C" {
 #define KERN_WIDTH KERN_PICK(1.26e-6, 1.8e-3)
 /* How many times wider it may get near what has no proof; wider: undecided. */
 #define KERN_WIDEST KERN_R(20)
+/* How many times wider it may be to count as an answer: in jams no proof comes
+   nearer. */
+#define KERN_ANSWER KERN_PICK(80, 20)
 /* Groups up to which one linear program is solved: margins are then exact.
    More, and its factor costs more than the interior point. */
 #define KERN_SMALL 64
@@ -3444,7 +3447,7 @@ static int kern_pivot_spend(const kern_simplex *sx)
 
 /* Lowers the sum of violations, then the costs, until no column does. The sum
    falls with every step that is not of length zero, unless prices are rounding:
-   when the budget is used up they are refined; beyond five the smallest indices
+   when the budget is used up they are refined; beyond two the smallest indices
    are taken (Bland), which cannot cycle. The limit ends what rounding might
    keep going. Returns KERN_LP_OPTIMAL, KERN_LP_INFEASIBLE, KERN_LP_UNBOUNDED:
    the last column may grow for ever; or where there is no room or no work left
@@ -3452,11 +3455,11 @@ static int kern_pivot_spend(const kern_simplex *sx)
 static kern_status kern_simplex_run(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    const int limit = 200 + 20 * (lp->rows + lp->cols);
     const int budget = 50 + 2 * lp->rows;
+    const int limit = 3 * budget + lp->cols;
     int count;
     for (count = 0; count < limit;) {
-        const int fine = count > budget, first = count > 5 * budget;
+        const int fine = count > budget, first = count > 2 * budget;
         const int enters = kern_entering(sx, first, fine);
         kern_real step = KERN_R(0);
         int p = KERN_OUT;
@@ -5240,21 +5243,13 @@ static kern_status kern_part_ask(kern_part *p, const kern_query *q, int builtin)
 }
 
 /* Returns the verdict of the simplex method with its proof, or that of a second
-   solve, which begins from no basis. */
+   solve, which begins from no basis, if the first ended but had none. */
 static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
 {
-    kern_model *m = p->m;
     kern_status status = kern_part_prove(p, q, kern_part_ask(p, q, 0));
-    if (status < 0) {
+    if (status < 0 && p->found != KERN_UNDECIDED) {
         kern_simplex_change(&p->eq.simplex, KERN_BASIS_NONE);
         status = kern_part_prove(p, q, kern_part_ask(p, q, 1));
-    }
-    /* other rounding, other room; in float it would prove what is critical */
-    if (KERN_PICK(1, 0) > 0 && m->whole
-        && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
-            || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
-        status = kern_ipm_verdict(m, p, q);
-        p->found = KERN_UNDECIDED; /* y predicts less exactly than a basis */
     }
     return status;
 }
@@ -5324,7 +5319,16 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         if (status != KERN_OK)
             return status;
     }
-    return kern_part_evaluate(p, q);
+    status = kern_part_evaluate(p, q);
+
+    /* other rounding, other room; in float it would prove what is critical */
+    if (KERN_PICK(1, 0) > 0
+        && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
+            || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
+        status = kern_ipm_verdict(m, p, q);
+        p->found = KERN_UNDECIDED; /* y predicts less exactly than a basis */
+    }
+    return status;
 }
 
 /* ==== Part V: What is measured =========================================== */
@@ -5647,10 +5651,9 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 {
     const kern_query q = kern_path_at(path, s);
     kern_part *p = path->part;
-    const kern_status status = m->whole || path->alone
-                                 ? kern_part_evaluate(p, &q)
-                             : path->ipm ? kern_ipm_evaluate(path->ipm, &q)
-                                         : kern_model_evaluate(m, p, &q);
+    const kern_status status = path->alone ? kern_part_evaluate(p, &q)
+                             : path->ipm   ? kern_ipm_evaluate(path->ipm, &q)
+                                           : kern_model_evaluate(m, p, &q);
     if (status != KERN_STANDS && p->found == KERN_FALLS)
         path->critical = kern_path_newton(path, &q, s);
     kern_path_note(m, path, status, s);
@@ -5681,10 +5684,28 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 
 /* ---- the bracket ---- */
 
+/* Returns the place that halves the wider end of the bracket outside of the
+   places that were undecided; infinity if these are most of it. The first place
+   is near the lower end, where forces are small. */
+static kern_real kern_path_cut(const kern_path *path, const kern_proven *dark)
+{
+    const kern_real lo = path->holds, hi = path->fails;
+    const kern_real below = dark->low - lo, above = hi - dark->high;
+    const kern_real least = kern_max((dark->high - dark->low) / KERN_NEAR,
+                                     kern_half_width(path) / 8);
+    if (!(dark->low <= dark->high))
+        return lo + (hi - lo) / KERN_NEAR;
+    if (kern_max(below, above) <= least)
+        return KERN_INFINITY;
+    return below > above ? lo + below / 2 : hi - above / 2;
+}
+
 /* Returns the place of the next verdict, or infinity if the bracket is done.
-   near: distance from the critical value to the places beside it. */
+   near: distance from the critical value to the places beside it; dark: first
+   and last place in the bracket that was undecided. */
 KERN_SHARED static kern_real kern_path_next(const kern_path *path,
-                                            kern_real near)
+                                            kern_real near,
+                                            const kern_proven *dark)
 {
     const kern_real lo = path->holds, hi = path->fails;
     const kern_real critical = path->critical, predicted = path->predicted;
@@ -5695,13 +5716,13 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
         && kern_min(critical, hi) < lo + 2 * near)
         return lo;
 
-    /* 2. The bracket is narrow, or proofs end too far from the value. */
-    if (hi - lo <= near / 8 || 2 * near > kern_widest(path))
+    /* 2. The bracket is narrow. */
+    if (hi - lo <= near / 8)
         return KERN_INFINITY;
 
-    /* 3. No mechanism has its value in the bracket: cut it. */
-    if (!(critical > lo && critical <= hi))
-        return lo + (hi - lo) / KERN_NEAR * (kern_half_width(path) / near);
+    /* 3. No mechanism has its value in it, or none that proofs come near. */
+    if (!(critical > lo && critical <= hi) || 2 * near > kern_widest(path))
+        return kern_path_cut(path, dark);
 
     /* 4. The upper end is far: go just beyond the value that is predicted. */
     aim = predicted > lo && hi - predicted > 2 * near ? predicted : critical;
@@ -5722,10 +5743,12 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
     kern_real near = kern_half_width(path);
+    kern_proven dark = {KERN_INFINITY, -KERN_INFINITY};
+    const int whole = m->whole;
     int round;
     for (round = 0; round < KERN_ROUNDS; round++) {
         const kern_real lo = path->holds, value = path->critical;
-        const kern_real at = kern_path_next(path, near);
+        const kern_real at = kern_path_next(path, near, &dark);
         kern_status status = KERN_STANDS;
         if (!(at < KERN_INFINITY))
             break;
@@ -5735,10 +5758,16 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
             return status;
         if (near > kern_half_width(path) && value > path->holds)
             path->critical = kern_min(path->critical, value);
-        if (status == KERN_UNDECIDED)
+        if (m->whole < whole)
+            return KERN_UNDECIDED;
+        if (status == KERN_UNDECIDED) {
             near *= 2;
+            dark.low = kern_min(dark.low, at);
+            dark.high = kern_max(dark.high, at);
+        }
     }
-    if (path->fails - path->holds > kern_widest(path) && !path->alone)
+    if (path->fails - path->holds > KERN_ANSWER * kern_width(path)
+        && !path->alone)
         return KERN_UNDECIDED;
     path->critical = kern_max(path->critical, path->holds);
     path->critical = kern_min(path->critical, path->fails);
@@ -5782,7 +5811,10 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         const kern_real at = path->holds;
         const kern_real next = kern_min(path->end, at + kern_max(first, even));
         const int small = next - at <= least, sure = small || !(even > 0);
+        const int whole = m->whole && !(even > 0);
         const kern_status status = kern_path_evaluate(m, path, next);
+        if (m->whole < whole)
+            return KERN_UNDECIDED;
 
         /* nothing between the two places falls */
         if (status == KERN_STANDS && (sure || kern_turn_holds(m, path, at))) {
@@ -6099,33 +6131,59 @@ static void kern_known_start(kern_model *m, kern_part *p)
     kern_simplex_start(&p->eq.simplex, p->x, KERN_NOISE * m->weight);
 }
 
-/* Finds the critical value of the whole beyond path->holds: of many groups by
-   the interior point, which shrinks half as far first, where fewer mechanisms
-   fall; of few, or where that finds none, by their linear program. */
-static kern_status kern_path_whole(kern_model *m, kern_path *path,
-                                   kern_real first, kern_real step)
+/* Finds the critical value of the whole beyond path->holds by the interior
+   point. */
+static kern_status kern_path_interior(kern_model *m, kern_path *path,
+                                      kern_real first, kern_real step)
 {
     const kern_query q = kern_path_at(path, path->holds);
     kern_ipm in;
     kern_status status;
-    if (!m->whole && m->graph.groups > KERN_SMALL
-        && kern_ipm_open(&in, m, path->part, &q)) {
-        path->ipm = &in;
-        status = kern_path_narrow(
-            m, path, path->kind == KERN_PATH_SHRINK ? first / 2 : first, step);
-        path->ipm = NULL;
-        if (status != KERN_UNDECIDED)
-            return status;
-    }
-    status = m->whole ? KERN_OK : kern_model_whole(m, path->part, &q);
+    if (!kern_ipm_open(&in, m, path->part, &q))
+        return KERN_UNDECIDED;
+    path->ipm = &in;
+    status = kern_path_narrow(m, path, first, step);
+    path->ipm = NULL;
+    return status;
+}
+
+/* Finds the critical value of the whole beyond path->holds by its linear
+   program. */
+static kern_status kern_path_program(kern_model *m, kern_path *path,
+                                     kern_real first, kern_real step)
+{
+    const kern_query q = kern_path_at(path, path->holds);
+    kern_status status = m->whole ? KERN_OK
+                                  : kern_model_whole(m, path->part, &q);
+    if (status != KERN_OK)
+        return status;
     /* a basis that is filled up may not have the columns of points left out */
-    if (status == KERN_OK && m->answer.known && path->q.carry == KERN_CARRY_ALL)
+    if (m->answer.known && path->q.carry == KERN_CARRY_ALL)
         kern_known_start(m, path->part);
-    if (status == KERN_OK && path->kind != KERN_PATH_SHRINK)
+    if (path->kind != KERN_PATH_SHRINK)
         status = kern_path_follow(m, path);
-    return status == KERN_OK || status == KERN_UNDECIDED
-             ? kern_path_narrow(m, path, first, step)
-             : status;
+    if (status != KERN_OK && (status != KERN_UNDECIDED || !m->whole))
+        return status;
+    return kern_path_narrow(m, path, first, step);
+}
+
+/* Finds the critical value of the whole beyond path->holds. Many groups: by the
+   interior point, which shrinks half as far first, where fewer mechanisms fall;
+   by the program where that finds none. Few: by the program; once that cannot
+   decide a place, as in a jam, the interior point narrows what is left. */
+static kern_status kern_path_whole(kern_model *m, kern_path *path,
+                                   kern_real first, kern_real step)
+{
+    const int many = m->graph.groups > KERN_SMALL;
+    kern_status status = KERN_UNDECIDED;
+    if (many && !m->whole)
+        status = kern_path_interior(
+            m, path, path->kind == KERN_PATH_SHRINK ? first / 2 : first, step);
+    if (status == KERN_UNDECIDED)
+        status = kern_path_program(m, path, first, step);
+    if (status == KERN_UNDECIDED && !many && !m->whole)
+        status = kern_path_interior(m, path, first, step);
+    return status;
 }
 
 /* Finds the critical value from a place `at` where all blocks are passed: each
