@@ -3447,19 +3447,20 @@ static int kern_pivot_spend(const kern_simplex *sx)
 
 /* Lowers the sum of violations, then the costs, until no column does. The sum
    falls with every step that is not of length zero, unless prices are rounding:
-   when the budget is used up they are refined; beyond two the smallest indices
+   when the budget is used up they are refined; beyond five the smallest indices
    are taken (Bland), which cannot cycle. The limit ends what rounding might
-   keep going. Returns KERN_LP_OPTIMAL, KERN_LP_INFEASIBLE, KERN_LP_UNBOUNDED:
+   keep going: structures take less than two budgets but in jams. Returns KERN_LP_OPTIMAL, KERN_LP_INFEASIBLE, KERN_LP_UNBOUNDED:
    the last column may grow for ever; or where there is no room or no work left
    for a pivot, KERN_NO_SPACE or KERN_LIMIT. */
 static kern_status kern_simplex_run(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     const int budget = 50 + 2 * lp->rows;
-    const int limit = 3 * budget + lp->cols;
+    const int limit = lp->ends ? 3 * budget + lp->cols
+                               : 200 + 20 * (lp->rows + lp->cols);
     int count;
     for (count = 0; count < limit;) {
-        const int fine = count > budget, first = count > 2 * budget;
+        const int fine = count > budget, first = count > 5 * budget;
         const int enters = kern_entering(sx, first, fine);
         kern_real step = KERN_R(0);
         int p = KERN_OUT;
@@ -5369,6 +5370,7 @@ typedef struct kern_path {
     const kern_known *known; /* of a structure like it, or NULL              */
     int alone;               /* nonzero: the part is evaluated alone         */
     struct kern_ipm *ipm;    /* evaluates the whole, or NULL                 */
+    int relay;               /* nonzero: it goes on where the program ends   */
     const kern_proof *proof; /* the caller's: of the last verdict each way   */
 } kern_path;
 
@@ -5744,7 +5746,6 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
     kern_real near = kern_half_width(path);
     kern_proven dark = {KERN_INFINITY, -KERN_INFINITY};
-    const int whole = m->whole;
     int round;
     for (round = 0; round < KERN_ROUNDS; round++) {
         const kern_real lo = path->holds, value = path->critical;
@@ -5758,7 +5759,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
             return status;
         if (near > kern_half_width(path) && value > path->holds)
             path->critical = kern_min(path->critical, value);
-        if (m->whole < whole)
+        if (path->relay && !m->whole)
             return KERN_UNDECIDED;
         if (status == KERN_UNDECIDED) {
             near *= 2;
@@ -5811,9 +5812,8 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         const kern_real at = path->holds;
         const kern_real next = kern_min(path->end, at + kern_max(first, even));
         const int small = next - at <= least, sure = small || !(even > 0);
-        const int whole = m->whole && !(even > 0);
         const kern_status status = kern_path_evaluate(m, path, next);
-        if (m->whole < whole)
+        if (path->relay && !m->whole)
             return KERN_UNDECIDED;
 
         /* nothing between the two places falls */
@@ -6131,15 +6131,15 @@ static void kern_known_start(kern_model *m, kern_part *p)
     kern_simplex_start(&p->eq.simplex, p->x, KERN_NOISE * m->weight);
 }
 
-/* Finds the critical value of the whole beyond path->holds by the interior
-   point. */
+/* Finds the critical value of the whole beyond path->holds, at q, by the
+   interior point. */
 static kern_status kern_path_interior(kern_model *m, kern_path *path,
-                                      kern_real first, kern_real step)
+                                      const kern_query *q, kern_real first,
+                                      kern_real step)
 {
-    const kern_query q = kern_path_at(path, path->holds);
     kern_ipm in;
     kern_status status;
-    if (!kern_ipm_open(&in, m, path->part, &q))
+    if (!kern_ipm_open(&in, m, path->part, q))
         return KERN_UNDECIDED;
     path->ipm = &in;
     status = kern_path_narrow(m, path, first, step);
@@ -6147,14 +6147,15 @@ static kern_status kern_path_interior(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Finds the critical value of the whole beyond path->holds by its linear
-   program. */
+/* Finds the critical value of the whole beyond path->holds, at q, by its linear
+   program. KERN_UNDECIDED at the first place that this cannot decide, if the
+   interior point goes on. */
 static kern_status kern_path_program(kern_model *m, kern_path *path,
-                                     kern_real first, kern_real step)
+                                     const kern_query *q, kern_real first,
+                                     kern_real step)
 {
-    const kern_query q = kern_path_at(path, path->holds);
     kern_status status = m->whole ? KERN_OK
-                                  : kern_model_whole(m, path->part, &q);
+                                  : kern_model_whole(m, path->part, q);
     if (status != KERN_OK)
         return status;
     /* a basis that is filled up may not have the columns of points left out */
@@ -6162,9 +6163,9 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
         kern_known_start(m, path->part);
     if (path->kind != KERN_PATH_SHRINK)
         status = kern_path_follow(m, path);
-    if (status != KERN_OK && (status != KERN_UNDECIDED || !m->whole))
-        return status;
-    return kern_path_narrow(m, path, first, step);
+    if (status == KERN_OK || (status == KERN_UNDECIDED && m->whole))
+        status = kern_path_narrow(m, path, first, step);
+    return status;
 }
 
 /* Finds the critical value of the whole beyond path->holds. Many groups: by the
@@ -6174,16 +6175,21 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
+    const kern_query q = kern_path_at(path, path->holds);
     const int many = m->graph.groups > KERN_SMALL;
     kern_status status = KERN_UNDECIDED;
     if (many && !m->whole)
         status = kern_path_interior(
-            m, path, path->kind == KERN_PATH_SHRINK ? first / 2 : first, step);
-    if (status == KERN_UNDECIDED)
-        status = kern_path_program(m, path, first, step);
-    if (status == KERN_UNDECIDED && !many && !m->whole)
-        status = kern_path_interior(m, path, first, step);
-    return status;
+            m, path, &q, path->kind == KERN_PATH_SHRINK ? first / 2 : first,
+            step);
+    if (status != KERN_UNDECIDED)
+        return status;
+    path->relay = !many && KERN_PICK(1, 0) > 0;
+    status = kern_path_program(m, path, &q, first, step);
+    path->relay = 0;
+    return status == KERN_UNDECIDED && !many && !m->whole
+             ? kern_path_interior(m, path, &q, first, step)
+             : status;
 }
 
 /* Finds the critical value from a place `at` where all blocks are passed: each
@@ -6357,7 +6363,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     path->kind = KERN_PATH_SHRINK;
     path->part = &c->part;
     path->proof = NULL;
-    path->alone = path->never = 0;
+    path->alone = path->never = path->relay = 0;
     path->ipm = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
     path->start = path->holds = path->critical = KERN_R(0);
