@@ -312,17 +312,20 @@
              simulator though forces exist, 2 have the largest (tests/TRUST.md).
    Loads     stay: what kern_block_load() adds neither grows with a horizontal
              load nor turns with gravity.
-   Not       Kerns that are not nested (points of different normals) are
-   nested    searched in steps <= d_max / 1001, tilts with loads in steps of
-             pi / 1001: a fall narrower than that may be missed.
+   Not       Kerns that are not nested (points of different normals) are asked
+   nested    first without these points. Where that proves neither, they are
+             searched in steps <= d_max / 1001, as tilts with loads are in steps
+             of pi / 1001: a fall narrower than that may be missed.
    Undecided Within 1e-9 of the mean size of critical; in jams, whose forces
-             grow without bound toward critical, within 1e-7, rarely 1e-5; where
-             one block weighs more than 1e4 times another, farther. A level is
+             grow without bound toward critical, within 1e-7, rarely 1e-4: of 800
+             hoppers, rows between walls, zigzag beds and packed discs of up to
+             120 stones seven measures; where one block weighs more than 1e4
+             times another, farther. A level is
              undecided only if the verdict at a step that it depends on is.
              Bricks held by loads up to 1000 times their weight: none of 288
              with mu up to 100, with mu 1000 2 of 96.
    Brackets  At most 2e-6 mean sizes wide (load factor 2e-6, tilt 8e-6 rad); in
-             jams up to ten times as wide (one of a thousand of 4 to 15 blocks);
+             jams up to 50 times as wide;
              above 256 blocks of which many move at once up to 3e-5. Above 64
              such blocks a value may lie anywhere in it.
    Slow      Structures of many blocks of which many move at the margin: bricks
@@ -5350,6 +5353,14 @@ typedef enum kern_path_kind {
     KERN_PATH_TILT
 } kern_path_kind;
 
+/* What is evaluated: the whole; a part alone, all other blocks held; the whole by
+   its program, until the interior point takes over. */
+typedef enum kern_asked {
+    KERN_ASKED_WHOLE,
+    KERN_ASKED_PART,
+    KERN_ASKED_PROGRAM
+} kern_asked;
+
 /* Farthest place where the whole is proven to stand, nearest where it is proven
    to fall; -1, infinity: none. */
 typedef struct kern_proven {
@@ -5368,9 +5379,8 @@ typedef struct kern_path {
     int never;               /* nonzero: it stands to the end                */
     kern_part *part;         /* that fell last                               */
     const kern_known *known; /* of a structure like it, or NULL              */
-    int alone;               /* nonzero: the part is evaluated alone         */
+    kern_asked asked;        /* what is evaluated                            */
     struct kern_ipm *ipm;    /* evaluates the whole, or NULL                 */
-    int relay;               /* nonzero: it goes on where the program ends   */
     const kern_proof *proof; /* the caller's: of the last verdict each way   */
 } kern_path;
 
@@ -5633,7 +5643,7 @@ static void kern_path_note(const kern_model *m, kern_path *path,
 {
     if (status == KERN_STANDS) {
         path->holds = s;
-        if (path->alone)
+        if (path->asked == KERN_ASKED_PART)
             return;
         path->proven.low = kern_max(path->proven.low, s);
     } else if (status == KERN_FALLS) {
@@ -5653,9 +5663,10 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 {
     const kern_query q = kern_path_at(path, s);
     kern_part *p = path->part;
-    const kern_status status = path->alone ? kern_part_evaluate(p, &q)
-                             : path->ipm   ? kern_ipm_evaluate(path->ipm, &q)
-                                           : kern_model_evaluate(m, p, &q);
+    const kern_status status = path->asked == KERN_ASKED_PART
+                                 ? kern_part_evaluate(p, &q)
+                             : path->ipm ? kern_ipm_evaluate(path->ipm, &q)
+                                         : kern_model_evaluate(m, p, &q);
     if (status != KERN_STANDS && p->found == KERN_FALLS)
         path->critical = kern_path_newton(path, &q, s);
     kern_path_note(m, path, status, s);
@@ -5714,7 +5725,7 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     kern_real aim;
 
     /* 1. The start has no proof yet, and the critical value is near it. */
-    if (!path->alone && path->proven.low < lo
+    if (path->asked != KERN_ASKED_PART && path->proven.low < lo
         && kern_min(critical, hi) < lo + 2 * near)
         return lo;
 
@@ -5732,7 +5743,7 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
         return aim + near;
 
     /* 5. It is near: prove that the whole stands just before the value. */
-    if (!path->alone && critical - lo > KERN_R(1.05) * near)
+    if (path->asked != KERN_ASKED_PART && critical - lo > KERN_R(1.05) * near)
         return kern_before(path, near);
     return KERN_INFINITY;
 }
@@ -5759,7 +5770,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
             return status;
         if (near > kern_half_width(path) && value > path->holds)
             path->critical = kern_min(path->critical, value);
-        if (path->relay && !m->whole)
+        if (path->asked == KERN_ASKED_PROGRAM && !m->whole)
             return KERN_UNDECIDED;
         if (status == KERN_UNDECIDED) {
             near *= 2;
@@ -5768,7 +5779,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         }
     }
     if (path->fails - path->holds > KERN_ANSWER * kern_width(path)
-        && !path->alone)
+        && path->asked != KERN_ASKED_PART)
         return KERN_UNDECIDED;
     path->critical = kern_max(path->critical, path->holds);
     path->critical = kern_min(path->critical, path->fails);
@@ -5813,7 +5824,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         const kern_real next = kern_min(path->end, at + kern_max(first, even));
         const int small = next - at <= least, sure = small || !(even > 0);
         const kern_status status = kern_path_evaluate(m, path, next);
-        if (path->relay && !m->whole)
+        if (path->asked == KERN_ASKED_PROGRAM && !m->whole)
             return KERN_UNDECIDED;
 
         /* nothing between the two places falls */
@@ -6004,7 +6015,7 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
     kern_status status;
     if (!kern_part_lay(path->part))
         return KERN_UNDECIDED;
-    path->alone = 1;
+    path->asked = KERN_ASKED_PART;
     path->predicted = path->holds;
     status = kern_path_evaluate(m, path, s);
     if (status == KERN_FALLS && path->critical <= path->start)
@@ -6012,7 +6023,7 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
     if (status == KERN_FALLS && s > path->start)
         status = kern_path_critical(m, path) == KERN_STANDS ? KERN_FALLS
                                                             : KERN_UNDECIDED;
-    path->alone = 0;
+    path->asked = KERN_ASKED_WHOLE;
     path->predicted = path->holds = holds; /* predicts nothing */
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
@@ -6184,9 +6195,10 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
             step);
     if (status != KERN_UNDECIDED)
         return status;
-    path->relay = !many && KERN_PICK(1, 0) > 0;
+    if (!many && KERN_PICK(1, 0) > 0)
+        path->asked = KERN_ASKED_PROGRAM;
     status = kern_path_program(m, path, &q, first, step);
-    path->relay = 0;
+    path->asked = KERN_ASKED_WHOLE;
     return status == KERN_UNDECIDED && !many && !m->whole
              ? kern_path_interior(m, path, &q, first, step)
              : status;
@@ -6363,7 +6375,8 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     path->kind = KERN_PATH_SHRINK;
     path->part = &c->part;
     path->proof = NULL;
-    path->alone = path->never = path->relay = 0;
+    path->asked = KERN_ASKED_WHOLE;
+    path->never = 0;
     path->ipm = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
     path->start = path->holds = path->critical = KERN_R(0);

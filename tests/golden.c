@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    {200, 0x9e1c58344b08def4u},
-    {1000, 0x5602b713d77e3d3fu},
-    {5000, 0x3f94c31e19074a20u},
+    {200, 0x8264636b8c6f6f9au},
+    {1000, 0x979f449d05d26f27u},
+    {5000, 0x16319631ef7789f8u},
 #else
-    {200, 0xdc30c2c3f89b14c9u},
-    {1000, 0x354ab67d20640945u},
-    {5000, 0x7fed2e0ee9f0f6f4u},
+    {200, 0x5c96a4948030c336u},
+    {1000, 0xdf5024afb6ea1642u},
+    {5000, 0xc05148db0f543651u},
 #endif
 };
 

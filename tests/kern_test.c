@@ -7775,6 +7775,8 @@ static void jams_are_decided(void)
     static world w;
     int seed, stands = 0;
     for (seed = 0; seed < some(40); seed++) {
+        const kern_proof proof = proof_here();
+        kern_work work;
         kern_margin m;
         int got;
         random_seed(770000u + (unsigned long long)seed);
@@ -7782,11 +7784,15 @@ static void jams_are_decided(void)
         jam_rows(&w, random_int(2, 6), random_int(2, 6), uniform(0.05, 0.6));
         w.options.mu = R(uniform(0.3, 0.8));
         CHECK(world_touch(&w) > 0);
-        got = measure(&w, &m);
+        work = work_of(&w);
+        got = kern_measure(world_task(&w, &work), &m, &proof);
         CHECK(SINGLE || decided(got));
         if (got != KERN_STANDS)
             continue;
         stands++;
+        CHECK(share_of_forces(&w, (double)m.holds, force_of) <= 1.001);
+        CHECK(m.saturated
+              || share_of_motion(&w, (double)m.fails, motion_of) <= 1.001);
         CHECK(SINGLE || (double)(m.fails - m.holds) <= 1e-4 * 1.5);
     }
     context[0] = 0;
