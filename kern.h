@@ -195,8 +195,7 @@
                the middle of what carries its block, as in Fig. 2 c, d of the
                paper: a contact carries the block that its normal pushes up, and
                the middle is that of the two points farthest apart that carry
-               the same one. Kerns are then not nested (>>limits): a measure
-               takes some fifteen times as long.
+               the same one. Kerns are then not nested (>>limits).
    It acts at p + min(d, l) u; with options.relative at p + d l u, d <= 1.
    d_max is the largest l (relative: 1). Normals do not change. With lines
    alone the contacts are nested and a structure that has fallen falls at every
@@ -320,14 +319,13 @@
              grow without bound toward critical, within 1e-7, rarely 1e-4: of 800
              hoppers, rows between walls, zigzag beds and packed discs of up to
              120 stones seven measures; where one block weighs more than 1e4
-             times another, farther. A level is
-             undecided only if the verdict at a step that it depends on is.
-             Bricks held by loads up to 1000 times their weight: none of 288
-             with mu up to 100, with mu 1000 2 of 96.
+             times another, farther. A level is undecided only if the verdict at
+             a step that it depends on is. Bricks held by loads up to 1000 times
+             their weight: none of 288 with mu up to 100, with mu 1000 2 of 96.
    Brackets  At most 2e-6 mean sizes wide (load factor 2e-6, tilt 8e-6 rad); in
-             jams up to 50 times as wide;
-             above 256 blocks of which many move at once up to 3e-5. Above 64
-             such blocks a value may lie anywhere in it.
+             jams up to 50 times as wide; above 256 blocks of which many move at
+             once up to 3e-5. Above 64 such blocks a value may lie anywhere in
+             it.
    Slow      Structures of many blocks of which many move at the margin: bricks
              of one size, long arches (tests/BENCH.md).
    Float     Proofs are weaker (>>tune), a deficit is exact to 3e-6 sizes, above
