@@ -147,8 +147,9 @@
    at the smallest value of a body (a block with what rests on it alone), runs
    the pass there, and goes on to that of the part that falls, until none does.
    Where the pass gives no proof, the whole is asked. Load factor and tilt of up
-   to 64 free blocks are one linear program with the value as a column. A
-   proof to each side of the critical value makes the bracket.
+   to 64 free blocks are one linear program with the value as a column. What
+   this cannot decide, as in jams, the interior-point method narrows. A proof to
+   each side of the critical value makes the bracket.
 
    RULES                                                               >>rules
 
@@ -5712,10 +5713,10 @@ static kern_real kern_path_cut(const kern_path *path, const kern_proven *dark)
 }
 
 /* Returns the place of the next verdict, or infinity if the bracket is done.
-   near: distance from the critical value to the places beside it; dark: first
-   and last place in the bracket that was undecided. */
+   offset: from the critical value to the places beside it; dark: first and last
+   place in the bracket that was undecided. */
 KERN_SHARED static kern_real kern_path_next(const kern_path *path,
-                                            kern_real near,
+                                            kern_real offset,
                                             const kern_proven *dark)
 {
     const kern_real lo = path->holds, hi = path->fails;
@@ -5724,25 +5725,25 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
 
     /* 1. The start has no proof yet, and the critical value is near it. */
     if (path->asked != KERN_ASKED_PART && path->proven.low < lo
-        && kern_min(critical, hi) < lo + 2 * near)
+        && kern_min(critical, hi) < lo + 2 * offset)
         return lo;
 
     /* 2. The bracket is narrow. */
-    if (hi - lo <= near / 8)
+    if (hi - lo <= offset / 8)
         return KERN_INFINITY;
 
     /* 3. No mechanism has its value in it, or none that proofs come near. */
-    if (!(critical > lo && critical <= hi) || 2 * near > kern_widest(path))
+    if (!(critical > lo && critical <= hi) || 2 * offset > kern_widest(path))
         return kern_path_cut(path, dark);
 
     /* 4. The upper end is far: go just beyond the value that is predicted. */
-    aim = predicted > lo && hi - predicted > 2 * near ? predicted : critical;
-    if (hi - aim > 2 * near)
-        return aim + near;
+    aim = predicted > lo && hi - predicted > 2 * offset ? predicted : critical;
+    if (hi - aim > 2 * offset)
+        return aim + offset;
 
     /* 5. It is near: prove that the whole stands just before the value. */
-    if (path->asked != KERN_ASKED_PART && critical - lo > KERN_R(1.05) * near)
-        return kern_before(path, near);
+    if (path->asked != KERN_ASKED_PART && critical - lo > KERN_R(1.05) * offset)
+        return kern_before(path, offset);
     return KERN_INFINITY;
 }
 
@@ -5753,12 +5754,12 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
    of places farther away predict it less well. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
-    kern_real near = kern_half_width(path);
+    kern_real offset = kern_half_width(path);
     kern_proven dark = {KERN_INFINITY, -KERN_INFINITY};
     int round;
     for (round = 0; round < KERN_ROUNDS; round++) {
         const kern_real lo = path->holds, value = path->critical;
-        const kern_real at = kern_path_next(path, near, &dark);
+        const kern_real at = kern_path_next(path, offset, &dark);
         kern_status status = KERN_STANDS;
         if (!(at < KERN_INFINITY))
             break;
@@ -5766,12 +5767,12 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
             status = kern_path_evaluate(m, path, at);
         if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
             return status;
-        if (near > kern_half_width(path) && value > path->holds)
+        if (offset > kern_half_width(path) && value > path->holds)
             path->critical = kern_min(path->critical, value);
         if (path->asked == KERN_ASKED_PROGRAM && !m->whole)
             return KERN_UNDECIDED;
         if (status == KERN_UNDECIDED) {
-            near *= 2;
+            offset *= 2;
             dark.low = kern_min(dark.low, at);
             dark.high = kern_max(dark.high, at);
         }
@@ -5878,7 +5879,7 @@ KERN_SHARED static int kern_body_line(kern_model *m, int g)
    end *e, and sets *e to the end about which it tips. Infinity: it is not
    pressed, or stands on a closed kern. */
 static kern_real kern_body_critical(const kern_model *m, int g, int *e,
-                                    const kern_real *b, kern_real aside)
+                                    const kern_real *b, kern_real offset)
 {
     const kern_contact *c = m->s->contact + (*e >> 1);
     const kern_vec at = m->s->block[m->graph.block[g]].centre;
@@ -5901,7 +5902,7 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
         crit = other;
         *e += 2;
     }
-    return crit + aside <= most ? crit : KERN_INFINITY;
+    return crit + offset <= most ? crit : KERN_INFINITY;
 }
 
 /* Writes the motion of a body about the end e of its line at s; its largest
@@ -5949,7 +5950,7 @@ static void kern_body_load(const kern_model *m, int g, int on, kern_real *load)
 static void kern_body_first(kern_model *m, const kern_path *path,
                             kern_known *out)
 {
-    const kern_real near = kern_half_width(path);
+    const kern_real offset = kern_half_width(path);
     kern_real *load = m->answer.sum; /* of a body: three, in its units */
     int g, first = KERN_OUT, about = 0;
     out->margin = KERN_INFINITY;
@@ -5963,7 +5964,7 @@ static void kern_body_first(kern_model *m, const kern_path *path,
         const kern_real value = end == KERN_OUT
                                   ? KERN_INFINITY
                                   : kern_body_critical(m, g, &end, load + 3 * g,
-                                                       near);
+                                                       offset);
         if (value < out->margin) {
             out->margin = value;
             first = g;
@@ -5972,8 +5973,8 @@ static void kern_body_first(kern_model *m, const kern_path *path,
         if (on != KERN_OUT)
             kern_body_load(m, g, on, load);
     }
-    out->holds = out->margin - near;
-    out->fails = out->margin + near;
+    out->holds = out->margin - offset;
+    out->fails = out->margin + offset;
     if (first != KERN_OUT)
         kern_body_moves(m, first, about, out->fails);
 }
