@@ -147,9 +147,10 @@
    at the smallest value of a body (a block with what rests on it alone), runs
    the pass there, and goes on to that of the part that falls, until none does.
    Where the pass gives no proof, the whole is asked. Load factor and tilt of up
-   to 64 free blocks are one linear program with the value as a column. A
-   proof to each side of the critical value makes the bracket. Why each of these
-   is there, and what it costs to leave it out: tests/DESIGN.md.
+   to 64 free blocks are one linear program with the value as a column. What
+   this cannot decide, as in jams, the interior-point method narrows. A proof to
+   each side of the critical value makes the bracket. Why each of these is
+   there, and what it costs to leave it out: tests/DESIGN.md.
 
    RULES                                                               >>rules
 
@@ -195,8 +196,7 @@
                paper: a contact carries the block that its normal pushes up, or
                none where the normal is horizontal within 1e-6. The middle is
                that of the two points farthest apart that carry the same block.
-               Kerns are then not nested (>>limits): a measure takes some
-               fifteen times as long.
+               Kerns are then not nested (>>limits).
    It acts at p + min(d, l) u; with options.relative at p + d l u, d <= 1.
    d_max is the largest l (relative: 1). Normals do not change. With lines
    alone the contacts are nested and a structure that has fallen falls at every
@@ -335,19 +335,21 @@
              simulator though forces exist, 2 have the largest (tests/TRUST.md).
    Loads     stay: what kern_block_load() adds neither grows with a horizontal
              load nor turns with gravity.
-   Not       Kerns that are not nested (points of different normals) are
-   nested    searched in steps <= d_max / 1001, tilts with loads in steps of
-             pi / 1001: a fall narrower than that may be missed.
+   Not       Kerns that are not nested (points of different normals) are asked
+   nested    first without these points. Where that proves neither, they are
+             searched in steps <= d_max / 1001, as tilts with loads are in steps
+             of pi / 1001: a fall narrower than that may be missed.
    Undecided Within 1e-9 of the mean size of critical; in jams, whose forces
-             grow without bound toward critical, within 1e-7, rarely 1e-5; where
-             one block weighs more than 1e4 times another, farther. A level is
-             undecided only if the verdict at a step that it depends on is.
-             Bricks held by loads up to 1000 times their weight: none of 288
-             with mu up to 100, with mu 1000 2 of 96.
+             grow without bound toward critical, within 1e-7, rarely 1e-4: of 800
+             hoppers, rows between walls, zigzag beds and packed discs of up to
+             120 stones seven measures; where one block weighs more than 1e4
+             times another, farther. A level is undecided only if the verdict at
+             a step that it depends on is. Bricks held by loads up to 1000 times
+             their weight: none of 288 with mu up to 100, with mu 1000 2 of 96.
    Brackets  At most 2e-6 mean sizes wide (load factor 2e-6, tilt 8e-6 rad); in
-             jams up to ten times as wide (one of a thousand of 4 to 15 blocks);
-             above 256 blocks of which many move at once up to 3e-5. Above 64
-             such blocks a value may lie anywhere in it.
+             jams up to 50 times as wide; above 256 blocks of which many move at
+             once up to 3e-5. Above 64 such blocks a value may lie anywhere in
+             it.
    Slow      Structures of many blocks of which many move at the margin: bricks
              of one size, long arches (tests/BENCH.md).
    Float     Proofs are weaker (>>tune), a deficit is exact to 3e-6 sizes, above
@@ -1423,6 +1425,9 @@ extern "C" {
 /* How many times wider a bracket may become where proofs fail. A wider one is
    no answer. */
 #define KERN_WIDEST KERN_R(20)
+/* How many times wider it may be to count as an answer: in jams no proof comes
+   nearer. */
+#define KERN_ANSWER KERN_PICK(80, 20)
 /* Groups up to which one linear program is solved: margins are then exact.
    More, and its factor costs more than the interior point. */
 #define KERN_SMALL 64
@@ -1641,7 +1646,10 @@ extern "C" {
 #define KERN_PIVOTS_ROW 2
 /* Bland's rule begins after this multiple of these: it is safe, and slow. */
 #define KERN_PIVOTS_BLAND 5
-/* Pivots in all, to end what rounding might keep going. */
+/* Pivots in all of a program of a structure, in budgets of these: only jams take
+   more than two, and the interior point answers these sooner. */
+#define KERN_PIVOTS_JAM 3
+/* Pivots in all of other programs, to end what rounding might keep going. */
 #define KERN_PIVOTS_MOST 200
 /* Such pivots more for each row and column. */
 #define KERN_PIVOTS_EACH 20
@@ -1911,6 +1919,9 @@ static void kern_box_add(kern_box *box, kern_vec p)
    columns for each contact point. Units are the size of the block and the
    weight of all. */
 
+/* Contacts that may carry: all, or those alone whose kerns are nested. */
+typedef enum kern_carry { KERN_CARRY_ALL, KERN_CARRY_NESTED } kern_carry;
+
 /* A question: which weights and loads are to be carried, and how far kerns
    shrink. */
 typedef struct kern_query {
@@ -1926,6 +1937,7 @@ typedef struct kern_query {
     const kern_real *fallen;    /* block i is gone if fallen[i] >= 0; NULL:
                                            none is gone                     */
     kern_real shortest;         /* a shorter contact carries nothing [m]    */
+    kern_carry carry;           /* contacts that may carry                  */
 } kern_query;
 
 /* Returns the tangent by which a query narrows the cones of friction. */
@@ -1964,11 +1976,14 @@ static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
     return 2 * kern_abs(kern_travel(c, mean));
 }
 
-/* Returns 1 if a contact carries nothing: it is too short, or one of its blocks
-   is gone. */
+/* Returns 1 if a contact carries nothing: it is too short, it is a point that
+   travels and these are left out, or one of its blocks is gone. */
 static inline int kern_is_out(const kern_query *q, const kern_contact *c)
 {
     const kern_real len = q->shortest > 0 ? kern_contact_length(c, q->mean) : 0;
+    if (q->carry == KERN_CARRY_NESTED && !c->line
+        && kern_abs(kern_travel(c, q->mean)) > 0)
+        return 1;
     return (len > 0 && len < q->shortest) || kern_is_gone(q, c->a)
         || kern_is_gone(q, c->b);
 }
@@ -2328,6 +2343,7 @@ static kern_status kern_query_read(const kern_task *task, kern_real shrink,
     q->loads = 1;
     q->side = 0;
     q->fallen = NULL;
+    q->carry = KERN_CARRY_ALL;
     status = kern_structure_check(&task->s, &task->work->fault);
     return status == KERN_OK && q->relative && shrink > 1 ? KERN_BAD_SHARE
                                                           : status;
@@ -3976,7 +3992,7 @@ static int kern_pivot_spend(const kern_simplex *sx)
    falls with every step that is not of length zero, unless prices are rounding.
    So after a budget of pivots prices are refined, and after five budgets
    Bland's rule is used, which cannot cycle. The limit ends what rounding might
-   keep going.
+   keep going; programs of structures take less than two budgets, except in jams.
 
    Returns KERN_LP_OPTIMAL; KERN_LP_INFEASIBLE; KERN_LP_UNBOUNDED, where the
    entering column may grow for ever; KERN_NO_SPACE or KERN_LIMIT, where there
@@ -3984,9 +4000,10 @@ static int kern_pivot_spend(const kern_simplex *sx)
 static kern_status kern_simplex_run(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    const int limit = KERN_PIVOTS_MOST
-                    + KERN_PIVOTS_EACH * (lp->rows + lp->cols);
     const int budget = KERN_PIVOTS + KERN_PIVOTS_ROW * lp->rows;
+    const int limit = lp->ends ? KERN_PIVOTS_JAM * budget + lp->cols
+                               : KERN_PIVOTS_MOST
+                                     + KERN_PIVOTS_EACH * (lp->rows + lp->cols);
     int count;
     for (count = 0; count < limit;) {
         kern_rule rule = KERN_RULE_LARGEST;
@@ -4706,7 +4723,6 @@ static int kern_part_begin(kern_part *p, kern_model *m, int groups,
     p->m = m;
     p->rest = *rest;
     p->groups = groups;
-    p->ahead = 0;
     p->found = KERN_UNDECIDED;
     p->group = kern_take_ints(&p->rest, groups);
     return kern_take_fits(&p->rest);
@@ -6089,30 +6105,17 @@ static kern_status kern_part_ask(kern_part *p, const kern_query *q,
     return p->found = status;
 }
 
-/* Returns the verdict with its proof: `status` if that can be proved, otherwise
-   what further methods find. */
-static kern_status kern_part_judge(kern_part *p, const kern_query *q,
-                                   kern_status status)
+/* Returns the verdict of the simplex method with its proof. A second solve,
+   from no basis and without the backend, follows if the first ended but had
+   none: a long series of pivots may have lost digits. */
+static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
 {
-    kern_model *m = p->m;
-
-    /* Without a proof the program is solved once more, from no basis and
-       without the backend: a long series of pivots may have lost digits. */
-    status = kern_part_prove(p, q, status);
-    if (status < 0) {
+    kern_status status = kern_part_prove(p, q,
+                                         kern_part_ask(p, q, KERN_SOLVER_ANY));
+    if (status < 0 && p->found != KERN_UNDECIDED) {
         kern_simplex_change(&p->eq.simplex, KERN_BASIS_NONE);
         status = kern_part_prove(p, q,
                                  kern_part_ask(p, q, KERN_SOLVER_BUILTIN));
-    }
-
-    /* The last resort for all groups, in double only: the interior point rounds
-       differently and needs other memory. In float it would prove what is
-       critical. */
-    if (KERN_PICK(1, 0) > 0 && m->whole
-        && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
-            || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
-        status = kern_ipm_verdict(m, p, q);
-        p->found = KERN_UNDECIDED; /* y predicts less exactly than a basis */
     }
     return status;
 }
@@ -6188,8 +6191,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         /* A part that seems to fall is small: its own program gives the motion
            that proves it. If that fails the part proves nothing. */
         if (status == KERN_FALLS && kern_part_lay(p)
-            && kern_part_judge(p, q, kern_part_ask(p, q, KERN_SOLVER_ANY))
-                   == KERN_FALLS)
+            && kern_part_evaluate(p, q) == KERN_FALLS)
             return KERN_FALLS;
 
         /* All groups at once: many by the interior point, few, or what that
@@ -6202,16 +6204,30 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         if (status != KERN_OK)
             return status;
     }
-    return kern_part_judge(p, q, kern_part_ask(p, q, KERN_SOLVER_ANY));
+    status = kern_part_evaluate(p, q);
+
+    /* The last resort, in double only: the interior point rounds differently
+       and needs other memory. In float it would prove what is critical. */
+    if (KERN_PICK(1, 0) > 0
+        && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
+            || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
+        status = kern_ipm_verdict(m, p, q);
+        p->found = KERN_UNDECIDED; /* y predicts less exactly than a basis */
+    }
+    return status;
 }
 
 /* ==== Part V: What is measured =========================================== */
 
 /* ---- The kern -------------------------------------------------- >>kern */
-/* At a place where the structure falls the mechanism y has the power -y.rhs >
-   0. Along the path it changes at the rate y.(rhs' - A' x). Where it is zero
-   this mechanism stops falling: Newton's method, which converges quadratically,
-   from the side that falls. */
+/* A path leads from a structure that stands to ones that fall: kerns shrink, a
+   load grows or gravity turns. s is the place on it. A mechanism y that falls
+   at s has the power
+
+       P(s) = -y.rhs(s) > 0,   which changes by   P' = -y.(rhs' - A' x),
+
+   so it stops falling at s - P / P' (Newton's method). The steps converge
+   quadratically and from the side that falls. */
 
 typedef enum kern_path_kind {
     KERN_PATH_SHRINK,
@@ -6219,25 +6235,33 @@ typedef enum kern_path_kind {
     KERN_PATH_TILT
 } kern_path_kind;
 
-/* Farthest place proven to stand, nearest to fall; -1, infinity: none. */
+/* What is evaluated: the whole; a part alone, all other blocks held; the whole by
+   its program, until the interior point takes over. */
+typedef enum kern_asked {
+    KERN_ASKED_WHOLE,
+    KERN_ASKED_PART,
+    KERN_ASKED_PROGRAM
+} kern_asked;
+
+/* Farthest place where the whole is proven to stand, nearest where it is proven
+   to fall; -1, infinity: none. */
 typedef struct kern_proven {
     kern_real low, high;
 } kern_proven;
 
 typedef struct kern_path {
     kern_path_kind kind;
-    kern_query q;            /* at s = 0; what the path changes is replaced  */
-    kern_real unit;          /* along it: a block's size, or 1               */
-    kern_real start, end;    /* of the path; the first stands                */
-    kern_real holds, fails;  /* the bracket                                  */
-    kern_real critical;      /* value that Newton's method predicts          */
-    kern_real exact;         /* one that a verdict there has confirmed       */
-    kern_proven proven;      /* places with a proof                          */
+    kern_query q;            /* at s = 0; the place replaces what it changes */
+    kern_real unit;          /* of s: the mean block size, or 1              */
+    kern_real start, end;    /* of the search                                */
+    kern_real holds, fails;  /* the bracket: >>search                        */
+    kern_real critical;      /* value of the mechanism; none: <= holds       */
+    kern_real predicted;     /* value of the mechanism after that one        */
+    kern_proven proven;      /* of the whole                                 */
     int never;               /* nonzero: it stands to the end                */
     kern_part *part;         /* that fell last                               */
-    kern_known warm;         /* of a structure like it, or of the body that
-                                 falls first; `fails` 0: nothing              */
-    int alone;               /* nonzero: the part is evaluated alone         */
+    const kern_known *known; /* of a structure like it, or NULL              */
+    kern_asked asked;        /* what is evaluated                            */
     struct kern_ipm *ipm;    /* evaluates the whole, or NULL                 */
     const kern_proof *proof; /* the caller's: of the last verdict each way   */
 } kern_path;
@@ -6248,8 +6272,8 @@ KERN_SHARED static kern_real kern_width(const kern_path *path)
     return KERN_WIDTH * path->unit;
 }
 
-/* Returns the distance from the critical value to the ends of its bracket. */
-KERN_SHARED static kern_real kern_aside(const kern_path *path)
+/* Returns the distance from the critical value to the places beside it. */
+KERN_SHARED static kern_real kern_half_width(const kern_path *path)
 {
     return kern_width(path) / 2;
 }
@@ -6260,12 +6284,13 @@ KERN_SHARED static kern_real kern_widest(const kern_path *path)
     return kern_width(path) * KERN_WIDEST;
 }
 
-/* Returns the place that lies `aside` before the critical value, or the
+/* Returns the place at that distance before the critical value, or the
    start. */
-KERN_SHARED static kern_real kern_before(const kern_path *path, kern_real aside)
+KERN_SHARED static kern_real kern_before(const kern_path *path,
+                                         kern_real distance)
 {
-    KERN_ASSERT(aside >= 0);
-    return kern_max(path->critical - aside, path->start);
+    KERN_ASSERT(distance >= 0);
+    return kern_max(path->critical - distance, path->start);
 }
 
 /* Returns the query at place s. Gravity turns by 4 atan(s), so that s in [0, 1]
@@ -6294,71 +6319,125 @@ static kern_real kern_halved(kern_real t)
 }
 
 /* ---- Searching a path ------------------------------------------ >>search */
-/* Verdicts along a path; the critical value is the place where they change. */
+/* The critical value of a path lies between a place that stands and one that
+   falls, the ends of a bracket, each with a proof:
 
-/* How y.rhs changes when kerns, shrunk as in q, are shrunk by `to`, if y stays:
-   by y.v, v = -(A(to) - A(q)) x, straight but where a kern closes. One that was
-   closed opens to the side that helps. *rate: at `to`; p->eq.rate: v. */
+       start         holds     critical     fails                    end
+         |-------------[-----------*-----------]----------------------|
+                    forces                  motion
+                 prove that it          prove that it
+                     stands                 falls
+
+   Each verdict moves an end. A mechanism predicts where it stops falling, so
+   the next place lies just beyond that value; when nothing falls there any
+   more, the last one lies just before it. Four to eight verdicts suffice.
+
+   Two ends may lack a proof. The start of a search where kerns are nested is
+   asked only when the critical value is near it. And a part that is evaluated
+   alone, all other blocks held, proves that the whole falls, never that it
+   stands: its lower end is forgotten afterwards.
+
+   A search asks the cheapest question first:
+
+       known       the motion that failed a structure like it
+       bodies      the value of a block with what rests on it alone
+       parts       the pass just before that value: what it cannot hold falls
+       whole       one program, or the interior point, when the pass finds none
+
+   Each of them gives an upper bound, since holding other blocks never makes a
+   structure fall. Where kerns are not nested, verdicts may change many times:
+   a walk in even steps then finds the first place that falls. */
+
+/* ---- the value of a mechanism ---- */
+
+/* Returns the array that keeps how the forces of the basis change from where it
+   fell to the predicted value. It lies in the answer's forces, which only a
+   verdict that stands writes. */
+static kern_real *kern_path_change(const kern_model *m)
+{
+    return (kern_real *)(void *)m->answer.force;
+}
+
+/* Adds to *power and *rate what the narrower friction of contact k changes, its
+   cone at q being set; x: forces along the two edges of the cone. */
+static void kern_shrink_narrow(const kern_part *p, const kern_query *q, int k,
+                               kern_real to, const kern_real *x,
+                               kern_real *power, kern_real *rate)
+{
+    const kern_model *m = p->m;
+    const kern_contact *c = m->s->contact + p->contact[k];
+    const kern_real mu = kern_model_mu(m, p->contact[k]);
+    const kern_real by = kern_max(q->narrow * to, KERN_R(0));
+    const kern_real narrow = kern_friction(c, by);
+    kern_real speed[2] = {0, 0};
+    kern_row row[2];
+    if (!(q->narrow > 0 && mu > 0))
+        return;
+    kern_model_rows(m, q, p->contact[k], row);
+    kern_row_speed(row, p->y + 3 * p->ends[2 * k], speed);
+    kern_row_speed(row + 1, p->y + 3 * p->ends[2 * k + 1], speed);
+    speed[1] *= x[0] - x[1];
+    *power += speed[1] * (mu - narrow);
+    if (narrow > 0)
+        *rate += speed[1] * q->narrow * (1 + narrow * narrow) / (1 + by * by);
+}
+
+/* Returns how y.rhs changes when kerns, shrunk as in q, are shrunk by `to`, if y
+   stays: y.v with v = -(A(to) - A(q)) x. It is straight but where a kern
+   closes; a kern that was closed opens to the side that helps.
+   *rate: its slope at `to`; p->eq.rate: v. */
 static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
                                    kern_real to, const kern_real *x,
                                    kern_real *rate)
 {
     const kern_model *m = p->m;
     kern_real sum = KERN_R(0), slope = sum, *v = p->eq.rate;
-    int i;
+    int k;
     kern_zero(v, 3 * p->groups + 3);
-    for (i = 0; i < p->contacts; i++, x += 2) {
-        const kern_contact *c = m->s->contact + p->contact[i];
-        const int *ends = m->graph.ends + 2 * p->contact[i];
-        const int head = 3 * p->ends[2 * i], tail = 3 * p->ends[2 * i + 1];
+    for (k = 0; k < p->contacts; k++, x += 2) {
+        const kern_contact *c = m->s->contact + p->contact[k];
+        const int *ends = m->graph.ends + 2 * p->contact[k];
+        const int head = 3 * p->ends[2 * k], tail = 3 * p->ends[2 * k + 1];
         const kern_real travel = kern_travel(c, m->mean);
-        const kern_real mu = kern_model_mu(m, p->contact[i]);
         /* the arm grows along t, and t x (f n + r t) = -f */
         const kern_real work = p->y[head + 2] * m->unit[ends[0]]
                              - p->y[tail + 2] * m->unit[ends[1]];
         kern_real n = x[0] + x[1], was, is, more;
         if (!(n > 0 || n < 0))
             continue;
+
+        /* how far the point moves from its place at q */
         more = kern_shift(travel, to, q->relative, &is)
              - kern_shift(travel, q->shrink, q->relative, &was);
         if (!q->relative && q->shrink >= kern_abs(travel)
             && n * work * more < 0)
             n = -n;
+
         slope += n * work * is;
         n *= more;
         v[head + 2] += n * m->unit[ends[0]];
         v[tail + 2] -= n * m->unit[ends[1]];
         sum += n * work;
-        if (q->narrow > 0 && mu > 0) { /* the reduction of q is set */
-            const kern_real by = kern_max(q->narrow * to, KERN_R(0));
-            const kern_real narrow = kern_friction(c, by);
-            kern_real speed[2] = {0, 0};
-            kern_row row[2];
-            kern_model_rows(m, q, p->contact[i], row);
-            kern_row_speed(row, p->y + head, speed);
-            kern_row_speed(row + 1, p->y + tail, speed);
-            speed[1] *= x[0] - x[1];
-            sum += speed[1] * (mu - narrow);
-            if (narrow > 0)
-                slope += speed[1] * q->narrow * (1 + narrow * narrow)
-                       / (1 + by * by);
-        }
+        kern_shrink_narrow(p, q, k, to, x, &sum, &slope);
     }
     *rate = slope;
     return sum;
 }
 
-/* Where the mechanism y that falls at q, by `power` < 0, stops to fall: its
-   power is straight but for bends where kerns close. At least path->holds. And
-   p->ahead: where its basis does, which turns y meanwhile (Halley's method). */
+/* Returns the shrinkage at which the mechanism y that falls at q stops falling,
+   at least path->holds. power: y.rhs < 0. Its power is straight but for bends
+   where kerns close. Predicts where the next mechanism does, since the basis
+   turns y on the way (Halley's method). */
 static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
                                       kern_real power)
 {
     kern_part *p = path->part;
     const kern_real same = KERN_NOISE * path->unit / 8;
-    kern_real *x = (kern_real *)(void *)p->m->answer.force; /* not in use */
+    kern_real *change = kern_path_change(p->m);
     kern_real lo = path->holds, hi = q->shrink, at = hi, rate, step;
     int round;
+
+    /* Newton's method from bend to bend, kept in [lo, hi] */
     for (round = 0;; round++) {
         const kern_real left = power + kern_shrink_power(p, q, at, p->x, &rate);
         step = left / rate;
@@ -6369,19 +6448,22 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
         if (!(at > lo && at < hi))
             at = lo + (hi - lo) / 2;
     }
-    p->ahead = at = round < KERN_FEW_ROUNDS ? at - step : path->holds;
+    at = round < KERN_FEW_ROUNDS ? at - step : path->holds;
+
+    /* the step grows by the power that the change of the forces takes */
+    path->predicted = at;
     if (p->eq.shrink <= q->shrink
-        && kern_simplex_along(&p->eq.simplex, p->eq.rate, x))
-        p->ahead = q->shrink
-                 + (at - q->shrink)
-                       / kern_max(
-                           1 - kern_shrink_power(p, q, at, x, &rate) / power,
-                           1 / KERN_NEAR);
+        && kern_simplex_along(&p->eq.simplex, p->eq.rate, change)) {
+        const kern_real turned = kern_shrink_power(p, q, at, change, &rate);
+        path->predicted = q->shrink
+                        + (at - q->shrink)
+                              / kern_max(1 - turned / power, 1 / KERN_NEAR);
+    }
     return at;
 }
 
-/* By what rhs falls at a query with the load, or with the tangent of the angle
-   by which gravity turns, which is a load too. */
+/* Writes the rate at which rhs falls when the load, or the tangent of the angle
+   by which gravity turns, grows: to[0..3 groups). */
 static void kern_path_rate(const kern_part *p, const kern_query *q,
                            kern_real *to)
 {
@@ -6396,27 +6478,8 @@ static void kern_path_rate(const kern_part *p, const kern_query *q,
     kern_scale(to, 3 * n, 1 / m->weight);
 }
 
-/* Records a verdict at s, an end of the bracket then, and hands its proof to
-   the caller, whose motion stays that of the nearest place that falls. That a
-   part stands alone proves nothing. */
-static void kern_path_note(const kern_model *m, kern_path *path,
-                           kern_status status, kern_real s)
-{
-    if (status == KERN_STANDS) {
-        path->holds = s;
-        if (path->alone)
-            return;
-        path->proven.low = kern_max(path->proven.low, s);
-    } else if (status == KERN_FALLS) {
-        path->fails = s;
-        if (!(s <= path->proven.high))
-            return;
-        path->proven.high = s;
-    }
-    kern_proof_out(m, path->proof, status);
-}
-
-/* The place beyond s where a load grew by t, or gravity turned by atan(t). */
+/* Returns the place beyond s where a load has grown by t, or gravity has turned
+   by atan(t). */
 static kern_real kern_path_pushed(const kern_path *path, kern_real s,
                                   kern_real t)
 {
@@ -6426,66 +6489,85 @@ static kern_real kern_path_pushed(const kern_path *path, kern_real s,
     return (s + t) / (1 - s * t);
 }
 
-/* Where the mechanism p->y that falls at s stops to fall: Newton's method,
-   which is exact but for bends, and for loads that do not turn. */
+/* Returns the place where the mechanism p->y that falls at s stops falling, by
+   one step of Newton's method: exact but for bends, and for loads that stay
+   when gravity turns. */
 static kern_real kern_path_newton(kern_path *path, const kern_query *q,
                                   kern_real s)
 {
     const kern_part *p = path->part;
     const int n = 3 * p->groups;
     const kern_real power = kern_dot(p->y, p->eq.rhs, n);
-    kern_real *rate = p->m->answer.sum; /* not in use */
+    kern_real *rate = p->m->answer.sum; /* scratch */
     if (path->kind == KERN_PATH_SHRINK)
         return kern_shrink_critical(path, q, power);
     kern_path_rate(p, q, rate);
     return kern_path_pushed(path, s, power / kern_dot(p->y, rate, n));
 }
 
-/* The verdict at s. The critical value of a mechanism, proven or not, becomes
-   the path's: near it rounding may spoil the proof, but not the value. What the
-   simplex method finds to fall far beyond it becomes an end of the bracket and
-   is not proven: the search goes on just beyond the value. */
-static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
+/* ---- verdicts, which move the ends ---- */
+
+/* Returns 1 if the answer's motion proves that the whole falls at s. Points
+   that the path leaves out may stop it: then it proves the path's end alone. */
+static int kern_path_falls_whole(const kern_model *m, const kern_path *path,
+                                 kern_real s)
+{
+    kern_query q = kern_path_at(path, s);
+    if (q.carry == KERN_CARRY_ALL)
+        return 1;
+    q.carry = KERN_CARRY_ALL;
+    return kern_model_proven(m, kern_prove_motion(m->s, &q, m->answer.motion));
+}
+
+/* Records the verdict at s as an end of the bracket, and hands its proof to the
+   caller if it is one of the whole. The caller's motion stays that of the
+   nearest place that falls. */
+static void kern_path_note(const kern_model *m, kern_path *path,
+                           kern_status status, kern_real s)
+{
+    if (status == KERN_STANDS) {
+        path->holds = s;
+        if (path->asked == KERN_ASKED_PART)
+            return;
+        path->proven.low = kern_max(path->proven.low, s);
+    } else if (status == KERN_FALLS) {
+        path->fails = s;
+        if (!(s <= path->proven.high) || !kern_path_falls_whole(m, path, s))
+            return;
+        path->proven.high = s;
+    }
+    kern_proof_out(m, path->proof, status);
+}
+
+/* Returns the verdict at s, an end of the bracket if it has a proof. The value
+   of a mechanism becomes the path's even without one, since near that value
+   rounding spoils proofs first. */
+static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
+                                      kern_real s)
 {
     const kern_query q = kern_path_at(path, s);
     kern_part *p = path->part;
-    const int simplex = m->whole || path->alone;
-    const kern_status status = simplex   ? kern_part_ask(p, &q, KERN_SOLVER_ANY)
+    const kern_status status = path->asked == KERN_ASKED_PART
+                                 ? kern_part_evaluate(p, &q)
                              : path->ipm ? kern_ipm_evaluate(path->ipm, &q)
                                          : kern_model_evaluate(m, p, &q);
     if (status != KERN_STANDS && p->found == KERN_FALLS)
         path->critical = kern_path_newton(path, &q, s);
-    if (simplex && status == KERN_FALLS && path->critical > path->holds
-        && s - path->critical > kern_widest(path))
-        path->fails = s;
-    else if (simplex)
-        return kern_part_judge(p, &q, status);
+    kern_path_note(m, path, status, s);
     return status;
 }
 
-/* The verdict at s, which becomes an end of the bracket, with its proof. */
-static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
-                                      kern_real s)
-{
-    const kern_status status = kern_path_ask(m, path, s);
-    if (status != KERN_FALLS || s < path->fails || s > path->fails)
-        kern_path_note(m, path, status, s); /* else an end without a proof */
-    return status;
-}
-
-/* Whether the basis that fell just beyond the critical value holds there: by
-   how its forces change, which kern_shrink_critical() left. They prove that it
-   stands `aside` before it, with larger kerns. */
-static int kern_path_forces(kern_model *m, kern_path *path, kern_real aside)
+/* Returns 1 if the forces of the basis that fell just beyond the critical value
+   prove that it stands at s, just before it. There they differ by the change
+   that kern_shrink_critical() left, and kerns are larger. */
+static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 {
     kern_part *p = path->part;
-    const kern_real s = kern_before(path, aside);
     const kern_query q = kern_path_at(path, s);
     int i;
     if (!m->whole || path->kind != KERN_PATH_SHRINK || p->found != KERN_FALLS)
         return 0;
-    kern_add(p->x, KERN_R(1), (kern_real *)(void *)m->answer.force,
-             2 * p->contacts);
+    kern_add(p->x, KERN_R(1), kern_path_change(m), 2 * p->contacts);
     for (i = 0; i < 2 * p->contacts; i++)
         if (p->x[i] < -KERN_NOISE)
             return 0;
@@ -6497,82 +6579,100 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real aside)
     return 1;
 }
 
-/* The verdict at the critical value, which proves no end of the bracket. Where
-   another mechanism falls, its value is the path's; else the value is exact. */
-KERN_SHARED static kern_status kern_path_verify(kern_model *m, kern_path *path,
-                                                kern_real aside)
+/* ---- the bracket ---- */
+
+/* Returns the place that halves the wider end of the bracket outside of the
+   places that were undecided; infinity if these are most of it. The first place
+   is near the lower end, where forces are small. */
+static kern_real kern_path_cut(const kern_path *path, const kern_proven *dark)
 {
-    const kern_real at = path->critical;
-    const kern_status status = kern_path_forces(m, path, aside)
-                                 ? KERN_STANDS
-                                 : kern_path_ask(m, path, at);
-    if (status != KERN_FALLS || path->critical > at)
-        path->critical = at;
-    if (path->critical >= at - KERN_NOISE * path->unit)
-        path->exact = path->critical;
-    return status;
+    const kern_real lo = path->holds, hi = path->fails;
+    const kern_real below = dark->low - lo, above = hi - dark->high;
+    const kern_real least = kern_max((dark->high - dark->low) / KERN_NEAR,
+                                     kern_half_width(path) / 8);
+    if (!(dark->low <= dark->high))
+        return lo + (hi - lo) / KERN_NEAR;
+    if (kern_max(below, above) <= least)
+        return KERN_INFINITY;
+    return below > above ? lo + below / 2 : hi - above / 2;
 }
 
-/* The next place: where the basis may stop to fall; `aside` beyond the critical
-   value (`fails` may be twice as far); as far before it, to stand; at it, to be
-   verified; else a part of the bracket; infinity: it is narrow, or of a part */
+/* Returns the place of the next verdict, or infinity if the bracket is done.
+   offset: from the critical value to the places beside it; dark: first and last
+   place in the bracket that was undecided. */
 KERN_SHARED static kern_real kern_path_next(const kern_path *path,
-                                            kern_real aside)
+                                            kern_real offset,
+                                            const kern_proven *dark)
 {
-    const kern_real lo = path->holds, hi = path->fails, crit = path->critical;
-    kern_real next = path->part->ahead;
-    if (!path->alone && path->proven.low < lo
-        && kern_min(crit, hi) < lo + 2 * aside)
-        return lo; /* not proven yet */
-    if (hi - lo <= aside / 8 || 2 * aside > kern_widest(path))
+    const kern_real lo = path->holds, hi = path->fails;
+    const kern_real critical = path->critical, predicted = path->predicted;
+    kern_real aim;
+
+    /* 1. The start has no proof yet, and the critical value is near it. */
+    if (path->asked != KERN_ASKED_PART && path->proven.low < lo
+        && kern_min(critical, hi) < lo + 2 * offset)
+        return lo;
+
+    /* 2. The bracket is narrow. */
+    if (hi - lo <= offset / 8)
         return KERN_INFINITY;
-    if (!(crit > lo && crit <= hi)) /* `lo` is where none was found */
-        return lo + (hi - lo) / KERN_NEAR * (kern_aside(path) / aside);
-    if (!(next > lo && hi - next > aside * 2))
-        next = crit;
-    if (hi - next > aside * 2)
-        return next + aside;
-    if (path->alone)
-        return KERN_INFINITY;
-    if (!path->ipm && crit > lo
-        && kern_abs(path->exact - crit) > KERN_NOISE * path->unit)
-        return crit;
-    return crit - lo > aside * KERN_R(1.05) ? kern_before(path, aside)
-                                            : KERN_INFINITY;
+
+    /* 3. No mechanism has its value in it, or none that proofs come near. */
+    if (!(critical > lo && critical <= hi) || 2 * offset > kern_widest(path))
+        return kern_path_cut(path, dark);
+
+    /* 4. The upper end is far: go just beyond the value that is predicted. */
+    aim = predicted > lo && hi - predicted > 2 * offset ? predicted : critical;
+    if (hi - aim > 2 * offset)
+        return aim + offset;
+
+    /* 5. It is near: prove that the whole stands just before the value. */
+    if (path->asked != KERN_ASKED_PART && critical - lo > KERN_R(1.05) * offset)
+        return kern_before(path, offset);
+    return KERN_INFINITY;
 }
 
-/* Narrows [holds, fails] to the tolerance around path->critical, where the
-   verdict changes. Each verdict may find a mechanism with a smaller value. The
-   interior point knows the value no better than its bracket. In a jam no proof
-   comes near it: then the distance doubles. KERN_FALLS where the structure
-   falls at the start, which was not proven. */
+/* Narrows [holds, fails] to the tolerance around path->critical. Returns
+   KERN_STANDS then; KERN_FALLS if the structure falls at the start, which had
+   no proof. In a jam no proof comes near the value: each place without one
+   doubles the distance. From then on the least value is kept, since mechanisms
+   of places farther away predict it less well. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
-    kern_real aside = kern_aside(path);
+    kern_real offset = kern_half_width(path);
+    kern_proven dark = {KERN_INFINITY, -KERN_INFINITY};
     int round;
     for (round = 0; round < KERN_ROUNDS; round++) {
-        const kern_real lo = path->holds, crit = path->critical;
-        const kern_real at = kern_path_next(path, aside);
-        const int verify = at > lo && at >= crit && at <= crit;
-        kern_status status;
+        const kern_real lo = path->holds, value = path->critical;
+        const kern_real at = kern_path_next(path, offset, &dark);
+        kern_status status = KERN_STANDS;
         if (!(at < KERN_INFINITY))
             break;
-        status = verify ? kern_path_verify(m, path, aside)
-                        : kern_path_evaluate(m, path, at);
+        if (!(at < value && kern_path_forces(m, path, at)))
+            status = kern_path_evaluate(m, path, at);
         if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
             return status;
-        if (status == KERN_UNDECIDED)
-            aside *= 2;
+        if (offset > kern_half_width(path) && value > path->holds)
+            path->critical = kern_min(path->critical, value);
+        if (path->asked == KERN_ASKED_PROGRAM && !m->whole)
+            return KERN_UNDECIDED;
+        if (status == KERN_UNDECIDED) {
+            offset *= 2;
+            dark.low = kern_min(dark.low, at);
+            dark.high = kern_max(dark.high, at);
+        }
     }
-    if (path->fails < path->proven.high /* without a proof */
-        || (path->fails - path->holds > kern_widest(path) && !path->alone))
+    if (path->fails - path->holds > KERN_ANSWER * kern_width(path)
+        && path->asked != KERN_ASKED_PART)
         return KERN_UNDECIDED;
     path->critical = kern_max(path->critical, path->holds);
     path->critical = kern_min(path->critical, path->fails);
     return KERN_STANDS;
 }
 
-/* It stands to the end of the path. */
+/* ---- walks ---- */
+
+/* Records that the structure stands to the end of the path. */
 static kern_status kern_path_saturate(kern_path *path)
 {
     path->never = 1;
@@ -6580,9 +6680,9 @@ static kern_status kern_path_saturate(kern_path *path)
     return KERN_STANDS;
 }
 
-/* Whether gravity that turns under loads that stay is held from `at` to the end
-   of a step. The gravities that are held are a convex set, and the arc lies in
-   the triangle of its ends and of the corner where their tangents meet. */
+/* Returns 1 if gravity that turns under loads that stay is held from `at` to the
+   end of a step. The gravities that are held are a convex set, and the arc lies
+   in the triangle of its ends and of the corner where their tangents meet. */
 static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
 {
     kern_query q = kern_path_at(path, path->holds);
@@ -6593,9 +6693,10 @@ static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
     return kern_model_evaluate(m, path->part, &q) == KERN_STANDS;
 }
 
-/* Climbs from a place that stands until the whole falls, in steps that grow, or
-   are halved where nothing can be proven; then finds the critical value. Where
-   verdicts may change more than once `even` is the least step; else it is 0. */
+/* Climbs from a place that stands until the whole falls; then finds the critical
+   value. Steps begin with `first`, grow from `step`, and are halved where
+   nothing can be proven. even: the least step where verdicts may change more
+   than once, or 0. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step,
                                    kern_real even)
@@ -6607,45 +6708,31 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         const kern_real next = kern_min(path->end, at + kern_max(first, even));
         const int small = next - at <= least, sure = small || !(even > 0);
         const kern_status status = kern_path_evaluate(m, path, next);
+        if (path->asked == KERN_ASKED_PROGRAM && !m->whole)
+            return KERN_UNDECIDED;
+
+        /* nothing between the two places falls */
         if (status == KERN_STANDS && (sure || kern_turn_holds(m, path, at))) {
             if (next >= path->end)
                 return kern_path_saturate(path);
             first = kern_min(step, (path->fails - next) / 2);
             step *= KERN_CLIMB_GROWS;
-        } else if (status == KERN_FALLS && sure)
-            return kern_path_critical(m, path);
-        else if (status < KERN_UNDECIDED || small)
-            return status;
-        else {
-            step = first /= 2;
-            path->holds = at;
-            if (status == KERN_STANDS) /* the proof is that of `next` */
-                kern_path_evaluate(m, path, at);
+            continue;
         }
+
+        /* the verdict changes between them, once */
+        if (status == KERN_FALLS && sure)
+            return kern_path_critical(m, path);
+        if (status < KERN_UNDECIDED || small)
+            return status;
+
+        /* unknown: a smaller step from the same place, with its proof */
+        step = first /= 2;
+        path->holds = at;
+        if (status == KERN_STANDS)
+            kern_path_evaluate(m, path, at);
     }
     return KERN_UNDECIDED;
-}
-
-/* Whether the known motion, then the answer's, proves that it falls. */
-static int kern_known_falls(kern_model *m, const kern_query *q,
-                            const kern_known *known)
-{
-    if (!kern_model_proven(m, kern_prove_motion(m->s, q, known->motion)))
-        return 0;
-    kern_copy(m->answer.motion, known->motion, 3 * m->s->blocks);
-    return 1;
-}
-
-/* Whether the known motion proves that the structure falls at the known place:
-   that bounds the critical value. */
-static int kern_start_falls(kern_model *m, kern_path *path)
-{
-    const kern_query q = kern_path_at(path, path->warm.fails);
-    if (!kern_known_falls(m, &q, &path->warm))
-        return 0;
-    kern_path_note(m, path, KERN_FALLS, path->warm.fails);
-    path->critical = path->exact = path->warm.margin;
-    return 1;
 }
 
 /* ---- bodies ---- */
@@ -6653,8 +6740,9 @@ static int kern_start_falls(kern_model *m, kern_path *path)
    line it tips where its load leaves the kern, with all others held, and then
    the whole falls. The critical value of most structures is that of a body. */
 
-/* The first contact of the line that carries body g, as an end; KERN_OUT where
-   other contacts carry it. Sets graph.carrier: what carries it alone. */
+/* Returns the first contact of the line that carries body g, as an end; KERN_OUT
+   if other contacts carry it. Sets graph.carrier: the group that carries it
+   alone. */
 KERN_SHARED static int kern_body_line(kern_model *m, int g)
 {
     int e, n = 0, first = KERN_OUT, on = KERN_OUT;
@@ -6672,10 +6760,11 @@ KERN_SHARED static int kern_body_line(kern_model *m, int g)
              : KERN_OUT;
 }
 
-/* Where body g tips under load b on the line that begins with end *e, and *e
-   about which end; infinity: it is not pressed, or stands on a closed kern. */
+/* Returns the place where body g tips under load b on the line that begins with
+   end *e, and sets *e to the end about which it tips. Infinity: it is not
+   pressed, or stands on a closed kern. */
 static kern_real kern_body_critical(const kern_model *m, int g, int *e,
-                                    const kern_real *b, kern_real aside)
+                                    const kern_real *b, kern_real offset)
 {
     const kern_contact *c = m->s->contact + (*e >> 1);
     const kern_vec at = m->s->block[m->graph.block[g]].centre;
@@ -6698,10 +6787,11 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
         crit = other;
         *e += 2;
     }
-    return crit + aside <= most ? crit : KERN_INFINITY;
+    return crit + offset <= most ? crit : KERN_INFINITY;
 }
 
-/* The motion of a body about the end e of its line at s; the fastest is 1. */
+/* Writes the motion of a body about the end e of its line at s; its largest
+   speed is 1. */
 static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
 {
     const kern_contact *c = m->s->contact + (e >> 1);
@@ -6726,52 +6816,168 @@ static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
     kern_motion_scale(m->s, m->answer.motion);
 }
 
-/* The smallest critical value of a body, or infinity: the path's warm start. */
-static kern_real kern_body_first(kern_model *m, kern_path *path)
+/* Adds the load of group g, in its units, to that of the group that carries
+   it. */
+static void kern_body_load(const kern_model *m, int g, int on, kern_real *load)
 {
-    kern_known *warm = &path->warm;
-    const kern_real aside = kern_aside(path);
+    const kern_real *from = load + 3 * g;
+    kern_real *to = load + 3 * on;
+    const kern_vec arm = kern_vec_sub(m->s->block[m->graph.block[g]].centre,
+                                      m->s->block[m->graph.block[on]].centre);
+    to[0] += from[0];
+    to[1] += from[1];
+    to[2] += (from[2] / m->unit[g] + arm.x * from[1] - arm.y * from[0])
+           * m->unit[on];
+}
+
+/* Finds the body with the least critical value: its value, the places beside it
+   and its motion, in the answer. out->margin is infinity if none tips. */
+static void kern_body_first(kern_model *m, const kern_path *path,
+                            kern_known *out)
+{
+    const kern_real offset = kern_half_width(path);
     kern_real *load = m->answer.sum; /* of a body: three, in its units */
     int g, first = KERN_OUT, about = 0;
-    warm->margin = KERN_INFINITY;
+    out->margin = KERN_INFINITY;
+    out->motion = m->answer.motion;
     if (!kern_model_ask(m, 1))
-        return warm->margin;
+        return;
     kern_copy(load, m->load, 3 * m->graph.groups);
-    for (g = 0; g < m->graph.groups; g++, load += 3) {
+    for (g = 0; g < m->graph.groups; g++) {
         int end = kern_body_line(m, g);
         const int on = m->graph.carrier[g];
-        const kern_real crit = end == KERN_OUT
-                                 ? KERN_INFINITY
-                                 : kern_body_critical(m, g, &end, load, aside);
-        if (crit < warm->margin) {
-            warm->margin = crit;
+        const kern_real value = end == KERN_OUT
+                                  ? KERN_INFINITY
+                                  : kern_body_critical(m, g, &end, load + 3 * g,
+                                                       offset);
+        if (value < out->margin) {
+            out->margin = value;
             first = g;
             about = end;
         }
-        if (on != KERN_OUT) {
-            kern_real *to = load + 3 * (on - g);
-            const kern_vec arm = kern_vec_sub(
-                m->s->block[m->graph.block[g]].centre,
-                m->s->block[m->graph.block[on]].centre);
-            to[0] += load[0];
-            to[1] += load[1];
-            to[2] += (load[2] / m->unit[g] + arm.x * load[1] - arm.y * load[0])
-                   * m->unit[on];
+        if (on != KERN_OUT)
+            kern_body_load(m, g, on, load);
+    }
+    out->holds = out->margin - offset;
+    out->fails = out->margin + offset;
+    if (first != KERN_OUT)
+        kern_body_moves(m, first, about, out->fails);
+}
+
+/* ---- parts, and where a search begins ---- */
+
+/* Returns 1 if the known motion proves that it falls, which becomes the
+   answer's. */
+static int kern_known_falls(kern_model *m, const kern_query *q,
+                            const kern_known *known)
+{
+    if (!kern_model_proven(m, kern_prove_motion(m->s, q, known->motion)))
+        return 0;
+    kern_copy(m->answer.motion, known->motion, 3 * m->s->blocks);
+    return 1;
+}
+
+/* Returns 1 if the motion proves that the structure falls at the place after its
+   value: that is the upper end, and the value the critical one. */
+static int kern_start_falls(kern_model *m, kern_path *path,
+                            const kern_known *value)
+{
+    const kern_query q = kern_path_at(path, value->fails);
+    if (!kern_known_falls(m, &q, value))
+        return 0;
+    kern_path_note(m, path, KERN_FALLS, value->fails);
+    path->critical = value->margin;
+    return 1;
+}
+
+/* Returns the verdict on the open part alone at s, all other blocks held; after
+   KERN_FALLS path->critical is its critical value. Its standing proves nothing:
+   KERN_UNDECIDED, and `holds` stays that of the whole. */
+static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
+{
+    const kern_real holds = path->holds;
+    kern_status status;
+    if (!kern_part_lay(path->part))
+        return KERN_UNDECIDED;
+    path->asked = KERN_ASKED_PART;
+    path->predicted = path->holds;
+    status = kern_path_evaluate(m, path, s);
+    if (status == KERN_FALLS && path->critical <= path->start)
+        status = kern_path_evaluate(m, path, s = path->start);
+    if (status == KERN_FALLS && s > path->start)
+        status = kern_path_critical(m, path) == KERN_STANDS ? KERN_FALLS
+                                                            : KERN_UNDECIDED;
+    path->asked = KERN_ASKED_WHOLE;
+    path->predicted = path->holds = holds; /* predicts nothing */
+    return status == KERN_STANDS ? KERN_UNDECIDED : status;
+}
+
+/* Returns 1 if what moved in the known structure, if it is a small part, falls
+   with the last block at s; its critical value is the path's. */
+static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
+{
+    const kern_motion *motion = m->answer.known->motion;
+    int g, groups = 0;
+    for (g = 0; g < m->graph.groups; g++) {
+        const int b = m->graph.block[g];
+        if (b == m->s->blocks - 1 || kern_speed(motion + b) > 0) {
+            m->graph.local[g] = 0;
+            groups++;
         }
     }
-    warm->holds = warm->margin - aside;
-    warm->fails = warm->margin + aside;
-    warm->motion = m->answer.motion;
-    if (first != KERN_OUT)
-        kern_body_moves(m, first, about, warm->fails);
-    return warm->margin;
+    return groups > 1 && 2 * groups <= g
+        && kern_part_open(path->part, m, groups, g - 1)
+        && kern_path_part(m, path, s) == KERN_FALLS;
+}
+
+/* Returns 1 if the known bracket is one of this path, narrow and in order. */
+static int kern_known_fits(const kern_path *path)
+{
+    const kern_known *known = path->known;
+    return known && known->fails > path->start && known->fails <= path->end
+        && known->fails - known->holds <= kern_widest(path)
+        && known->holds <= known->margin && known->margin <= known->fails;
+}
+
+/* Returns the place where a search begins, with an upper end if it has one. */
+static kern_real kern_path_first(kern_model *m, kern_path *path,
+                                 kern_real first)
+{
+    const kern_known *known = kern_known_fits(path) ? path->known : NULL;
+    const kern_real at = known ? kern_max(path->start, known->holds)
+                               : kern_min(path->start + first, path->end);
+    const kern_real most = known ? kern_min(at + first, path->end) : path->end;
+    kern_known body;
+    kern_model_weigh(m, &path->q); /* the same for all places */
+    m->reduction = kern_reduction(&path->q);
+
+    /* 1. The known motion still falls: just before its value. */
+    if (known && kern_start_falls(m, path, known))
+        return at;
+
+    /* 2. A body tips: just before its value. If that is the start or lies
+       before it, the start falls, or is asked. */
+    kern_body_first(m, path, &body);
+    if (body.margin < most) {
+        if (body.holds > path->start)
+            kern_start_falls(m, path, &body);
+        return kern_max(path->start, body.holds);
+    }
+
+    /* 3. What moved in the known structure falls with the new block. */
+    if (m->answer.known && kern_known_part(m, path, most))
+        return kern_before(path, kern_half_width(path));
+
+    /* 4. Nothing is known to fall: where it held, or a step away. */
+    path->fails = KERN_INFINITY;
+    return at;
 }
 
 /* ---- the search: which method is asked when ---- */
 
-/* The critical value of the whole where a load grows or gravity turns, by one
-   program: the largest place, or the tangent of the largest angle, that rhs can
-   reach. Its prices are the mechanism. KERN_UNDECIDED where there is none. */
+/* Finds the critical value of the whole where a load grows or gravity turns by
+   one program: the largest place, or the tangent of the largest angle, that rhs
+   can reach. Its prices are the mechanism. KERN_UNDECIDED where there is none. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path)
 {
     kern_part *p = path->part;
@@ -6781,10 +6987,10 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     kern_part_set(p, &q);
     kern_path_rate(p, &q, p->eq.rate);
     most = kern_part_follow(p);
-    path->critical = path->exact = kern_path_pushed(path, s, most);
+    path->critical = kern_path_pushed(path, s, most);
     if (!(most < KERN_INFINITY && path->critical < path->end))
         return KERN_UNDECIDED;
-    beyond = path->critical + kern_aside(path);
+    beyond = path->critical + kern_half_width(path);
     q = kern_path_at(path, beyond);
     if (!kern_model_ask(m, 1))
         return KERN_LIMIT;
@@ -6793,7 +6999,7 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     return kern_path_critical(m, path);
 }
 
-/* The critical value in the known bracket, or where that fails by a climb. */
+/* Finds the critical value in the bracket, if there is one, or by a climb. */
 static kern_status kern_path_narrow(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
@@ -6820,127 +7026,77 @@ static void kern_known_start(kern_model *m, kern_part *p)
     kern_simplex_start(&p->eq.simplex, p->x, KERN_NOISE * m->weight);
 }
 
-/* The critical value of the whole beyond path->holds: of many groups by the
+/* Finds the critical value of the whole beyond path->holds, at q, by the
+   interior point. */
+static kern_status kern_path_interior(kern_model *m, kern_path *path,
+                                      const kern_query *q, kern_real first,
+                                      kern_real step)
+{
+    kern_ipm in;
+    kern_status status;
+    if (!kern_ipm_open(&in, m, path->part, q))
+        return KERN_UNDECIDED;
+    path->ipm = &in;
+    status = kern_path_narrow(m, path, first, step);
+    path->ipm = NULL;
+    return status;
+}
+
+/* Finds the critical value of the whole beyond path->holds, at q, by its linear
+   program. KERN_UNDECIDED at the first place that this cannot decide, if the
+   interior point goes on. */
+static kern_status kern_path_program(kern_model *m, kern_path *path,
+                                     const kern_query *q, kern_real first,
+                                     kern_real step)
+{
+    kern_status status = m->whole ? KERN_OK
+                                  : kern_model_whole(m, path->part, q);
+    if (status != KERN_OK)
+        return status;
+    /* a basis that is filled up may not have the columns of points left out */
+    if (m->answer.known && path->q.carry == KERN_CARRY_ALL)
+        kern_known_start(m, path->part);
+    if (path->kind != KERN_PATH_SHRINK)
+        status = kern_path_follow(m, path);
+    if (status == KERN_OK || (status == KERN_UNDECIDED && m->whole))
+        status = kern_path_narrow(m, path, first, step);
+    return status;
+}
+
+/* Finds the critical value of the whole beyond path->holds. Many groups: by the
    interior point, which shrinks half as far first, where fewer mechanisms fall;
-   of few, or where that finds none, by their linear program. */
+   by the program where that finds none. Few: by the program; once that cannot
+   decide a place, as in a jam, the interior point narrows what is left. */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
     const kern_query q = kern_path_at(path, path->holds);
-    kern_ipm in;
-    kern_status status;
-    if (!m->whole && m->graph.groups > KERN_SMALL
-        && kern_ipm_open(&in, m, path->part, &q)) {
-        path->ipm = &in;
-        status = kern_path_narrow(
-            m, path, path->kind == KERN_PATH_SHRINK ? first / 2 : first, step);
-        path->ipm = NULL;
-        if (status != KERN_UNDECIDED)
-            return status;
-    }
-    status = m->whole ? KERN_OK : kern_model_whole(m, path->part, &q);
-    if (status == KERN_OK && m->answer.known)
-        kern_known_start(m, path->part);
-    if (status == KERN_OK && path->kind != KERN_PATH_SHRINK)
-        status = kern_path_follow(m, path);
-    return status == KERN_OK || status == KERN_UNDECIDED
-             ? kern_path_narrow(m, path, first, step)
+    const int many = m->graph.groups > KERN_SMALL;
+    kern_status status = KERN_UNDECIDED;
+    if (many && !m->whole)
+        status = kern_path_interior(
+            m, path, &q, path->kind == KERN_PATH_SHRINK ? first / 2 : first,
+            step);
+    if (status != KERN_UNDECIDED)
+        return status;
+    if (!many && KERN_PICK(1, 0) > 0)
+        path->asked = KERN_ASKED_PROGRAM;
+    status = kern_path_program(m, path, &q, first, step);
+    path->asked = KERN_ASKED_WHOLE;
+    return status == KERN_UNDECIDED && !many && !m->whole
+             ? kern_path_interior(m, path, &q, first, step)
              : status;
 }
 
-/* The verdict on the open part alone at s, and after KERN_FALLS in
-   path->critical its critical value; KERN_UNDECIDED where it does not fall. */
-static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
-{
-    const kern_real holds = path->holds;
-    kern_status status;
-    if (!kern_part_lay(path->part))
-        return KERN_UNDECIDED;
-    path->alone = 1;
-    status = kern_path_evaluate(m, path, s);
-    if (status == KERN_FALLS && path->critical <= path->start)
-        status = kern_path_evaluate(m, path, s = path->start);
-    if (status == KERN_FALLS && s > path->start)
-        status = kern_path_critical(m, path) == KERN_STANDS ? KERN_FALLS
-                                                            : KERN_UNDECIDED;
-    path->alone = 0;
-    path->holds = holds;
-    if (status == KERN_FALLS) /* within a bracket, which is the whole's */
-        path->exact = path->critical;
-    return status == KERN_STANDS ? KERN_UNDECIDED : status;
-}
-
-/* Whether what moved in the known structure, if it is a small part, falls with
-   the last block at s; its critical value is the path's. */
-static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
-{
-    const kern_motion *motion = m->answer.known->motion;
-    int g, groups = 0;
-    for (g = 0; g < m->graph.groups; g++) {
-        const int b = m->graph.block[g];
-        if (b == m->s->blocks - 1 || kern_speed(motion + b) > 0) {
-            m->graph.local[g] = 0;
-            groups++;
-        }
-    }
-    return groups > 1 && 2 * groups <= g
-        && kern_part_open(path->part, m, groups, g - 1)
-        && kern_path_part(m, path, s) == KERN_FALLS;
-}
-
-/* Where a search begins: just before the known critical value, if its motion
-   proves it, that of a body or of what moved; else where it held or beyond. */
-static kern_real kern_path_first(kern_model *m, kern_path *path,
-                                 kern_real first)
-{
-    kern_known *warm = &path->warm;
-    const int known = warm->fails > path->start && warm->fails <= path->end
-                   && warm->fails - warm->holds <= kern_widest(path)
-                   && warm->holds <= warm->margin
-                   && warm->margin <= warm->fails;
-    const kern_real at = known ? kern_max(path->start, warm->holds)
-                               : kern_min(path->start + first, path->end);
-    const kern_real most = known ? kern_min(at + first, path->end) : path->end;
-    kern_model_weigh(m, &path->q); /* the same for all places */
-    m->reduction = kern_reduction(&path->q);
-    if (known && kern_start_falls(m, path))
-        return at;
-    if (kern_body_first(m, path) < most) {
-        if (warm->holds > path->start) /* else it falls, or is asked, there */
-            kern_start_falls(m, path);
-        return kern_max(path->start, warm->holds);
-    }
-    if (m->answer.known && kern_known_part(m, path, most))
-        return kern_before(path, kern_aside(path));
-    path->fails = KERN_INFINITY;
-    return at;
-}
-
-/* The critical value of a path; where verdicts may change more than once, even
-   is the width of a walk's steps. Where they change but once, it is 0: the pass
-   is asked just before that of the part that fell last, until it finds none. */
-static kern_status kern_path_search(kern_model *m, kern_path *path,
-                                    kern_real even)
+/* Finds the critical value from a place `at` where all blocks are passed: each
+   part that falls lowers it, and the pass is asked again just before, until no
+   part falls. Then the whole is asked. */
+static kern_status kern_path_parts(kern_model *m, kern_path *path,
+                                   kern_real step)
 {
     kern_status status = KERN_UNDECIDED;
-    kern_real at, then = KERN_R(0), step = path->unit * KERN_CLIMB;
+    kern_real at = kern_path_first(m, path, step);
     int round;
-    path->start = path->holds;
-    path->fails = path->exact = path->proven.high = KERN_INFINITY;
-    if (even > 0) { /* gravity turns in larger steps */
-        step *= KERN_R(path->kind == KERN_PATH_TILT);
-        return kern_path_climb(m, path, step, step, even);
-    }
-    if (path->kind != KERN_PATH_SHRINK)
-        step = path->unit * KERN_CLIMB_PUSH;
-    if (m->whole || path->kind != KERN_PATH_SHRINK)
-        return kern_path_whole(m, path, step, step);
-    if (m->graph.groups <= KERN_SMALL) { /* a part that falls ends it soon; what
-            stands at the first place mostly stands to the end, or nearly */
-        step *= KERN_CLIMB_GROWS;
-        then = m->answer.known ? then : path->end;
-    }
-    at = kern_path_first(m, path, step);
     for (round = 0; round < KERN_FEW_ROUNDS;) {
         const kern_query q = kern_path_at(path, at);
         kern_model_arms(m, &q);
@@ -6952,23 +7108,117 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
             kern_path_note(m, path, status, at);
         else if (status == KERN_FALLS)
             status = kern_path_part(m, path, at);
+
+        /* a part falls: again before its value */
         if (status == KERN_FALLS && path->fails > path->start) {
-            at = kern_before(path, kern_aside(path));
+            at = kern_before(path, kern_half_width(path));
             kern_model_unload(m);
             status = KERN_UNDECIDED;
             round++;
-        } else if (status != KERN_STANDS || path->fails < KERN_INFINITY)
-            break;
-        else if (at >= path->end)
-            return kern_path_saturate(path);
-        else {
-            at = kern_min(kern_max(at + step, then), path->end);
-            step *= KERN_CLIMB_GROWS;
+            continue;
         }
+
+        /* it stands before the value, or the pass cannot tell, or it falls at
+           the start */
+        if (status != KERN_STANDS || path->fails < KERN_INFINITY)
+            break;
+
+        /* it stands and nothing is known to fall: a step farther */
+        if (at >= path->end)
+            return kern_path_saturate(path);
+        at = kern_min(at + step, path->end);
+        step *= KERN_CLIMB_GROWS;
     }
     return status != KERN_UNDECIDED
              ? status
              : kern_path_whole(m, path, at - path->holds, step);
+}
+
+/* Finds the critical value of a path from path->holds, which stands, or is
+   asked if kerns are nested. even: the width of a walk's steps where verdicts
+   may change more than once, or 0. */
+static kern_status kern_path_search(kern_model *m, kern_path *path,
+                                    kern_real even)
+{
+    const int shrinks = path->kind == KERN_PATH_SHRINK;
+    const kern_real step = path->unit
+                         * (shrinks || even > 0 ? KERN_CLIMB : KERN_CLIMB_PUSH);
+    kern_status status;
+    path->start = path->critical = path->predicted = path->holds;
+    path->fails = path->proven.high = KERN_INFINITY;
+    if (even > 0) { /* gravity turns in larger steps, if the arc is held */
+        const kern_real turn = step * KERN_R(path->kind == KERN_PATH_TILT);
+        status = kern_path_climb(m, path, turn, turn, even);
+    } else if (m->whole || !shrinks)
+        status = kern_path_whole(m, path, step, step);
+    else /* of few groups a part that falls ends a longer step soon */
+        status = kern_path_parts(
+            m, path,
+            m->graph.groups <= KERN_SMALL ? step * KERN_CLIMB_GROWS : step);
+
+    /* the invariant: the value lies between two ends, each with a proof */
+    KERN_ASSERT(status != KERN_STANDS || path->proven.low >= path->holds);
+    KERN_ASSERT(status != KERN_STANDS || path->never
+                || path->q.carry == KERN_CARRY_NESTED
+                || path->proven.high <= path->fails);
+    KERN_ASSERT(
+        status != KERN_STANDS
+        || (path->holds <= path->critical && path->critical <= path->fails));
+    return status;
+}
+
+/* ---- nested first ---- */
+/* A lone point that travels makes kerns not nested, but few structures need
+   it. Without these points kerns are nested, and a search takes a walk's place:
+
+       forces without the points    are forces of the whole, at every smaller
+                                    place too: the whole stands up to there
+       a motion without the points  may close one of them: if it passes with all,
+                                    the whole falls there
+
+   If it does not pass, a walk goes on from the place that is proven. */
+
+/* Leaves points that travel out of the path, or takes them in again. Known
+   forces that load such a point are no help without it. */
+static void kern_path_carry(kern_model *m, kern_path *path, kern_carry carry)
+{
+    int i;
+    path->q.carry = carry;
+    kern_model_group(m, &path->q);
+    for (i = 0; m->answer.known && i < m->s->contacts; i++)
+        if (kern_is_out(&path->q, m->s->contact + i)
+            && m->answer.known->force[i].normal > 0)
+            m->answer.known = NULL;
+}
+
+/* Finds the critical value where kerns are not nested, first without the points
+   that travel. even: width of the walk's steps, from 0. */
+static kern_status kern_path_scan(kern_model *m, kern_path *path,
+                                  kern_real even)
+{
+    kern_status status;
+    kern_path_carry(m, path, KERN_CARRY_NESTED);
+    status = kern_path_search(m, path, KERN_R(0));
+    if (status < 0)
+        return status;
+    kern_path_carry(m, path, KERN_CARRY_ALL);
+
+    /* both ends are proven for the whole, or it falls at 0 */
+    if ((status == KERN_STANDS
+         && (path->never || path->proven.high <= path->fails))
+        || (status == KERN_FALLS && path->proven.high <= 0))
+        return status;
+
+    /* the places of a walk from 0, from the last that is proven */
+    path->never = 0;
+    path->holds = KERN_R(0);
+    if (path->proven.low < 0)
+        status = kern_path_evaluate(m, path, path->holds);
+    else {
+        path->holds = even * KERN_R((int)(path->proven.low / even));
+        status = KERN_STANDS;
+    }
+    return status == KERN_STANDS ? kern_path_search(m, path, even) : status;
 }
 
 /* ---- The measures --------------------------------------------- >>measure */
@@ -7013,12 +7263,14 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     path->kind = KERN_PATH_SHRINK;
     path->part = &c->part;
     path->proof = NULL;
-    path->alone = path->never = 0;
+    path->asked = KERN_ASKED_WHOLE;
+    path->never = 0;
     path->ipm = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
-    path->start = path->holds = path->critical = path->warm.fails = 0;
+    path->start = path->holds = path->critical = path->predicted = 0;
+    path->known = NULL;
     path->proven.low = -1;
-    path->proven.high = path->exact = path->fails = KERN_INFINITY;
+    path->proven.high = path->fails = KERN_INFINITY;
 
     return kern_model_open(&c->m, task, &path->q);
 }
@@ -7086,7 +7338,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     int last;
 
     path->proof = proof;
-    path->warm = *known;
+    path->known = known;
     kern_model_know(&c->m, known);
     path->end = r.most;
 
@@ -7103,13 +7355,12 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     first = kern_min(r.epsilon, r.most);
 
     /* Where kerns are nested the search asks at its first place whether it
-       stands. Where they are not, it walks in even steps, a whole number to a
+       stands. Where they are not, it may walk in even steps, a whole number to a
        step of the level. */
-    status = nested ? KERN_STANDS : kern_path_evaluate(&c->m, path, 0);
-    if (status == KERN_STANDS)
-        status = kern_path_search(
-            &c->m, path,
-            nested ? 0 : first / KERN_R(1 + (int)(KERN_SCAN * first / r.most)));
+    status = nested ? kern_path_search(&c->m, path, 0)
+                    : kern_path_scan(
+                        &c->m, path,
+                        first / KERN_R(1 + (int)(KERN_SCAN * first / r.most)));
 
     if (status == KERN_STANDS) {
         r.margin = path->critical;
@@ -10040,36 +10291,61 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
             : kern_measure_anew(&plan->task, &plan->task.known, out, proof));
 }
 
-/* Returns whether the structure stands at that margin and, if kerns are not
-   nested, below it. */
+/* Returns the verdict at a margin, first without the points that travel if kerns
+   are not nested: what stands without them stands at every smaller margin.
+   *below: 1 if it may fall at a smaller one though it stands here. */
+static kern_status kern_plan_ask(kern_call *c, kern_real margin, int *below)
+{
+    kern_real range[2];
+    const int nested = kern_is_nested(&c->m, range);
+    kern_status status;
+    *below = 0;
+    if (!nested)
+        kern_path_carry(&c->m, &c->path, KERN_CARRY_NESTED);
+    kern_known_begin(&c->m, margin);
+    status = kern_model_evaluate(&c->m, &c->part, &c->path.q);
+    if (nested)
+        return status;
+
+    /* neither proof is one of the whole: ask it */
+    *below = status != KERN_STANDS
+          && !(status == KERN_FALLS
+               && kern_path_falls_whole(&c->m, &c->path, margin));
+    if (!*below)
+        return status;
+    kern_path_carry(&c->m, &c->path, KERN_CARRY_ALL);
+    return kern_model_evaluate(&c->m, &c->part, &c->path.q);
+}
+
+/* Returns the verdict at a margin; if kerns are not nested, KERN_FALLS too where
+   it falls at a smaller one. */
 static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
                                     const kern_proof *proof)
 {
     const kern_known *known = &task->known;
-    kern_real range[2];
     kern_call c;
     kern_margin r;
+    int below = 0;
     kern_status status = kern_call_open(&c, task, margin, known);
     if (status == KERN_OK && !(margin >= 0))
         status = KERN_BAD_NUMBER;
     if (status != KERN_OK)
         return status;
-
-    /* the known motion may prove the fall; otherwise a verdict answers */
+    c.path.known = known;
     kern_model_know(&c.m, known);
+
+    /* the motion that failed the structure before may fail it again */
     status = KERN_FALLS;
     if (!(known->fails > 0 && margin >= known->fails
-          && kern_known_falls(&c.m, &c.path.q, known))) {
-        kern_known_begin(&c.m, margin);
-        status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
-    }
+          && kern_known_falls(&c.m, &c.path.q, known)))
+        status = kern_plan_ask(&c, margin, &below);
     kern_proof_out(&c.m, proof, status);
 
-    /* a smaller shrinkage may fall where kerns are not nested */
-    if (status == KERN_STANDS && !kern_is_nested(&c.m, range)) {
-        const kern_proof below = {NULL, proof ? proof->motion : NULL};
+    /* it stands by points that travel: does it at every smaller margin? */
+    if (status == KERN_STANDS && below) {
+        const kern_proof under = {NULL, proof ? proof->motion : NULL};
         c.path.q.shrink = KERN_R(0);
-        status = kern_measure_task(&c, known, &r, &below);
+        status = kern_measure_task(&c, known, &r, &under);
         if (status == KERN_STANDS && !r.saturated && r.margin < margin)
             status = KERN_FALLS;
     }
