@@ -8503,7 +8503,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
             }
             return 1;
         }
-        if (!(left < last) || !kern_model_spend(p->m, 2 * p->dual.cost))
+        if (!(left < last) || !kern_model_spend(p->m, 3 * p->dual.cost))
             break;
         last = left;
         kern_skyline_split(&p->dual.matrix, &r->up);
@@ -8598,7 +8598,7 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
         KERN_FEW_ROUNDS + 2);
     kern_real change;
     int pressed;
-    if (found == KERN_LIMIT || !kern_model_spend(p->m, 1 + p->contacts / 16)
+    if (found == KERN_LIMIT || !kern_model_spend(p->m, 1 + p->contacts / 10)
         || p->m->task->work->units - settling->units
                > KERN_SEARCH_COSTS * p->dual.cost)
         return KERN_END_WORK;
