@@ -22,6 +22,7 @@ import tempfile
 import time
 import timeit
 import unittest
+import warnings
 import xml.dom.minidom
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -791,16 +792,40 @@ class Drawings(unittest.TestCase):
                + "0\nENDSEC\n0\nEOF\n").replace("FIXED", "0", 2)
         self.assertAlmostEqual(self.margin(old).measure().margin, 0.25)
 
+    def test_skipped_by_name(self):
+        """What is no block is listed with its layer, line and count."""
+        good = drawing([*two(0), Block("over", BOX).move(0, 2)])
+        end = good.rindex("LWPOLYLINE")
+        head, tail = good[:end], good[end:]
+        last = head.count("\n") + 1
+        for text, kind in (("INSERT", "undefined INSERT"),
+                           ("SPLINE", "SPLINE"), ("MTEXT", "MTEXT"),
+                           ("3DSOLID", "3DSOLID")):
+            s = self.margin(head + text + tail[10:])
+            self.assertEqual(s.skipped, [(kind, "0", last, 1)])
+            self.assertEqual(len(s), 3)
+        for old, new, kind in (("\n70\n1\n", "\n70\n0\n", "LWPOLYLINE"),
+                               ("\n70\n1\n", "\n70\n1\n60\n1\n",
+                                "invisible LWPOLYLINE"),
+                               ("\n70\n1\n", "\n70\n1\n210\n0.6\n230\n.8\n",
+                                "tilted LWPOLYLINE")):
+            s = self.margin(head + tail.replace(old, new, 1))
+            self.assertEqual(s.skipped, [(kind, "0", last, 1)])
+        s = self.margin(head + tail.replace("\n70\n1\n",
+                                            "\n70\n1\n67\n1\n", 1))
+        self.assertEqual((s.skipped, len(s)), ([], 3))
+
     def test_refused_by_name(self):
         good = drawing(two(0))
+        s = self.margin(good.replace("$INSUNITS\n70\n6", "$INSUNITS\n70\n77"))
+        self.assertEqual((s.units, s.notes[0][:15]), (None, "$INSUNITS is 77"))
         for bad, word in (
-                (good.replace("LWPOLYLINE", "INSERT", 1), "INSERT"),
-                (good.replace("LWPOLYLINE", "SPLINE", 1), "SPLINE"),
-                (good.replace("\n70\n1\n", "\n70\n0\n", 1), "not closed"),
-                (good.replace("\n90\n4\n", "\n42\n0.5\n"), "bulge"),
-                (good.replace("$INSUNITS\n70\n6", "$INSUNITS\n70\n77"),
-                 "INSUNITS is 77"),
+                (good.replace("LWPOLYLINE", "MTEXT"),
+                 "no closed outline: 0 lines, 3 texts skipped"),
+                (good.replace("\n70\n1\n", "\n70\n0\n"),
+                 "no closed outline: 3 lines, 0 texts skipped"),
                 (good.replace("0\nEOF\n", ""), "without EOF"),
+                (good.replace("\n10\n", "\n10\nx", 1), "number is expected"),
                 ("AutoCAD Binary DXF\r\n\x1a" + good, "binary"),
                 ("hello", "group code"), ("", "without EOF")):
             with self.assertRaisesRegex(ValueError, word):
@@ -808,11 +833,9 @@ class Drawings(unittest.TestCase):
 
     def test_lines(self):
         """Errors have the line of the drawing where their block begins."""
-        deep, bow = two(0), two(0)
+        deep = two(0)
         deep[2].move(0, -0.25)
-        bow[1] = Block("bow", [(0, 0), (1, 0), (0, 1), (1, 1)])
         for blocks, at, words in ((deep, 2, "'b_2' and 'b_3' overlap, 0.25 "),
-                                  (bow, 1, "block 'b_2': a polygon crosses"),
                                   (two(0)[:1], 0, "no block is free")):
             text = drawing(blocks)
             line = [i for i, word in enumerate(text.split("\n"), 1)
@@ -844,11 +867,13 @@ class Drawings(unittest.TestCase):
         t = self.margin(json.dumps(coco), ".json", pixel=0.01)
         self.assertEqual(t.measure().margin, s.measure().margin)
         coco["annotations"][1]["segmentation"] = {"counts": "x"}
-        with self.assertRaisesRegex(ValueError, "no single polygon"):
-            kern.from_coco(coco)
+        with self.assertWarnsRegex(kern.DrawingWarning, "hangs in the air"):
+            t = kern.from_coco(coco)
+        self.assertEqual(t.skipped, [("mask that is none", "stone", 1, 1)])
 
     def test_fuzzed(self):
         """A message or an answer, 2,000 times of each kind."""
+        warnings.simplefilter("ignore", kern.DrawingWarning)
         draw = random.Random(7)
         texts = drawing(two(0.2)), json.dumps(page(two(0.2)))
         for text, suffix in zip(texts, (".dxf", ".json")):
