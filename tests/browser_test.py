@@ -391,8 +391,8 @@ def test_changes(browser):
                 " 'two.svg'), refresh()")
     assert browser.ask("[s.stones.length, shown.margin]") == [2, 0.5]
     browser.ask("show(%s, 'bad.dxf')" % json.dumps(
-        text.replace("LWPOLYLINE", "CIRCLE").replace(" ", "\n")))
-    assert "CIRCLE" in browser.ask("$('error').textContent")
+        text.replace("LWPOLYLINE", "MTEXT").replace(" ", "\n")))
+    assert "0 lines, 2 texts" in browser.ask("$('error').textContent")
 
 
 def test_phone(browser):

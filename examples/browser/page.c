@@ -12,8 +12,9 @@
 #define KERN_SQRT(x) __builtin_sqrt(x) /* an instruction */
 #include "../../kern.h"
 #include "../parts/falls.h"
+#include "heap.h"
 
-#define STAYS_SQRT(x) __builtin_sqrt(x)
+#include "../parts/drawing.h"
 
 #define PAGE(name) __attribute__((export_name(#name)))
 
@@ -72,14 +73,21 @@ PAGE(begin) void page_begin(double gravity_x, double gravity_y)
     task.s.gravity.y = gravity_y;
 }
 
+/* After the blocks; error and turn: of measured places, 0: exact, or not told. */
 PAGE(options)
-void page_options(double mu, double gap, double angle, double epsilon)
+void page_options(double mu, double gap, double angle, double epsilon,
+                  double error, double turn)
 {
+    task.options = kern_defaults();
     task.options.mu = mu;
     task.options.gap = gap;
     task.options.angle = angle;
     task.options.epsilon = epsilon;
     task.options.limit = LIMIT;
+    if (error > 0)
+        task.options = kern_measured_options(
+            &task.options, error,
+            turn > 0 ? turn : error / kern_mean_size(block, task.s.blocks));
 }
 
 static void put_centre(int i)
@@ -140,6 +148,65 @@ PAGE(live) void page_live(int i, double fx, double fy, double x, double y)
     kern_block_load(&alone, f, at, 0);
     live[i] = alone.load;
 }
+
+/* ---- Drawings ---- */
+
+static struct drawing drawing;
+static struct shapes_text skipped;
+
+/* Room for bytes that the page writes: of a new file, or one more of it. */
+PAGE(room) char *page_room(int bytes, int fresh)
+{
+    if (fresh)
+        heap_reset();
+    return malloc((size_t)bytes);
+}
+
+/* One line a kind of what became no block. */
+static void put_skipped(void)
+{
+    const struct shapes_text empty = {NULL, 0, 0, 0};
+    skipped = empty;
+    shapes_put(&skipped, "");
+    for (int i = 0; i < drawing.s.skips; i++) {
+        const struct shapes_skip *k = drawing.s.skip + i;
+        shapes_put_int(&skipped, k->count);
+        shapes_put(&skipped, " ");
+        shapes_put(&skipped, shapes_at(&drawing.s, k->kind));
+        if (*shapes_at(&drawing.s, k->label))
+            shapes_put(&skipped, " on ");
+        shapes_put(&skipped, shapes_at(&drawing.s, k->label));
+        shapes_put(&skipped, ", line ");
+        shapes_put_int(&skipped, k->line);
+        shapes_put(&skipped, "\n");
+    }
+}
+
+/* Makes statements of a drawing or a photograph in a file of that name: 1, 0: it
+   is in the text format, -1: with a message. */
+PAGE(draw) int page_draw(const char *name, const char *data, int length)
+{
+    static const struct shapes_asked asked = {.tolerance = 1.5};
+    const enum drawing_format format = drawing_format(name, data,
+                                                      (size_t)length);
+    int bad;
+    if (format == DRAWING_TEXT)
+        return 0;
+    bad = drawing_make(&drawing, format, data, (size_t)length, &asked);
+    put_skipped();
+    return bad ? -1 : 1;
+}
+
+/* What was made: 0 statements, 1 notes, 2 what was skipped, 3 the message. */
+PAGE(drawn) const char *page_drawn(int what)
+{
+    const char *const text[] = {drawing.s.text.at, drawing.s.notes.at,
+                                skipped.at, drawing.s.message.at};
+    return text[what] ? text[what] : "";
+}
+
+/* The line of the message, 0: the whole file. */
+PAGE(drawn_line) int page_drawn_line(void) { return drawing.s.fault; }
 
 /* Shows the page the contacts that there are. */
 static int put_contacts(int contacts)

@@ -92,8 +92,9 @@ static const char help[] =
 static const char help_format[] =
 "\n"
 "FILE.dxf: outlines are blocks, closed or of lines and arcs that meet; metres by\n"
-"$INSUNITS. FILE.json: polygons, masks, rectangles and circles of LabelMe, COCO or\n"
-"VIA, taken as measured to 1.8 pixels. What is no block is skipped and listed.\n"
+"$INSUNITS. FILE.svg: the same, in its own lengths. FILE.json: polygons, masks,\n"
+"rectangles and circles of LabelMe, COCO or VIA, taken as measured to 1.8 pixels.\n"
+"What is no block is skipped and listed.\n"
 "Other files: one statement a line; # begins a comment. Units are yours (SI: m, kg, N).\n"
 "friction, gravity, epsilon, tolerance, measured, units hold for the whole file, the\n"
 "last one wins.\n"

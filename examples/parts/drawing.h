@@ -15,8 +15,9 @@
 #include "image.h"
 #include "shapes.h"
 #include "statements.h"
+#include "svg.h"
 
-enum drawing_format { DRAWING_TEXT, DRAWING_DXF, DRAWING_JSON };
+enum drawing_format { DRAWING_TEXT, DRAWING_DXF, DRAWING_JSON, DRAWING_SVG };
 
 struct drawing {
     struct shapes s;   /* statements, notes, what was skipped, units     */
@@ -41,6 +42,8 @@ static enum drawing_format drawing_begins(const char *data, size_t length)
     second = i + 1 < length ? data[i + 1] : '\0';
     if (first == '{' || first == '[')
         return DRAWING_JSON;
+    if (first == '<')
+        return DRAWING_SVG;
     return first == '0' && (second == '\n' || second == '\r') ? DRAWING_DXF
                                                               : DRAWING_TEXT;
 }
@@ -53,6 +56,8 @@ static enum drawing_format drawing_format(const char *name, const char *data,
         return DRAWING_DXF;
     if (drawing_ends(name, ".json"))
         return DRAWING_JSON;
+    if (drawing_ends(name, ".svg"))
+        return DRAWING_SVG;
     if (drawing_ends(name, ".kern"))
         return DRAWING_TEXT;
     return drawing_begins(data, length);
@@ -63,6 +68,8 @@ static inline int drawing_make(struct drawing *d, enum drawing_format format,
                                const char *data, size_t length,
                                const struct shapes_asked *asked)
 {
+    static int (*const read[])(struct shapes *, const char *,
+                               int) = {NULL, dxf_read, image_read, svg_read};
     int bad;
     memset(d, 0, sizeof *d);
     d->made = 1;
@@ -72,8 +79,7 @@ static inline int drawing_make(struct drawing *d, enum drawing_format format,
     shapes_put(&d->s.text, "");
     if (length >= INT_MAX / 4)
         return shapes_fail(&d->s, 0, "the file is too long");
-    bad = (format == DRAWING_DXF ? dxf_read : image_read)(&d->s, data,
-                                                          (int)length);
+    bad = read[format](&d->s, data, (int)length);
     if (!bad || d->s.lost)
         bad = statements_make(&d->s, &d->o);
     return bad;

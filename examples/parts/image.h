@@ -648,7 +648,7 @@ static int image_read(struct shapes *s, const char *data, int length)
     int bad;
     memset(&m, 0, sizeof m);
     m.s = s;
-    s->photograph = 1;
+    s->photograph = s->down = 1;
     s->height = -1;
     s->unit = s->asked->pixel > 0 ? s->asked->pixel : 1;
     s->units = s->asked->pixel > 0 ? "m" : "px";

@@ -389,13 +389,12 @@ static int lines_node(struct lines *l, struct shapes_point p)
 
 static void lines_edge(struct lines *l, int a, int b, int path)
 {
-    struct lines_edge *e = shapes_grown(l->s, l->edge, l->edges, &l->edge_room,
-                                        sizeof *e);
-    if (!e || a < 0 || b < 0)
+    struct lines_edge *e = NULL;
+    if (a != b && a >= 0 && b >= 0)
+        e = shapes_grown(l->s, l->edge, l->edges, &l->edge_room, sizeof *e);
+    if (!e)
         return;
     l->edge = e;
-    if (a == b)
-        return;
     e += l->edges++;
     e->a = a < b ? a : b;
     e->b = a < b ? b : a;
@@ -677,7 +676,7 @@ static void lines_free(struct lines *l)
 static void lines_join(struct shapes *s)
 {
     struct lines l;
-    long pieces = 0;
+    double pieces = 0;
     int open = 0;
     memset(&l, 0, sizeof l);
     l.s = s;

@@ -447,7 +447,7 @@ static void outlines_join(struct outlines *o, double reach)
                               lines_inner(outlines_points(s, q), q->points))) {
             shapes_leave(s, q, "hole");
             head[g] = i;
-        } else if ((long)p->points * q->points <= 4000000
+        } else if ((double)p->points * q->points <= 4e6
                    && outlines_unite(o, head[g], i, reach))
             s->path[i].gone = 1;
         else if (lines_area(outlines_points(s, p), p->points)

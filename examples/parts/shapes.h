@@ -152,7 +152,8 @@ struct shapes {
     double unit;       /* metres a unit of the file                       */
     const char *units; /* "m", "px" or NULL: not known                    */
     int photograph;    /* labels are names, outlines are measured         */
-    double height;     /* of the photograph, < 0: not known; y runs down  */
+    int down;          /* nonzero: y runs down, from `height`             */
+    double height;     /* of a photograph, < 0: not known                 */
     int arcs, groups;
     double sagitta; /* farthest of a chord from its arc                */
 };
@@ -565,9 +566,10 @@ static int shapes_path(struct shapes *s, int first, int closed, int kind,
                        int label, int line)
 {
     const int end = s->points;
-    struct shapes_path *p = shapes_grown(s, s->path, s->paths, &s->path_room,
-                                         sizeof *p);
-    if (!p || end - first < 2) {
+    struct shapes_path *p = NULL;
+    if (end - first > 1)
+        p = shapes_grown(s, s->path, s->paths, &s->path_room, sizeof *p);
+    if (!p) {
         s->points = first;
         return -1;
     }

@@ -374,9 +374,9 @@ static void statements_scale(struct shapes *s)
             height = s->point[i].y > height ? s->point[i].y : height;
     for (int i = 0; i < s->points; i++) {
         struct shapes_point *p = s->point + i;
-        p->y = s->unit * (s->photograph ? height - p->y : p->y);
+        p->y = s->unit * (s->down ? height - p->y : p->y);
         p->x *= s->unit;
-        p->bulge = s->photograph ? -p->bulge : p->bulge;
+        p->bulge = s->down ? -p->bulge : p->bulge;
     }
     s->sagitta *= s->unit;
     s->height = height;
@@ -460,8 +460,8 @@ static void statements_outlines(struct outlines *o)
     outlines_list(o);
     if (s->asked->has_ground) {
         const double y = s->unit
-                       * (s->photograph ? s->height - s->asked->ground
-                                        : s->asked->ground);
+                       * (s->down ? s->height - s->asked->ground
+                                  : s->asked->ground);
         outlines_line(o, y, reach);
         outlines_list(o);
     }

@@ -230,7 +230,7 @@ _LAYOUTS = {
 _ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 _HEADERS = ("kern.h", "kern_lp.h", *("examples/parts/%s.h" % part for part in (
     "draw", "drawing", "dxf", "falls", "image", "lines", "outlines", "room",
-    "shapes", "statements", "text", "tokens", "words")))
+    "shapes", "statements", "svg", "text", "tokens", "words")))
 _FLAGS = ("-O2", "-ffp-contract=off", "-shared", "-fPIC", "-I%s" % _ROOT)
 
 
@@ -2054,8 +2054,8 @@ def _drawn(data: bytes, ending: str, name: str, what: Dict[str, Any],
 
 
 def read(path: Union[str, os.PathLike], **what: Any) -> Structure:
-    """A structure from a file: in the format of text.h; a drawing (.dxf, see
-    dxf.h); polygons of LabelMe, COCO or VIA (.json). Of a drawing or a
+    """A structure from a file: in the format of text.h; a drawing (.dxf,
+    .svg: see dxf.h, svg.h); polygons of LabelMe, COCO or VIA (.json). Of a drawing or a
     photograph `what` may tell
 
         layers   roles of layers or labels: {"PIER": "ground"}; other roles are
@@ -2076,7 +2076,7 @@ def read(path: Union[str, os.PathLike], **what: Any) -> Structure:
     if image and ending != ".json":
         raise TypeError("%s: %s go with polygons of an image (.json)"
                         % (path, ", ".join(sorted(image))))
-    if what and ending not in (".json", ".dxf"):
+    if what and ending not in (".json", ".dxf", ".svg"):
         raise TypeError("%s: %s go with drawings and images"
                         % (path, ", ".join(sorted(what))))
     structure = _drawn(data, ending or ".kern", str(path), what)
