@@ -75,6 +75,7 @@ static void count_input(void)
         atexit(say_counts);
 }
 
+#ifndef FUZZ_DRAWING
 /* ==== Every property of a structure ================================= */
 
 enum { BLOCKS = 10, CONTACTS = 100, GUARD = 8, QUESTIONS = 5 };
@@ -225,6 +226,7 @@ static void check_structure(int which, const kern_structure *s,
 }
 
 /* ==== Text ========================================================== */
+#endif
 
 #ifdef FUZZ_DRAWING
 /* Whatever the bytes: an error has a message, and what is made of a drawing can

@@ -501,6 +501,8 @@ static int dxf_ellipse(struct dxf *d, int i, int end, int side)
     }
     dxf_path(d, first, whole, 1, i, end);
     s->arcs++;
+    c = 1.3e-3 * (shapes_abs(v[2]) + shapes_abs(v[3]));
+    s->sagitta = c > s->sagitta ? c : s->sagitta;
     return 0;
 }
 

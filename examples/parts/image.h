@@ -364,8 +364,10 @@ static int image_several(struct image *m, int count, int one)
         shapes_put_shown(t, m->s->asked->image);
         shapes_put(t, "'");
     } else {
-        shapes_put_int(t, count);
-        shapes_put(t, " images: one must be named");
+        if (count > 1)
+            shapes_put_int(t, count);
+        shapes_put(t, count > 1 ? " images: one must be named"
+                                : "several images: one must be named");
     }
     if (one >= 0) {
         shapes_put(t, ", for example --image ");
@@ -417,7 +419,7 @@ static int image_chosen(struct image *m, int annotations)
         one = one < 0 ? id : one;
     }
     if (m->s->asked->image || several > 1) {
-        image_several(m, count > several ? count : several, one);
+        image_several(m, count, one);
         return -2;
     }
     return one;

@@ -57,9 +57,13 @@ static char tokens_peek(struct tokens *t)
 static int tokens_fail(struct tokens *t, const char *what)
 {
     int n = 0;
-    while (t->at + n < t->length && n < 20
-           && (unsigned char)t->data[t->at + n] > ' ')
+    while (t->at + n < t->length && n < 20) {
+        const char c = t->data[t->at + n];
+        if (n > 0
+            && (c == ' ' || c == '\n' || c == ',' || c == ']' || c == '}'))
+            break;
         n++;
+    }
     if (t->at >= t->length) {
         struct shapes_text *m = shapes_fault(t->s, t->line);
         shapes_put(m, what);
