@@ -169,6 +169,14 @@ static inline void report_bearing(const struct analysis *a)
                    / (double)kern_mean_size(a->task.s.block, a->task.s.blocks));
 }
 
+/* Are stresses in Pa (of a slice 1 m thick)? If lengths are in m, and the user
+   gave a density. */
+static inline int is_si(const struct analysis *a)
+{
+    return a->text.units && strcmp(a->text.units, "m") == 0
+        && a->set->drawing.density_words > 0;
+}
+
 static inline void report_stress(const struct analysis *a)
 {
     int most = most_stressed(a, 0, a->task.s.contacts);
@@ -179,7 +187,8 @@ static inline void report_stress(const struct analysis *a)
     if (isinf(a->stress[most]))
         printf("  stress      any       ");
     else
-        printf("  stress      %-8.4g  ", a->stress[most]);
+        printf("  stress      %-8.4g%s  ", a->stress[most],
+               is_si(a) ? " Pa" : "");
     printf("mean stress if the most loaded contact, between %s and %s, were "
            "only twice the margin long\n",
            name_of(a, c->a, one), name_of(a, c->b, two));
