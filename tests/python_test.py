@@ -1068,6 +1068,36 @@ class Drawings(unittest.TestCase):
         self.assertIn("3 outlines are cut there", s.notes[0])
         self.assertFalse(s.verdict())
 
+    def test_roles(self):
+        """The last word with a role decides, in any case and some languages;
+        the user's word is stronger."""
+        def role(label, **what):
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                s = self.margin(sheet(lwpolyline("GROUND", [
+                    (0, -9), (90, -9), (90, 0), (0, 0)]) + lwpolyline(
+                    "stones", [(0, 0), (9, 0), (9, 9), (0, 9)]) + lwpolyline(
+                    label, [(20, 0), (29, 0), (29, 9), (20, 9)])), **what)
+            if len(s) == 3:
+                return "ground" if s.blocks[2].fixed else "stone"
+            return "ignore" if s.skipped else "fill"
+        for label, want in (
+                ("Abutment", "ground"), ("WIDERLAGER 2", "ground"),
+                ("A-Footing_01", "ground"), ("AbutmentLeft", "ground"),
+                ("base stones", "stone"), ("centre pier", "stone"),
+                ("rock", "stone"), ("playground", "stone"), ("fill", "fill"),
+                ("stone fill", "fill"), ("Soil-1", "fill"),
+                ("Hinterf\u00fcllung", "fill"), ("HINTERF\u00dcLLUNG", "fill"),
+                ("RAHMEN", "ignore"), ("A-ANNO-DIMS", "ignore"),
+                ("centre", "ignore"), ("scale 10 cm", "ignore")):
+            self.assertEqual(role(label), want, label)
+        self.assertEqual(role("fill", layers={"FILL": "stone"}), "stone")
+        self.assertEqual(role("x", layers={"X": "ground"}), "ground")
+        with self.assertRaisesRegex(ValueError, "roles ground, stone, fill"):
+            role("x", layers={"x": "wall"})
+        s = self.margin(drawing(two(0)), layers={"y": "ground"})
+        self.assertIn("no label is y, which the user gives a role", s.notes)
+
     def test_stones_of_photographs(self):
         """Groups, parts, masks, holes, crossings, circles, other shapes."""
         box = lambda x, y, w, h: [[x, y], [x + w, y], [x + w, y + h], [x, y + h]]

@@ -374,22 +374,26 @@ static void shapes_skipped(struct shapes *s, const char *kind, int label,
 
 /* ---- Roles ---------------------------------------------------------------- */
 
-/* Words that give a label its role, in lower case. */
+/* Words that give a label its role, in lower case: of several the last one. */
 /* clang-format off */
 static const char *const shapes_role_words[SHAPES_ROLES] = {
-    " stone stones block blocks brick bricks voussoir voussoirs ring arch wall"
-    " masonry stein steine ziegel bogen mauer ",
+    " stone stones block blocks brick bricks voussoir voussoirs keystone ring"
+    " arch wall pier piers pillar column lintel spandrel parapet masonry rock"
+    " rocks stein steine ziegel bogen mauer pfeiler ",
     " ground fixed abutment abutments foundation foundations footing footings"
-    " base bedrock rock terrain floor support supports boden baugrund fundament"
-    " fundamente widerlager auflager fels sol ",
+    " base bedrock terrain floor support supports boden baugrund fundament"
+    " fundamente widerlager auflager sol ",
     " fill backfill infill filling soil earth sand gravel clay backing"
     " f\xc3\xbcllung fuellung hinterf\xc3\xbcllung hinterfuellung"
     " verf\xc3\xbcllung verfuellung erde erdreich kies lehm schotter remblai ",
-    " frame border rahmen title text texts texte label labels note notes dim"
-    " dims dimension dimensions bemassung annotation annotations anno hatch"
-    " hatching schraffur centre center centreline centerline centrelines axis"
-    " axes achse achsen grid defpoints viewport viewports scale scalebar legend"
-    " legende north hidden construction ignore hilfslinien "};
+    " frame border rahmen title text texts texte note notes dim dims dimension"
+    " dimensions bemassung annotation annotations anno hatch hatching schraffur"
+    " centreline centerline centrelines defpoints viewport viewports scale"
+    " scalebar legend legende ignore hilfslinien "};
+
+/* Words that say so only at the end of a label: a centre pier is a stone. */
+static const char shapes_last_words[] =
+    " centre center axis axes achse achsen grid hidden label labels ";
 /* clang-format on */
 
 /* Returns 1 if n letters, in any case, are a word of the list. */
@@ -456,7 +460,7 @@ static int shapes_is_letter(const char *s, int i)
    after a small letter begins a word. */
 static int shapes_role_of(const char *label)
 {
-    int role = -1;
+    int role = -1, last = 0;
     for (int i = 0, n; label[i]; i += n) {
         n = 1;
         if (!shapes_is_letter(label, i))
@@ -468,8 +472,9 @@ static int shapes_role_of(const char *label)
         for (int k = 0; k < SHAPES_ROLES; k++)
             if (shapes_listed(shapes_role_words[k], label + i, n))
                 role = k;
+        last = shapes_listed(shapes_last_words, label + i, n);
     }
-    return role;
+    return last && role < 0 ? SHAPES_IGNORED : role;
 }
 
 static enum shapes_role shapes_role(const struct shapes *s, const char *label)
