@@ -962,6 +962,8 @@ class Drawings(unittest.TestCase):
                     [PROGRAM, str(path)], stdout=subprocess.PIPE,
                     stderr=subprocess.PIPE, universal_newlines=True)
                 self.assertIn("s.dxf:%d: %s" % (line, words), run.stderr)
+                with self.assertRaisesRegex(ValueError, "s.dxf:"):
+                    kern.read(path)
                 if blocks is not deep:  # an overlap is no fault of the reader
                     with self.assertRaisesRegex(ValueError, "s.dxf:%d: %s" % (
                             line, words)):

@@ -200,7 +200,17 @@ static int image_labelme(struct image *m, int shapes)
 struct image_mask {
     char *pixel; /* 1: of the mask, 2: its upper edge was traced           */
     int width, height;
+    int left, right, top, bottom; /* box of the mask, without its ends      */
 };
+
+static void image_set(struct image_mask *k, int x, int y)
+{
+    k->pixel[(size_t)y * (size_t)k->width + (size_t)x] = 1;
+    k->left = x < k->left ? x : k->left;
+    k->right = x >= k->right ? x + 1 : k->right;
+    k->top = y < k->top ? y : k->top;
+    k->bottom = y >= k->bottom ? y + 1 : k->bottom;
+}
 
 static int image_is_set(const struct image_mask *k, int x, int y)
 {
@@ -258,9 +268,9 @@ static int image_runs(const struct image *m, int counts, struct image_mask *k)
         }
         if (run < 0 || run > most - at)
             return 0;
-        for (long long end = at + run; at < end; at++)
-            if (n % 2)
-                k->pixel[(at % k->height) * k->width + at / k->height] = 1;
+        for (long long p = at; n % 2 && p < at + run; p++)
+            image_set(k, (int)(p / k->height), (int)(p % k->height));
+        at += run;
     }
 }
 
@@ -296,8 +306,8 @@ static void image_outlines(struct image *m, struct image_mask *k, int label,
     struct shapes *s = m->s;
     const int first = s->paths, group = s->groups++;
     double largest = 0;
-    for (int y = 0; y < k->height; y++)
-        for (int x = 0; x < k->width && !s->lost; x++) {
+    for (int y = k->top; y < k->bottom; y++)
+        for (int x = k->left; x < k->right && !s->lost; x++) {
             const int from = s->points;
             double area;
             if (!image_is_set(k, x, y) || image_is_set(k, x, y - 1)
@@ -326,7 +336,7 @@ static void image_mask(struct image *m, int object, int label, int i)
     const struct tokens *t = &m->t;
     const int size = tokens_get(t, object, "size");
     const int counts = tokens_get(t, object, "counts");
-    struct image_mask k = {NULL, 0, 0};
+    struct image_mask k = {NULL, 0, 0, 0, 0, 0, 0};
     double height = 0, width = 0;
     if (tokens_is(t, size, TOKENS_LIST) && t->one[size].next == size + 3
         && tokens_number(t, size + 1, &height)
@@ -335,7 +345,8 @@ static void image_mask(struct image *m, int object, int label, int i)
         && (t->one[counts].type == TOKENS_LIST
             || t->one[counts].type == TOKENS_STRING)) {
         k.height = (int)height;
-        k.width = (int)width;
+        k.left = k.width = (int)width;
+        k.top = k.height;
         k.pixel = shapes_array(m->s, k.height * k.width, 1);
     }
     if (k.pixel && image_runs(m, counts, &k))

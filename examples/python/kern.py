@@ -2047,6 +2047,9 @@ def _drawn(data: bytes, ending: str, name: str, what: Dict[str, Any],
             if re.match("no label|hang|looks|fill|mended", note):
                 warnings.warn("%s: %s" % (name, note), DrawingWarning, level)
         return out
+    except KernError as error:
+        error.args = ("%s: %s" % (name, error.args[0]), *error.args[1:])
+        raise
     finally:
         _drawing_free(drawing)
         _free(byref(t))
