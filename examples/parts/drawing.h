@@ -31,7 +31,8 @@ static int drawing_ends(const char *name, const char *end)
     return n > m && shapes_same(name + n - m, m, end);
 }
 
-/* The format of a file whose name does not tell: by how it begins. */
+/* Returns the format of a file whose name does not tell, by how it begins.
+   */
 static enum drawing_format drawing_begins(const char *data, size_t length)
 {
     size_t i = 0;
@@ -48,7 +49,8 @@ static enum drawing_format drawing_begins(const char *data, size_t length)
                                                               : DRAWING_TEXT;
 }
 
-/* The format of a file: by the end of its name, or else by how it begins. */
+/* Returns the format of a file by the end of its name, or else by how it
+   begins. */
 static enum drawing_format drawing_format(const char *name, const char *data,
                                           size_t length)
 {
@@ -94,7 +96,8 @@ static inline void drawing_free(struct drawing *d)
 
 #ifndef SHAPES_BARE
 
-/* The line of the drawing that a line of its statements comes from. */
+/* Returns the line of the drawing that a line of its statements comes from.
+   */
 static int drawing_line(const struct drawing *d, int line)
 {
     const char *at = d->s.text.at;
@@ -112,8 +115,8 @@ static int drawing_line(const struct drawing *d, int line)
     return statements_line(&d->o, name);
 }
 
-/* text_read() of a file of any format; `name` tells which, unless its content
-   does. */
+/* Reads a structure as text_read() does, from a file of any format; `name`
+   tells which, unless its content does. */
 static inline int drawing_parse(struct text_file *t, struct drawing *d,
                                 const char *name, const char *data,
                                 size_t length, const struct shapes_asked *asked)
@@ -138,7 +141,7 @@ static inline int drawing_parse(struct text_file *t, struct drawing *d,
     return bad;
 }
 
-/* drawing_parse() of a file, "-" for standard input. */
+/* Reads a file as drawing_parse() does, "-" for standard input. */
 static inline int drawing_load(struct text_file *t, struct drawing *d,
                                const char *path,
                                const struct shapes_asked *asked)

@@ -69,8 +69,8 @@ struct dxf {
 
 /* ---- Groups --------------------------------------------------------------- */
 
-/* The line that begins at *at, without the blanks around it; moves *at behind
-   it. Returns 0 at the end of the file. */
+/* Finds the line that begins at *at, without the blanks around it, and moves
+   *at behind it. Returns 0 at the end of the file. */
 static int dxf_line(const char *data, int length, int *at, int *from, int *n)
 {
     int to = *at, next;
@@ -143,7 +143,8 @@ static int dxf_groups(struct dxf *d, int length)
     return shapes_fail(d->s, line, "the file ends without EOF");
 }
 
-/* The first group of a code in [first, end), -1: there is none. */
+/* Returns the first group of a code in [first, end), -1 where there is none.
+   */
 static int dxf_find(const struct dxf *d, int first, int end, int code)
 {
     for (int i = first; i < end; i++)
@@ -152,7 +153,7 @@ static int dxf_find(const struct dxf *d, int first, int end, int code)
     return -1;
 }
 
-/* The number in a group. Returns -1 where it is none. */
+/* Reads the number in a group. Returns -1 where it is none. */
 static int dxf_number(struct dxf *d, int i, double *out)
 {
     const struct dxf_group *g = d->group + i;
@@ -162,7 +163,8 @@ static int dxf_number(struct dxf *d, int i, double *out)
                            g->length);
 }
 
-/* The number of a code in [first, end), or what it is without one. */
+/* Reads the number of a code in [first, end), or takes another one without
+   it. Returns -1 where it is no number. */
 static int dxf_value(struct dxf *d, int first, int end, int code,
                      double without, double *out)
 {
@@ -171,7 +173,8 @@ static int dxf_value(struct dxf *d, int first, int end, int code,
     return i < 0 ? 0 : dxf_number(d, i, out);
 }
 
-/* A whole number; what is none, or too large, is 0. */
+/* Reads a whole number; one that is too large is 0. Returns -1 where it is
+   no number. */
 static int dxf_whole(struct dxf *d, int first, int end, int code, int without,
                      int *out)
 {
@@ -182,7 +185,7 @@ static int dxf_whole(struct dxf *d, int first, int end, int code, int without,
     return 0;
 }
 
-/* The group after the entity that begins at i. */
+/* Returns the group after the entity that begins at i. */
 static int dxf_end(const struct dxf *d, int i)
 {
     for (i++; i < d->groups && d->group[i].code != 0;)
@@ -280,7 +283,7 @@ static int dxf_kind(struct dxf *d, int i)
     return shapes_word(d->s, d->data + g->at, g->length < 40 ? g->length : 40);
 }
 
-/* The label of the entity in [i, end): its layer. */
+/* Returns the label of the entity in [i, end): its layer. */
 static int dxf_label(struct dxf *d, int i, int end)
 {
     const int layer = dxf_find(d, i, end, 8);
@@ -314,8 +317,8 @@ static void dxf_skip(struct dxf *d, const char *why, int i, int end)
     free(t.at);
 }
 
-/* The direction that an entity is seen from: 1, -1: from behind, 0: it is
-   tilted. */
+/* Finds the direction that an entity is seen from: 1, or -1 from behind, or
+   0 where it is tilted. Returns -1 where that is no number. */
 static int dxf_side(struct dxf *d, int i, int end, int *side)
 {
     double x, y, z;
@@ -381,8 +384,8 @@ static int dxf_lwpolyline(struct dxf *d, int i, int end, int side)
     return 0;
 }
 
-/* The vertices of an old POLYLINE, up to `stop`; *tilted where they are not at
-   one height. */
+/* Adds the vertices of an old POLYLINE up to `stop`, and sets *tilted where
+   they are not at one height. */
 static int dxf_vertices(struct dxf *d, int i, int stop, int *tilted)
 {
     double height = 0, lowest = 0, highest = 0;
@@ -405,8 +408,8 @@ static int dxf_vertices(struct dxf *d, int i, int stop, int *tilted)
     return 0;
 }
 
-/* The end of a POLYLINE with its vertices, behind SEQEND; of an INSERT with its
-   attributes. */
+/* Returns the end of a POLYLINE with its vertices, behind SEQEND, or of an
+   INSERT with its attributes. */
 static int dxf_sequence(const struct dxf *d, int i)
 {
     int end = dxf_end(d, i);
@@ -458,7 +461,7 @@ static int dxf_straight(struct dxf *d, int i, int end)
     return 0;
 }
 
-/* An ARC, or a CIRCLE. */
+/* Reads an ARC or a CIRCLE. */
 static int dxf_round(struct dxf *d, int i, int end, int side)
 {
     const int first = d->s->points, whole = dxf_is(d, i, 0, "CIRCLE");
@@ -508,7 +511,8 @@ static int dxf_ellipse(struct dxf *d, int i, int end, int side)
 
 /* ---- INSERT --------------------------------------------------------------- */
 
-/* The frame of an INSERT: scale, turn, place, all less the base point. */
+/* Computes the frame of an INSERT: scale, turn and place, less the base
+   point. */
 static int dxf_frame_of(struct dxf *d, int i, int end, int side,
                         const struct dxf_block *b, struct dxf_frame *out)
 {
@@ -590,7 +594,7 @@ static void dxf_leave_block(struct dxf *d)
 
 /* ---- The file ------------------------------------------------------------- */
 
-/* One entity, in [i, end). */
+/* Reads one entity, in [i, end). */
 static int dxf_entity(struct dxf *d, int i, int end)
 {
     static const struct {
@@ -626,7 +630,8 @@ static int dxf_entity(struct dxf *d, int i, int end)
     return 0;
 }
 
-/* All entities of the section that begins at a group, with those of blocks. */
+/* Reads all entities of the section that begins at a group, with those of
+   blocks. */
 static int dxf_entities(struct dxf *d, int first, int end)
 {
     struct dxf_frame *f = d->frame;
@@ -659,8 +664,8 @@ static int dxf_entities(struct dxf *d, int first, int end)
     return 0;
 }
 
-/* The sections, in whatever order they stand: units, layers and blocks, and then
-   the entities. */
+/* Reads the sections, in whatever order they stand: units, layers and
+   blocks, and then the entities. */
 static int dxf_sections(struct dxf *d)
 {
     static const struct {

@@ -100,7 +100,8 @@ static void image_box(struct shapes *s, double x, double y, double w, double h)
 
 /* ---- LabelMe -------------------------------------------------------------- */
 
-/* The group of shapes with this label and number. */
+/* Returns the group of shapes with this label and number, -1 without a
+   number. */
 static int image_group(struct image *m, int label, int number)
 {
     const struct tokens *t = &m->t;
@@ -129,8 +130,9 @@ static int image_group(struct image *m, int label, int number)
     return m->group[i];
 }
 
-/* A shape whose kind is known by its points: a circle by its centre and a point
-   of it, a rectangle by two corners. */
+/* Makes a shape that is known by two points: a circle by its centre and a
+   point of it, a rectangle by two corners. Returns 0 where there are others.
+   */
 static int image_special(struct image *m, int first, int circle)
 {
     struct shapes *s = m->s;
@@ -218,8 +220,8 @@ static int image_is_set(const struct image_mask *k, int x, int y)
         && (k->pixel[(size_t)y * (size_t)k->width + (size_t)x] & 1);
 }
 
-/* The next length of a compressed mask: five bits a character. Returns 0 at its
-   end. */
+/* Reads the next length of a compressed mask: five bits a character. Returns
+   0 at its end. */
 static int image_run(const char *word, int n, int *at, long long *out)
 {
     long long value = 0;
@@ -298,8 +300,8 @@ static void image_trace(struct shapes *s, struct image_mask *k, int x, int y)
     } while (!s->lost && !(x == start_x && y == start_y && way == 0));
 }
 
-/* All outlines of a mask; those of holes run the other way. Specks below a
-   hundredth of the largest are listed. */
+/* Traces all outlines of a mask; those of holes run the other way. Lists
+   specks below a hundredth of the largest. */
 static void image_outlines(struct image *m, struct image_mask *k, int label,
                            int i)
 {
@@ -407,8 +409,8 @@ static int image_row(const struct image *m, int list, int *count)
     return m->s->asked->image || *count == 1 ? found : -1;
 }
 
-/* The number of the image whose annotations count: -1 all of them do; -2 with a
-   message. */
+/* Returns the number of the image whose annotations count, -1 where all of
+   them do, and -2 with a message. */
 static int image_chosen(struct image *m, int annotations)
 {
     const struct tokens *t = &m->t;
@@ -436,7 +438,7 @@ static int image_chosen(struct image *m, int annotations)
     return one;
 }
 
-/* The label of a category: its name. */
+/* Returns the label of an annotation: the name of its category. */
 static int image_category(struct image *m, int i)
 {
     const struct tokens *t = &m->t;
@@ -594,8 +596,8 @@ static void image_region(struct image *m, int i)
     }
 }
 
-/* The images of a page are the values of an object; `regions` a list, or an
-   object whose values count. */
+/* Reads a page whose images are the values of an object; `regions` is a
+   list, or an object whose values count. */
 static int image_via(struct image *m, int pages)
 {
     struct tokens *t = &m->t;
@@ -621,7 +623,7 @@ static int image_via(struct image *m, int pages)
     return 0;
 }
 
-/* Is an object one of VIA: does a value of it have regions? */
+/* Returns 1 if a value of an object has regions, as VIA's have. */
 static int image_is_via(const struct tokens *t, int object)
 {
     if (!tokens_is(t, object, TOKENS_OBJECT))

@@ -44,7 +44,7 @@ struct lines_edge {
 
 struct lines {
     struct shapes *s;
-    double near, x, y; /* ends that meet; the least of all places */
+    double snap, x, y; /* ends that meet; the least of all places */
     struct lines_piece *piece;
     int pieces;
     struct lines_cut *cut;
@@ -61,7 +61,8 @@ struct lines {
 
 /* ---- Polygons ------------------------------------------------------------- */
 
-/* Twice the area of the n points, positive where they run counter-clockwise. */
+/* Returns twice the area of the n points, positive where they run counter-
+   clockwise. */
 static double lines_area(const struct shapes_point *p, int n)
 {
     double sum = 0;
@@ -112,8 +113,8 @@ static void lines_sort(int *index, int n, const double *key)
     }
 }
 
-/* A point inside the polygon: in the middle of the widest stretch at some
-   height. */
+/* Finds a point inside the polygon: in the middle of the widest stretch at
+   some height. */
 static struct shapes_point lines_inner(const struct shapes_point *p, int n)
 {
     double low = p[0].y, high = p[0].y, widest = -1;
@@ -194,8 +195,8 @@ static void lines_box(const struct shapes_point *p, int n, int first,
     }
 }
 
-/* How near ends must be to meet; and where the drawing begins. Returns 0 where
-   there is nothing to join. */
+/* Finds how near ends must be to meet, and where the drawing begins. Returns
+   0 where there is nothing to join. */
 static int lines_measure(struct lines *l)
 {
     struct shapes *s = l->s;
@@ -217,13 +218,13 @@ static int lines_measure(struct lines *l)
     whole = shapes_distance(low, high);
     if (n > 0) {
         lines_sort(index, n, size);
-        l->near = 1e-3 * size[index[n / 2]];
-        l->near = l->near < 1e-4 * whole ? l->near : 1e-4 * whole;
-        l->near = l->near > 1e-9 * whole ? l->near : 1e-9 * whole;
+        l->snap = 1e-3 * size[index[n / 2]];
+        l->snap = l->snap < 1e-4 * whole ? l->snap : 1e-4 * whole;
+        l->snap = l->snap > 1e-9 * whole ? l->snap : 1e-9 * whole;
     }
     free(size);
     free(index);
-    return l->near > 0 && l->near < 1e300;
+    return l->snap > 0 && l->snap < 1e300;
 }
 
 static void lines_cut(struct lines *l, int piece, double share,
@@ -240,8 +241,8 @@ static void lines_cut(struct lines *l, int piece, double share,
     c->at = at;
 }
 
-/* How far p is from a piece, along which at a share of its way; below 0: beyond
-   its ends. */
+/* Returns how far p is from a piece, below 0 where it is beyond its ends.
+   Writes the share of the piece's way to `share`. */
 static double lines_away(const struct lines_piece *piece, struct shapes_point p,
                          double *share)
 {
@@ -271,9 +272,9 @@ static void lines_touch(struct lines *l, int i, struct shapes_point end)
 {
     const struct lines_piece *piece = l->piece + i;
     double share = 0, away = lines_away(piece, end, &share);
-    if (!(away >= 0 && away <= l->near)
-        || shapes_distance(end, piece->a) <= l->near
-        || shapes_distance(end, piece->b) <= l->near)
+    if (!(away >= 0 && away <= l->snap)
+        || shapes_distance(end, piece->a) <= l->snap
+        || shapes_distance(end, piece->b) <= l->snap)
         return;
     lines_cut(l, i, share, end);
 }
@@ -292,10 +293,10 @@ static void lines_cross(struct lines *l, int i, int j)
         return;
     at.x = p->a.x + a * ux;
     at.y = p->a.y + a * uy;
-    if (shapes_distance(at, p->a) > l->near
-        && shapes_distance(at, p->b) > l->near
-        && shapes_distance(at, q->a) > l->near
-        && shapes_distance(at, q->b) > l->near) {
+    if (shapes_distance(at, p->a) > l->snap
+        && shapes_distance(at, p->b) > l->snap
+        && shapes_distance(at, q->a) > l->snap
+        && shapes_distance(at, q->b) > l->snap) {
         lines_cut(l, i, a, at);
         lines_cut(l, j, b, at);
     }
@@ -304,7 +305,7 @@ static void lines_cross(struct lines *l, int i, int j)
 static void lines_meet(struct lines *l, int i, int j)
 {
     const struct lines_piece p = l->piece[i], q = l->piece[j];
-    const double room = 2 * l->near
+    const double room = 2 * l->snap
                       + SHAPES_ARC
                             * (shapes_distance(p.a, p.b)
                                + shapes_distance(q.a, q.b));
@@ -319,8 +320,8 @@ static void lines_meet(struct lines *l, int i, int j)
     lines_cross(l, i, j);
 }
 
-/* All pairs of pieces whose stretches of x are near. Returns 0 where there are
-   too many cuts. */
+/* Cuts all pairs of pieces whose stretches of x are near. Returns 0 where
+   there are too many cuts. */
 static int lines_cut_all(struct lines *l)
 {
     struct shapes *s = l->s;
@@ -335,7 +336,7 @@ static int lines_cut_all(struct lines *l)
         lines_sort(index, l->pieces, left);
     for (int i = 0; left && index && i < l->pieces && !s->lost; i++) {
         const struct lines_piece *p = l->piece + index[i];
-        const double right = (p->a.x > p->b.x ? p->a.x : p->b.x) + 2 * l->near
+        const double right = (p->a.x > p->b.x ? p->a.x : p->b.x) + 2 * l->snap
                            + 2 * SHAPES_ARC * shapes_distance(p->a, p->b);
         for (int j = i + 1;
              j < l->pieces && left[index[j]] <= right && l->cuts < LINES_CUTS;
@@ -349,10 +350,10 @@ static int lines_cut_all(struct lines *l)
 
 /* ---- Nodes and edges ------------------------------------------------------ */
 
-/* The cell of a place, so many columns and rows away. */
+/* Returns the cell of a place, so many columns and rows away. */
 static int *lines_cell(struct lines *l, struct shapes_point p, int dx, int dy)
 {
-    const double size = 2 * l->near;
+    const double size = 2 * l->snap;
     double x = (p.x - l->x) / size + dx, y = (p.y - l->y) / size + dy;
     unsigned long column, row;
     x = x > -1e9 && x < 1e9 ? x + 1e9 : 0;
@@ -364,7 +365,8 @@ static int *lines_cell(struct lines *l, struct shapes_point p, int dx, int dy)
             & (unsigned long)(l->cells - 1));
 }
 
-/* The node near a place, one more where there is none; -1 without memory. */
+/* Returns the node near a place, and makes one where there is none. Returns
+   -1 without memory. */
 static int lines_node(struct lines *l, struct shapes_point p)
 {
     struct shapes_point *node;
@@ -372,7 +374,7 @@ static int lines_node(struct lines *l, struct shapes_point p)
     for (int dx = -1; dx <= 1; dx++)
         for (int dy = -1; dy <= 1; dy++)
             for (int i = *lines_cell(l, p, dx, dy); i >= 0; i = l->next[i])
-                if (shapes_distance(l->node[i], p) <= l->near)
+                if (shapes_distance(l->node[i], p) <= l->snap)
                     return i;
     node = shapes_grown(l->s, l->node, l->nodes, &l->node_room, sizeof *node);
     l->node = node ? node : l->node;
@@ -403,7 +405,7 @@ static void lines_edge(struct lines *l, int a, int b, int path)
     e->gone = 0;
 }
 
-/* The pieces between their cuts. */
+/* Makes edges of the pieces between their cuts. */
 static void lines_divide(struct lines *l)
 {
     struct shapes *s = l->s;
@@ -435,7 +437,8 @@ static void lines_divide(struct lines *l)
     free(index);
 }
 
-/* Of edges between the same nodes one remains: an open one, if there is one. */
+/* Keeps one of the edges between the same nodes: an open one, if there is
+   one. */
 static void lines_merge(struct lines *l)
 {
     struct shapes *s = l->s;
@@ -503,14 +506,16 @@ static void lines_prune(struct lines *l)
 
 /* ---- Faces ---------------------------------------------------------------- */
 
-/* Half edge 2e runs from a to b, 2e + 1 back. */
+/* Returns the node where a half edge begins: 2e runs from a to b of edge e,
+   2e + 1 back. */
 static int lines_from(const struct lines *l, int half)
 {
     const struct lines_edge *e = l->edge + half / 2;
     return half % 2 ? e->b : e->a;
 }
 
-/* A number that grows with the angle of (x, y), from 0 to below 4. */
+/* Returns a number that grows with the angle of (x, y), from 0 to below 4.
+   */
 static double lines_angle(double x, double y)
 {
     const double sum = shapes_abs(x) + shapes_abs(y);
@@ -547,14 +552,14 @@ static void lines_order(struct lines *l)
     free(key);
 }
 
-/* The half edge after one, around the face on its left. */
+/* Returns the half edge after one, around the face on its left. */
 static int lines_next(const struct lines *l, int half)
 {
     const int node = lines_from(l, half ^ 1), at = l->place[half ^ 1];
     return l->order[at > l->start[node] ? at - 1 : l->start[node + 1] - 1];
 }
 
-/* The path whose label has the longest way along a face. */
+/* Returns the path whose label has the longest way along a face. */
 static int lines_namer(const struct lines *l, int half)
 {
     int path[LINES_LABELS], n = 0, best = -1;
@@ -619,7 +624,7 @@ static void lines_face(struct lines *l, int half, int paths)
     if (s->lost)
         return;
     area = lines_area(s->point + first, s->points - first) / 2;
-    if (!(area > l->near * whole && open > whole / 2)
+    if (!(area > l->snap * whole && open > whole / 2)
         || lines_covered(s, paths,
                          lines_inner(s->point + first, s->points - first))) {
         s->points = first;

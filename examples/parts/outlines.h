@@ -54,7 +54,7 @@ static struct shapes_point *outlines_points(const struct shapes *s,
     return s->point + p->first;
 }
 
-/* Length of the diagonal of the box around n points. */
+/* Returns the length of the diagonal of the box around n points. */
 static double outlines_extent(const struct shapes_point *p, int n)
 {
     struct shapes_point low = p[0], high = p[0];
@@ -64,8 +64,8 @@ static double outlines_extent(const struct shapes_point *p, int n)
 
 /* ---- One outline ---------------------------------------------------------- */
 
-/* After how many of its n points a path comes back to where it began, and then
-   only goes over its own edges again; 0: it does not. */
+/* Returns after how many of its n points a path comes back to where it began
+   and then only repeats its own edges. Returns 0 where it does not. */
 static int outlines_ring(const struct shapes_point *p, int n)
 {
     for (int m = 3; m < n; m++) {
@@ -120,8 +120,8 @@ static void outlines_clean(struct shapes *s, struct shapes_path *path)
     path->points = n;
 }
 
-/* The method of Douglas and Peucker: without the points nearer than the
-   tolerance to the outline that remains. */
+/* Leaves out the points nearer than the tolerance to the outline that
+   remains, by the method of Douglas and Peucker. */
 static void outlines_simplify(struct shapes *s, struct shapes_path *path,
                               double tolerance)
 {
@@ -163,7 +163,7 @@ static void outlines_simplify(struct shapes *s, struct shapes_path *path,
     free(kept);
 }
 
-/* What kern.h says of a polygon. */
+/* Returns what kern_ground_init() says of a polygon. */
 static kern_status outlines_status(struct shapes *s,
                                    const struct shapes_point *p, int n)
 {
@@ -182,7 +182,7 @@ static kern_status outlines_status(struct shapes *s,
 
 /* ---- Mending -------------------------------------------------------------- */
 
-/* Do two edges share a point? Then it is `at`. */
+/* Returns 1 if two edges share a point, which is written to `at`. */
 static int outlines_meet(struct shapes_point a, struct shapes_point b,
                          struct shapes_point c, struct shapes_point d,
                          struct shapes_point *at)
@@ -247,9 +247,9 @@ static int outlines_unloop(struct shapes *s, struct shapes_path *path,
                 rest[m++] = p[k];
             for (int k = 0; rest && k <= i; k++)
                 rest[m++] = p[k];
-            const int small = rest && outlines_extent(rest, m) <= reach;
+            const int tiny = rest && outlines_extent(rest, m) <= reach;
             free(rest);
-            if (!small)
+            if (!tiny)
                 break;
             memmove(p, p + i + 1, (size_t)(j - i) * sizeof *p);
             p[j - i] = at;
@@ -361,7 +361,8 @@ static void outlines_orient(struct shapes_point *p, int n)
     }
 }
 
-/* Both outlines as one, with edge i of the first and j of the second opened. */
+/* Writes both outlines as one, with edge i of the first and j of the second
+   opened. Returns the number of its points. */
 static int outlines_bridge(const struct shapes_point *p, int n, int i,
                            const struct shapes_point *q, int m, int j,
                            struct shapes_point *out)
@@ -462,9 +463,9 @@ static void outlines_join(struct outlines *o, double reach)
 
 /* ---- One outline in another ----------------------------------------------- */
 
-/* Is a point inside an outline, or that near to it? */
+/* Returns 1 if a point is inside an outline, or that near to it. */
 static int outlines_holds(const struct shapes_point *p, int n,
-                          struct shapes_point q, double near)
+                          struct shapes_point q, double snap)
 {
     if (lines_inside(p, n, q))
         return 1;
@@ -477,7 +478,7 @@ static int outlines_holds(const struct shapes_point *p, int n,
         share = share < 0 ? 0 : share > 1 ? 1 : share;
         foot.x += share * x;
         foot.y += share * y;
-        if (shapes_distance(foot, q) <= near)
+        if (shapes_distance(foot, q) <= snap)
             return 1;
     }
     return 0;
@@ -492,19 +493,19 @@ static int outlines_within(const struct outlines *o,
     const struct shapes_path *b = s->path + inner->path;
     const struct shapes_point *p = outlines_points(s, a);
     const struct shapes_point *q = outlines_points(s, b);
-    const double near = 1e-3 * inner->size;
-    if (inner->left < outer->left - near || inner->right > outer->right + near
-        || inner->low < outer->low - near || inner->high > outer->high + near
+    const double snap = 1e-3 * inner->size;
+    if (inner->left < outer->left - snap || inner->right > outer->right + snap
+        || inner->low < outer->low - snap || inner->high > outer->high + snap
         || b->area > a->area * (1 + 1e-9)
         || !lines_inside(p, a->points, lines_inner(q, b->points)))
         return 0;
     for (int i = 0; i < b->points; i++)
-        if (!outlines_holds(p, a->points, q[i], near))
+        if (!outlines_holds(p, a->points, q[i], snap))
             return 0;
     return 1;
 }
 
-/* Is a block looked at? Around fill and what is gone nothing is looked for. */
+/* Returns 1 if a block is looked at: it is not gone, and no fill. */
 static int outlines_nests(const struct outlines *o, int i)
 {
     const struct shapes_path *path = o->s->path + o->block[i].path;
@@ -630,7 +631,7 @@ static int outlines_word(struct shapes *s, const char *label, char *out,
     return n;
 }
 
-/* The slot of a name in a table of twice as many slots as names. */
+/* Returns the slot of a name in a table of twice as many slots as names. */
 static int outlines_slot(const struct outlines *o, const int *slot, int slots,
                          const char *name)
 {
@@ -711,7 +712,7 @@ static void outlines_put_names(struct outlines *o, const char *mark)
 
 /* ---- Ground --------------------------------------------------------------- */
 
-/* What of an outline lies above a height. */
+/* Keeps the part of an outline above a height. */
 static void outlines_cut(struct shapes *s, struct shapes_path *path, double y)
 {
     const int n = path->points, first = s->points;
@@ -727,7 +728,8 @@ static void outlines_cut(struct shapes *s, struct shapes_path *path, double y)
     path->points = s->points - first;
 }
 
-/* The ground as a line: cuts the outlines there, and adds a slab below it. */
+/* Makes a line the ground: cuts the outlines there, and adds a slab below
+   it. */
 static void outlines_line(struct outlines *o, double y, double reach)
 {
     struct shapes *s = o->s;
@@ -768,8 +770,8 @@ static void outlines_line(struct outlines *o, double y, double reach)
     shapes_put(&s->notes, " below it are left out\n");
 }
 
-/* Where no label is ground, the lowest outlines are: of a photograph those that
-   begin less than half a stone above the lowest point. */
+/* Fixes the lowest outlines where no label is ground: of a photograph those
+   that begin less than half a stone above the lowest point. */
 static void outlines_lowest(struct outlines *o)
 {
     struct shapes *s = o->s;
@@ -805,17 +807,18 @@ static void outlines_lowest(struct outlines *o)
 
 /* ---- What looks wrong ----------------------------------------------------- */
 
-/* Is some corner of the first outline that near to the second one? */
+/* Returns 1 if some corner of the first outline is that near to the second
+   one. */
 static int outlines_corner_near(const struct outlines *o, int i, int j,
-                                double near)
+                                double snap)
 {
     const struct shapes_path *a = outlines_path(o, i), *b = outlines_path(o, j);
     const struct outlines_block *box = o->block + j;
     const struct shapes_point *p = outlines_points(o->s, a);
     for (int k = 0; k < a->points; k++)
-        if (p[k].x >= box->left - near && p[k].x <= box->right + near
-            && p[k].y >= box->low - near && p[k].y <= box->high + near
-            && outlines_holds(outlines_points(o->s, b), b->points, p[k], near))
+        if (p[k].x >= box->left - snap && p[k].x <= box->right + snap
+            && p[k].y >= box->low - snap && p[k].y <= box->high + snap
+            && outlines_holds(outlines_points(o->s, b), b->points, p[k], snap))
             return 1;
     return 0;
 }
@@ -839,12 +842,12 @@ static void outlines_touch(struct outlines *o)
         for (int j = 0; j < i; j++) {
             const struct outlines_block *b = o->block + j;
             const double size = a->size < b->size ? a->size : b->size;
-            const double near = o->exact > 0 ? 4 * o->exact : 2e-3 * size;
+            const double snap = o->exact > 0 ? 4 * o->exact : 2e-3 * size;
             if (outlines_path(o, j)->role == SHAPES_FILL
-                || a->left > b->right + near || b->left > a->right + near
-                || a->low > b->high + near || b->low > a->high + near
-                || !(outlines_corner_near(o, i, j, near)
-                     || outlines_corner_near(o, j, i, near)))
+                || a->left > b->right + snap || b->left > a->right + snap
+                || a->low > b->high + snap || b->low > a->high + snap
+                || !(outlines_corner_near(o, i, j, snap)
+                     || outlines_corner_near(o, j, i, snap)))
                 continue;
             o->block[i].touches++;
             o->block[j].touches++;

@@ -365,7 +365,7 @@ static void shapes_listed_as(struct shapes *s, int kind, int label, int line)
     row->count = 1;
 }
 
-/* The same, of a kind that is no word yet. */
+/* Lists something of a kind that is no word yet. */
 static void shapes_skipped(struct shapes *s, const char *kind, int label,
                            int line)
 {
@@ -524,7 +524,7 @@ static double shapes_distance(struct shapes_point p, struct shapes_point q)
     return SHAPES_SQRT(x * x + y * y);
 }
 
-/* The middle of the arc from p to q. */
+/* Returns the middle of the arc from p to q. */
 static struct shapes_point shapes_middle(struct shapes_point p,
                                          struct shapes_point q, double bulge)
 {
@@ -610,8 +610,8 @@ static void shapes_leave(struct shapes *s, struct shapes_path *p,
 
 /* ---- Circles and angles --------------------------------------------------- */
 
-/* Sine and cosine of an angle in degrees, from arithmetic alone, so that every
-   machine has the same digits. */
+/* Computes sine and cosine of an angle in degrees, from arithmetic alone, so
+   that every machine has the same digits. */
 static void shapes_turn(double degrees, double *c, double *s)
 {
     double turns = degrees / 90, x, x2, sine, cosine;

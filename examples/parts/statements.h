@@ -26,7 +26,8 @@ struct statements_span {
     int block; /* -1: the fill                                         */
 };
 
-/* The heights at which an edge passes a column. Returns 0 where it does not. */
+/* Finds the heights at which an edge passes a column. Returns 0 where it
+   does not. */
 static int statements_edge(struct shapes_point a, struct shapes_point b,
                            double left, double right, double y[3])
 {
@@ -92,8 +93,8 @@ static void statements_weigh(struct outlines *o, double left, double right,
     }
 }
 
-/* The pieces of one span of fill between the blocks; returns what area of it
-   lies on none. */
+/* Weighs the pieces of one span of fill between the blocks. Returns the area
+   that lies on none. */
 static double statements_column(struct outlines *o, double left, double right,
                                 const struct statements_span *fill,
                                 const struct statements_span *span, int n,
@@ -130,7 +131,8 @@ static double statements_column(struct outlines *o, double left, double right,
     }
 }
 
-/* All places where a column may begin, sorted; returns how many. */
+/* Finds all places where a column may begin, and sorts them. Returns how
+   many there are. */
 static int statements_corners(const struct outlines *o, double *x, int *index,
                               double left, double right)
 {
@@ -250,8 +252,8 @@ static void statements_block(struct outlines *o, int i, double *density)
     shapes_put(&s->text, "\n");
 }
 
-/* The error of a photograph's outlines, which contacts must bear. Returns -1
-   where it is too much of a block. */
+/* Writes the error of a photograph's outlines, which contacts must bear.
+   Returns -1 where it is too much of a block. */
 static int statements_error(struct outlines *o)
 {
     struct shapes *s = o->s;
@@ -310,7 +312,8 @@ static int statements_write(struct outlines *o)
     return 0;
 }
 
-/* The line of the file that block `name` was read from, 0: not known. */
+/* Returns the line of the file that block `name` was read from, 0 where it
+   is not known. */
 static inline int statements_line(const struct outlines *o, const char *name)
 {
     for (int i = 0; i < o->blocks; i++)

@@ -85,7 +85,7 @@ static void svg_skip_to(struct svg *v, const char *end)
     }
 }
 
-/* The end of an element, which may stand in quotation marks before. */
+/* Moves to the end of an element, past what stands in quotation marks. */
 static void svg_to_end(struct svg *v)
 {
     char mark = '\0';
@@ -127,7 +127,7 @@ static int svg_get(const struct svg *v, const char *key, struct svg_part *out)
     return 0;
 }
 
-/* Does an attribute hold a word? */
+/* Returns 1 if an attribute holds a word. */
 static int svg_holds(const struct svg *v, struct svg_part part,
                      const char *word)
 {
@@ -197,7 +197,7 @@ static int svg_number(struct svg_numbers *n, double *out)
     return 1;
 }
 
-/* A flag of an arc: one character. */
+/* Reads a flag of an arc: one character. Returns 0 where it is none. */
 static int svg_flag(struct svg_numbers *n, int *out)
 {
     svg_gap(n);
@@ -207,7 +207,8 @@ static int svg_flag(struct svg_numbers *n, int *out)
     return 1;
 }
 
-/* The number of an attribute, without it 0. Returns 0 where it is none. */
+/* Reads the number of an attribute, which is 0 without it. Returns 0 where
+   it is none. */
 static int svg_value(const struct svg *v, const char *key, double *out)
 {
     struct svg_part p;
@@ -221,7 +222,7 @@ static int svg_value(const struct svg *v, const char *key, double *out)
 
 /* ---- Transforms ----------------------------------------------------------- */
 
-/* f := f, and before it the given one. */
+/* Puts a transform before those of a frame. */
 static void svg_apply(struct svg_frame *f, double xx, double yx, double xy,
                       double yy, double x, double y)
 {
@@ -234,7 +235,7 @@ static void svg_apply(struct svg_frame *f, double xx, double yx, double xy,
     f->y = g.yx * x + g.yy * y + g.y;
 }
 
-/* A turn about a point, or by a skew of x or y. */
+/* Applies a turn about a point, or a skew of x or y. */
 static void svg_turn(const struct svg *v, struct svg_part kind, const double *a,
                      int n, struct svg_frame *f)
 {
@@ -249,7 +250,8 @@ static void svg_turn(const struct svg *v, struct svg_part kind, const double *a,
         svg_apply(f, 1, s / c, 0, 1, 0, 0);
 }
 
-/* One kind of a transform with its n numbers. Returns 0 where it is none. */
+/* Applies one kind of transform with its n numbers. Returns 0 where it is
+   none. */
 static int svg_transform_one(const struct svg *v, struct svg_part kind,
                              const double *a, int n, struct svg_frame *f)
 {
@@ -272,7 +274,8 @@ static int svg_transform_one(const struct svg *v, struct svg_part kind,
     return 1;
 }
 
-/* The transform of the element. Returns -1 where it cannot be read. */
+/* Applies the transform of the element. Returns -1 where it cannot be read.
+   */
 static int svg_transform(struct svg *v, struct svg_frame *f)
 {
     struct svg_part p, kind;
@@ -305,7 +308,8 @@ static int svg_transform(struct svg *v, struct svg_frame *f)
 
 /* ---- Shapes --------------------------------------------------------------- */
 
-/* The label of the element: its own, or that of a group if only it has a role. */
+/* Returns the label of the element: its own, or that of a group if only it
+   has a role. */
 static int svg_label(struct svg *v)
 {
     const int group = v->frame[v->depth - 1].label;
@@ -356,7 +360,8 @@ static void svg_curved(struct shapes *s, double off)
     s->sagitta = off > s->sagitta ? off : s->sagitta;
 }
 
-/* rect, circle, ellipse, line: returns 0 where their numbers are none. */
+/* Reads rect, circle, ellipse, line. Returns 0 where their numbers are none.
+   */
 static int svg_basic(struct svg *v)
 {
     static const char *const key[4][4] = {{"x", "y", "width", "height"},
@@ -419,7 +424,8 @@ struct svg_pen {
     char last; /* command, in capitals                                  */
 };
 
-/* A cubic curve from the pen by its control points; without its beginning. */
+/* Draws a cubic curve from the pen by its control points, without its
+   beginning. */
 static void svg_cubic(struct shapes *s, const struct svg_pen *p,
                       const double a[6])
 {
@@ -438,8 +444,8 @@ static void svg_cubic(struct shapes *s, const struct svg_pen *p,
     svg_curved(s, 0.75 * off / (SVG_CHORDS * SVG_CHORDS));
 }
 
-/* An arc of an ellipse from the pen: on the circle of radius 1 that the ellipse
-   is when it is turned and scaled. */
+/* Draws an arc of an ellipse from the pen, on the circle of radius 1 that
+   the ellipse is when it is turned and scaled. */
 static void svg_arc(struct shapes *s, const struct svg_pen *p, double rx,
                     double ry, double turn, int large, int sweep, double x,
                     double y)
@@ -472,8 +478,8 @@ static void svg_arc(struct shapes *s, const struct svg_pen *p, double rx,
     shapes_point(s, x, y, 0);
 }
 
-/* The numbers of a command, `n` of them, absolute; flags count as numbers.
-   Returns 0 where they are too few. */
+/* Reads the `n` numbers of a command, and makes them absolute; flags count
+   as numbers. Returns 0 where they are too few. */
 static int svg_arguments(struct svg_numbers *in, char command, int own,
                          const struct svg_pen *p, double *a, int n)
 {
@@ -520,7 +526,7 @@ static void svg_curve(struct shapes *s, struct svg_pen *p, char command,
     svg_cubic(s, p, b);
 }
 
-/* How many numbers a command takes; -1: it is none. */
+/* Returns how many numbers a command takes, -1 where it is none. */
 static int svg_takes(char command)
 {
     static const char *const all = "ZHVMLTSQCA";
@@ -569,7 +575,8 @@ static void svg_begin(struct shapes *s, struct svg_pen *p, char command,
         shapes_point(s, p->x, p->y, 0);
 }
 
-/* The parts of a path. Returns 0 where something in it cannot be read. */
+/* Reads the parts of a path. Returns 0 where something in it cannot be read.
+   */
 static int svg_parts(struct svg *v, const struct svg_frame *f, int label)
 {
     struct shapes *s = v->s;
@@ -610,7 +617,7 @@ static int svg_parts(struct svg *v, const struct svg_frame *f, int label)
 
 /* ---- The file ------------------------------------------------------------- */
 
-/* An element that is drawn, or listed. */
+/* Reads an element that is drawn, or lists it. */
 static int svg_shape(struct svg *v, const struct svg_frame *f)
 {
     struct shapes *s = v->s;
@@ -636,7 +643,8 @@ static int svg_shape(struct svg *v, const struct svg_frame *f)
     return 0;
 }
 
-/* The element whose name was read. `inner`: others may follow in it. */
+/* Reads the element whose name was read. `inner`: others may follow in it.
+   */
 static int svg_element(struct svg *v, int inner)
 {
     struct svg_frame f = v->frame[v->depth - 1];
@@ -670,7 +678,7 @@ static int svg_element(struct svg *v, int inner)
     return 0;
 }
 
-/* An element, at its "<". */
+/* Reads an element, at its "<". */
 static int svg_open(struct svg *v)
 {
     int closed;
@@ -690,7 +698,7 @@ static int svg_open(struct svg *v)
     return svg_element(v, !closed);
 }
 
-/* What begins with "<". */
+/* Reads what begins with "<". */
 static int svg_tag(struct svg *v)
 {
     static const char *const begins[] = {"<!--", "<![CDATA[", "<?", "<!", "</"};

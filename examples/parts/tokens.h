@@ -47,7 +47,7 @@ static void tokens_blanks(struct tokens *t)
     }
 }
 
-/* The character that is next, 0 at the end. */
+/* Returns the character that is next, 0 at the end. */
 static char tokens_peek(struct tokens *t)
 {
     tokens_blanks(t);
@@ -104,7 +104,7 @@ static int tokens_string(struct tokens *t)
     return tokens_add(t, TOKENS_STRING, from, t->at++ - from);
 }
 
-/* A number, or true, false, null. */
+/* Reads a number, or true, false, null. */
 static int tokens_word(struct tokens *t)
 {
     static const char *const word[] = {"true", "false", "null"};
@@ -199,7 +199,7 @@ static int tokens_read(struct tokens *t, struct shapes *s, const char *data,
 
 /* ---- What they say -------------------------------------------------------- */
 
-/* The value of a key of an object, -1: there is none. */
+/* Returns the value of a key of an object, -1 where there is none. */
 static int tokens_get(const struct tokens *t, int object, const char *key)
 {
     const int n = (int)strlen(key);
@@ -217,14 +217,14 @@ static int tokens_is(const struct tokens *t, int i, enum tokens_type type)
     return i >= 0 && t->one[i].type == type;
 }
 
-/* The number that a token is. Returns 0 where it is none. */
+/* Reads the number that a token is. Returns 0 where it is none. */
 static int tokens_number(const struct tokens *t, int i, double *out)
 {
     return tokens_is(t, i, TOKENS_NUMBER)
         && shapes_read_number(t->data + t->one[i].at, t->one[i].length, out);
 }
 
-/* Is a token these characters? */
+/* Returns 1 if a token is these characters. */
 static int tokens_same(const struct tokens *t, int i, const char *word)
 {
     return i >= 0 && t->one[i].length == (int)strlen(word)
@@ -286,7 +286,7 @@ static int tokens_escape(struct shapes_text *out, const char *s, int n)
     return 5;
 }
 
-/* The text of a token as a word: of a string without its escapes. */
+/* Returns the text of a token as a word, of a string without its escapes. */
 static int tokens_text(struct tokens *t, int i)
 {
     const char *from = t->data + t->one[i].at;
