@@ -45,7 +45,7 @@ static kern_block block[BLOCKS];
 static kern_wrench live[BLOCKS]; /* the live load, about the centres          */
 static kern_contact contact[CONTACTS];
 static kern_real real[KERN_REALS(BLOCKS, CONTACTS)];
-static int index[KERN_INTS(BLOCKS, CONTACTS)];
+static int indices[KERN_INTS(BLOCKS, CONTACTS)];
 static kern_work work;
 static kern_task task;
 
@@ -66,7 +66,7 @@ PAGE(text) const char *page_text(int status)
 /* A new structure without blocks. */
 PAGE(begin) void page_begin(double gravity_x, double gravity_y)
 {
-    work = kern_work_of(real, KERN_REALS(BLOCKS, CONTACTS), index,
+    work = kern_work_of(real, KERN_REALS(BLOCKS, CONTACTS), indices,
                         KERN_INTS(BLOCKS, CONTACTS));
     task = kern_task_of(block, 0, contact, 0, &work);
     task.s.gravity.x = gravity_x;
