@@ -30,6 +30,8 @@ enum {
     OUTLINES_NAMED = 4    /* names in a note                             */
 };
 
+#define OUTLINES_FARTHEST 1e15 /* m: what is drawn there is no stone */
+
 /* The measures of a block that is written. */
 struct outlines_block {
     int path, name; /* name: offset of a word                         */
@@ -163,7 +165,7 @@ static void outlines_simplify(struct shapes *s, struct shapes_path *path,
     free(kept);
 }
 
-/* Returns what kern_ground_init() says of a polygon. */
+/* Returns what kern_block_init() says of a polygon, of density 1. */
 static kern_status outlines_status(struct shapes *s,
                                    const struct shapes_point *p, int n)
 {
@@ -171,11 +173,16 @@ static kern_status outlines_status(struct shapes *s,
     kern_status status = KERN_NO_SPACE;
     kern_block block;
     for (int i = 0; vertex && i < n; i++) {
+        if (!(shapes_abs(p[i].x) < OUTLINES_FARTHEST
+              && shapes_abs(p[i].y) < OUTLINES_FARTHEST)) {
+            free(vertex);
+            return KERN_BAD_NUMBER;
+        }
         vertex[i].x = (kern_real)p[i].x;
         vertex[i].y = (kern_real)p[i].y;
     }
     if (vertex)
-        status = kern_ground_init(&block, vertex, n, NULL);
+        status = kern_block_init(&block, vertex, n, 1, NULL);
     free(vertex);
     return status;
 }
@@ -342,9 +349,10 @@ static int outlines_mend(struct outlines *o, int i, double reach)
         }
     }
     shapes_leave(s, path,
-                 status == KERN_CROSSING     ? "outline that crosses itself"
-                 : status == KERN_BAD_NUMBER ? "outline too far away"
-                                             : "outline without area");
+                 status == KERN_CROSSING ? "outline that crosses itself"
+                 : status == KERN_BAD_NUMBER || status == KERN_BAD_MASS
+                     ? "outline too large or too far away"
+                     : "outline without area");
     return 0;
 }
 
