@@ -1,7 +1,7 @@
 /* kern - can a dry-stacked structure stand, and how far from falling is it?
 
-   Reads structures in the text format of parts/text.h, or drawings as
-   parts/dxf.h says, and reports on each: verdict, level and margin, what limits
+   Reads structures in the text format of parts/text.h, drawings and annotated
+   photographs as parts/drawing.h says, and reports on each: verdict, level and margin, what limits
    them, how it falls, the horizontal load and the tilt it bears; for a person,
    as JSON (one object a line), or as a picture. Its parts are in kern/:
 
@@ -31,6 +31,7 @@
 #include "kern/report.h"
 #include "kern/report_json.h"
 #include "kern/state.h"
+#include "kern/statements_file.h"
 #include "parts/args.h"
 #include "parts/text.h"
 
@@ -98,7 +99,20 @@ static int write_files(const struct analysis *a)
     int bad = a->set->svg && draw(a);
     if (a->set->svg && a->sweeps > 0)
         bad |= draw_sweep(a);
+    if (a->set->kern_file)
+        bad |= write_kern(a);
     return (a->set->c_file && write_c(a)) || bad;
+}
+
+/* A part of the report, for a person. */
+static void show(const struct analysis *a,
+                 void (*part)(const struct analysis *), int *shown)
+{
+    if (a->set->json)
+        return;
+    if (ARGS_TERMINAL(1))
+        clear_progress(shown);
+    part(a);
 }
 
 static int run_file(const struct settings *set, int number, int *shown)
@@ -110,12 +124,12 @@ static int run_file(const struct settings *set, int number, int *shown)
     a.critical.contact = a.certain = -1;
     a.deficit = a.load[LEFT] = a.load[RIGHT] = a.tilt[LEFT] = a.tilt[RIGHT] =
         (double)NAN;
-    int bad = read_structure(&a) || too_many(&a) || analyse(&a);
-    if (!bad && !set->json) {
-        if (ARGS_TERMINAL(1))
-            clear_progress(shown);
-        report_verdict(&a);
-    }
+    int bad = read_structure(&a) || too_many(&a);
+    if (!bad)
+        show(&a, report_drawing, shown);
+    bad = bad || analyse(&a);
+    if (!bad)
+        show(&a, report_verdict, shown);
     if (!bad && !set->verdict_only)
         measure(&a);
     show_stage(&a, "");
@@ -163,7 +177,7 @@ static int bad_use(const char *what, const char *word)
     return -1;
 }
 
-enum kind { POSITIVE, NOT_NEGATIVE, ANGLE, PLACES, UNITS };
+enum kind { POSITIVE, NOT_NEGATIVE, ANGLE, PLACES, UNITS, ANY };
 
 static int is_of_kind(enum kind kind, double x)
 {
@@ -173,6 +187,7 @@ static int is_of_kind(enum kind kind, double x)
     case NOT_NEGATIVE: return x >= 0;
     case ANGLE: return x >= 0 && x < 0.5;
     case PLACES: return whole && x >= 1 && x <= 10000;
+    case ANY: return 1;
     default: return whole && x >= 0 && x <= 2e9;
     }
 }
@@ -181,10 +196,12 @@ static int number_option(const char *name, const char *value, enum kind kind,
                          kern_real *out)
 {
     static const char *const what[] = {
-        "positive number", "number not below zero",
+        "positive number",
+        "number not below zero",
         "angle in radians from 0 to below 0.5",
         "whole number of places from 1 to 10,000",
-        "whole number from 1 to 2,000,000,000, or 0"};
+        "whole number from 1 to 2,000,000,000, or 0",
+        "number"};
     if (!value)
         return bad_use("a number is missing after", name);
     if (!text_number(value, out) || !is_of_kind(kind, (double)*out)) {
@@ -227,6 +244,62 @@ static int output_option(const char *name, const char *file, const char *end)
     return -1;
 }
 
+/* NAME=ROLE: the words stay where they are, for the readers of drawings. */
+static int layer_option(struct settings *set, const char *value)
+{
+    const char *role = value ? strrchr(value, '=') : NULL;
+    if (!role || role == value)
+        return bad_use("NAME=ROLE is missing after", "--layer");
+    if (shapes_role_named(role + 1, (int)strlen(role + 1)) < 0) {
+        fprintf(stderr,
+                "kern: --layer takes NAME=ground, NAME=stone, NAME=fill or "
+                "NAME=ignore, read '%s'\n",
+                value);
+        return -1;
+    }
+    if (set->drawing.layers == LABELS_MOST)
+        return bad_use("more than 100 options", "--layer");
+    set->layer[set->drawing.layers++] = value;
+    return 0;
+}
+
+/* D, or NAME=D. */
+static int density_option(struct settings *set, const char *value)
+{
+    const char *number = value ? strrchr(value, '=') : NULL;
+    kern_real density;
+    if (number_option("--density", number ? number + 1 : value, POSITIVE,
+                      &density))
+        return -1;
+    if (set->drawing.density_words == LABELS_MOST)
+        return bad_use("more than 100 options", "--density");
+    set->density[set->drawing.density_words++] = value;
+    return 0;
+}
+
+/* An option of drawings and photographs. Returns 0 where it is fine, 1 where it
+   is another one. */
+static int drawing_option(struct settings *set, char **argv, int *i)
+{
+    const char *value;
+    if (args_value(argv, i, "--layer", &value))
+        return layer_option(set, value);
+    if (args_value(argv, i, "--density", &value))
+        return density_option(set, value);
+    if (args_value(argv, i, "--image", &set->drawing.image))
+        return set->drawing.image
+                 ? 0
+                 : bad_use("the number or name of an image is missing after",
+                           "--image");
+    if (args_value(argv, i, "--ground", &value)) {
+        set->drawing.has_ground = 1;
+        return number_option("--ground", value, ANY, &set->ground);
+    }
+    if (args_value(argv, i, "--pixel", &value))
+        return number_option("--pixel", value, POSITIVE, &set->pixel);
+    return 1;
+}
+
 /* An option with a name behind it. */
 static int name_option(struct settings *set, char **argv, int *i)
 {
@@ -237,6 +310,8 @@ static int name_option(struct settings *set, char **argv, int *i)
                  : bad_use("a block, or all, is missing after", "--stays");
     if (args_value(argv, i, "--c", &set->c_file))
         return output_option("--c", set->c_file, ".h");
+    if (args_value(argv, i, "--kern", &set->kern_file))
+        return output_option("--kern", set->kern_file, ".kern");
     if (args_value(argv, i, "--svg", &set->svg))
         return output_option("--svg", set->svg, ".svg");
     return bad_use("unknown option", word);
@@ -288,7 +363,8 @@ static int read_option(void *settings, char **argv, int *i)
         return error_option("--measured", value, &set->error, &set->turn);
     if (args_value(argv, i, "--error", &value))
         return error_option("--error", value, &set->own_error, &set->own_turn);
-    return name_option(set, argv, i);
+    const int taken = drawing_option(set, argv, i);
+    return taken < 1 ? taken : name_option(set, argv, i);
 }
 
 /* With --relative shrinkage is a share of each contact. */
@@ -302,6 +378,20 @@ static int check_share(const struct settings *set, const char *name,
             "%.9g\n",
             name, (double)value);
     return -1;
+}
+
+/* What drawings and photographs are read with; and no file is written over. */
+static int set_drawing(struct settings *set)
+{
+    set->drawing.layer = set->layer;
+    set->drawing.densities = set->density;
+    set->drawing.ground = (double)set->ground;
+    set->drawing.pixel = (double)set->pixel;
+    set->drawing.tolerance = 1.5;
+    for (int i = 0; set->kern_file && i < set->files; i++)
+        if (strcmp(set->kern_file, set->file[i]) == 0)
+            return bad_use("--kern would write over", set->file[i]);
+    return 0;
 }
 
 int main(int argc, char **argv)
@@ -324,7 +414,7 @@ int main(int argc, char **argv)
         fputs("usage: kern [options] FILE...; try kern --help\n", stderr);
         return EXIT_BAD;
     }
-    return check_share(&set, "--at", set.at)
+    return set_drawing(&set) || check_share(&set, "--at", set.at)
                 || check_share(&set, "--epsilon", set.epsilon)
              ? EXIT_BAD
              : run(&set);

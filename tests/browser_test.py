@@ -12,6 +12,7 @@ examples/python/kern.py, to the last bit.
 import base64
 import dataclasses
 import json
+import math
 import os
 import pathlib
 import signal
@@ -19,6 +20,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import warnings
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "examples" / "python"))
@@ -391,8 +393,50 @@ def test_changes(browser):
                 " 'two.svg'), refresh()")
     assert browser.ask("[s.stones.length, shown.margin]") == [2, 0.5]
     browser.ask("show(%s, 'bad.dxf')" % json.dumps(
-        text.replace("LWPOLYLINE", "CIRCLE").replace(" ", "\n")))
-    assert "CIRCLE" in browser.ask("$('error').textContent")
+        text.replace("LWPOLYLINE", "MTEXT").replace(" ", "\n")))
+    assert "0 lines, 2 texts" in browser.ask("$('error').textContent")
+
+
+def test_drawings(browser):
+    """A drawing or a photograph is the structure that Python reads: names and
+    places, to the last digit; and the page shows what was assumed."""
+    ring = "".join(
+        "0\nARC\n8\nRING\n10\n0\n20\n0\n40\n%d\n50\n15.5\n51\n164.5\n" % r
+        for r in (5, 6)) + "".join(
+        "0\nLINE\n8\nJOINTS\n10\n%r\n20\n%r\n11\n%r\n21\n%r\n" % (
+            5 * x, 5 * y, 6 * x, 6 * y) for x, y in (
+            (math.cos(math.radians(15.5 + 149 / 9 * k)),
+             math.sin(math.radians(15.5 + 149 / 9 * k))) for k in range(10)))
+    files = {
+        "ring.dxf": "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n1\n0\nENDSEC\n"
+                    "0\nSECTION\n2\nENTITIES\n" + ring + "0\nTEXT\n8\n0\n"
+                    "0\nENDSEC\n0\nEOF\n",
+        "photo.json": json.dumps({"imageHeight": 99.5, "shapes": [
+            {"label": "stone", "points": [[x, 70 - y], [x + 30, 70 - y],
+                                          [x + 30.1, 40 - y], [x, 40 - y]]}
+            for x, y in ((0, 0), (31, 0), (12, 30))] + [
+            {"label": "bar", "shape_type": "line", "points": [[0, 0], [9, 9]]}]}),
+        "path.svg": '<svg><g id="base"><rect y="1" width="9" height="1"/></g>'
+                    '<path d="M1 1V0A2 1.5 10 0 1 3 0V1z"/></svg>'}
+    for name, text in files.items():
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, name)
+            path.write_text(text)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                want = kern.read(path)
+        browser.ask("show(%s, '%s'), refresh()" % (json.dumps(text), name))
+        assert browser.ask("$('error').textContent") == ""
+        got = browser.ask("s.stones.map(t => [t.name, t.fixed, t.home])")
+        assert got == [[b.name, b.fixed, b.vertices.tolist()]
+                       for b in want.blocks], (name, got)
+        notes = browser.ask("$('notes').textContent")
+        assert notes.split("\n")[:len(want.notes)] == want.notes, notes
+        assert notes.count("skipped: ") == len(want.skipped), notes
+        assert browser.ask("[s.error, s.errorTurn]") == [
+            want.options.pose_error, want.options.pose_turn]
+        assert browser.ask("shown.stands") == want.measure().stands
+        assert browser.ask("shown.margin") == want.measure().margin
 
 
 def test_phone(browser):
@@ -493,6 +537,7 @@ def main():
             test_frames(browser)
             test_settle(browser)
             test_changes(browser)
+            test_drawings(browser)
             test_asked(browser)
             test_phone(browser)
             for event in browser.events:

@@ -6,7 +6,8 @@
            -fno-sanitize-recover=all -DFUZZ_TEXT -o fuzz tests/fuzz.c -lm
        ./fuzz -max_total_time=60
 
-   (-DFUZZ_STRUCTURE for the other), or without it, on files and on random
+   (-DFUZZ_STRUCTURE for the other, -DFUZZ_DRAWING='".dxf"', '".json"' or '".svg"'
+   for what reads drawings and photographs), or without it, on files and on random
    bytes:
 
        cc -g -O1 -ffp-contract=off -DFUZZ_STRUCTURE -DFUZZ_PLAIN -o fuzz \
@@ -32,9 +33,12 @@
 #ifdef FUZZ_TEXT
 #include "../examples/parts/text.h"
 #endif
+#ifdef FUZZ_DRAWING /* ".dxf", ".json" or ".svg" */
+#include "../examples/parts/drawing.h"
+#endif
 
-#if !defined(FUZZ_TEXT) && !defined(FUZZ_STRUCTURE)
-#error "fuzz.c: say -DFUZZ_TEXT or -DFUZZ_STRUCTURE"
+#if !defined(FUZZ_TEXT) && !defined(FUZZ_STRUCTURE) && !defined(FUZZ_DRAWING)
+#error "fuzz.c: say -DFUZZ_TEXT, -DFUZZ_STRUCTURE or -DFUZZ_DRAWING=.dxf"
 #endif
 
 #define PROPERTY(holds) ((holds) ? (void)0 : property_fails(#holds, __LINE__))
@@ -71,6 +75,7 @@ static void count_input(void)
         atexit(say_counts);
 }
 
+#ifndef FUZZ_DRAWING
 /* ==== Every property of a structure ================================= */
 
 enum { BLOCKS = 10, CONTACTS = 100, GUARD = 8, QUESTIONS = 5 };
@@ -221,6 +226,47 @@ static void check_structure(int which, const kern_structure *s,
 }
 
 /* ==== Text ========================================================== */
+#endif
+
+#ifdef FUZZ_DRAWING
+/* Whatever the bytes: an error has a message, and what is made of a drawing can
+   be read as text. */
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length);
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
+{
+    static const char *const layer[] = {"stone=ground", "0=fill"};
+    static const char *const density[] = {"2", "0=3"};
+    struct shapes_asked asked;
+    struct drawing drawing;
+    struct text_file t;
+    int bad;
+    memset(&asked, 0, sizeof asked);
+    asked.tolerance = 1.5;
+    if (length > 0) { /* the last byte says what is asked */
+        asked.layer = layer;
+        asked.layers = data[length - 1] % 3;
+        asked.densities = density;
+        asked.density_words = data[length - 1] / 3 % 3;
+        asked.has_ground = data[length - 1] / 9 % 2;
+        asked.ground = 1.5;
+    }
+    count_input();
+    bad = drawing_parse(&t, &drawing, "x" FUZZ_DRAWING, (const char *)data,
+                        length, &asked);
+    PROPERTY(bad == 0 || bad == -1);
+    PROPERTY(memchr(t.message, '\0', sizeof t.message) != NULL);
+    PROPERTY(!bad || t.message[0]);
+    if (bad && drawing.s.message.length == 0)
+        fprintf(stderr, "%s\n%s\n", t.message, drawing.s.text.at);
+    PROPERTY(!bad || drawing.s.message.length > 0);
+    PROPERTY(bad || (t.blocks > t.fixed && drawing.s.notes.at));
+    for (int i = 0; i < drawing.s.skips; i++)
+        PROPERTY(drawing.s.skip[i].count > 0);
+    text_free(&t);
+    drawing_free(&drawing);
+    return 0;
+}
+#endif
 
 #ifdef FUZZ_TEXT
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length);

@@ -145,6 +145,25 @@ static void no_block_no_name(void)
     refused(end, sizeof end - 1, 1, "fixed: a name is expected, but the line");
 }
 
+/* The error of places and the unit of lengths are read, and refused where they
+   are none. */
+static void measured_units(void)
+{
+    static const char text[] =
+        "measured 0.25 0.125\nunits m\nfixed g  -1 -1  1 -1  1 0  -1 0\n"
+        "block a *  0 0  1 0  1 1  0 1\nmeasured 0.5\n";
+    static const char zero[] = "measured 0\n", none[] = "units\n";
+    static const char wide[] = "measured 1 0.5\n";
+    struct text_file t;
+    check(text_read(&t, text, sizeof text - 1) == 0 && t.error == (kern_real)0.5
+              && t.turn == 0 && t.units && strcmp(t.units, "m") == 0,
+          "measured and units");
+    text_free(&t);
+    refused(zero, sizeof zero - 1, 1, "measured: a positive number");
+    refused(wide, sizeof wide - 1, 1, "measured: an angle below 0.5");
+    refused(none, sizeof none - 1, 1, "units: a unit of length is expected");
+}
+
 int main(void)
 {
     static const char short_normal[] =
@@ -161,6 +180,7 @@ int main(void)
     last_wins();
     wide_gap();
     no_block_no_name();
+    measured_units();
     refused(late_density, sizeof late_density - 1, 2, "a block after it");
     if (sizeof(kern_real) == sizeof(double)) /* in float it is 0 */
         refused(short_normal, sizeof short_normal - 1, 3, "no normal");

@@ -140,16 +140,22 @@ bytes() { # bytes FLAGS...: without libFuzzer: files, and bytes from a seed
     gcc $plain "$@" -DFUZZ_PLAIN -o "$out/plain" tests/fuzz.c -lm &&
         case "$*" in
         *TEXT*) "$out/plain" examples/structures/* ;;
+        *DRAWING*) "$out/plain" tests/seeds/drawing* ;;
         *) "$out/plain" tests/seeds/structure-* ;;
         esac && "$out/plain" --random 100000 7
+}
+
+fuzz_drawing() { # fuzz_drawing .dxf|.json|.svg: a minute of libFuzzer
+    mkdir -p "$out/seeds" && cp tests/seeds/drawing*"$1" "$out/seeds" &&
+        fuzz_one "DRAWING=\"$1\"" "$out/seeds"
 }
 
 fuzz_one() { # fuzz_one WHAT [SEEDS]: a minute of libFuzzer
     mkdir -p "$out/$1" &&
         clang -g -O1 $exact -fsanitize=fuzzer,address,undefined \
-            -fno-sanitize-recover=all -DFUZZ_$1 -o "$out/fuzz_$1" \
+            -fno-sanitize-recover=all "-DFUZZ_$1" -o "$out/fuzz_$1" \
             tests/fuzz.c -lm &&
-        "$out/fuzz_$1" -max_total_time=60 -timeout=100 -max_len=1000 \
+        "$out/fuzz_$1" -max_total_time=60 -timeout=100 -max_len=3000 \
             -verbosity=0 -print_final_stats=1 -artifact_prefix="$out/" \
             "$out/$1" ${2:+"$2"}
 }

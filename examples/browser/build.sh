@@ -17,7 +17,7 @@ for name in vertex force motion meeting group centre point overlap fault answer 
 done
 # shellcheck disable=SC2086
 clang --target=wasm32 -std=c99 -Oz -mbulk-memory \
-    -ffp-contract=off -nostdlib -Wall -Wextra -Werror \
+    -ffp-contract=off -nostdlib -fno-builtin -Wall -Wextra -Werror \
     -Wl,--no-entry -Wl,--strip-all $exports \
     -o "$out/page.wasm" page.c
 

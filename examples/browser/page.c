@@ -12,8 +12,9 @@
 #define KERN_SQRT(x) __builtin_sqrt(x) /* an instruction */
 #include "../../kern.h"
 #include "../parts/falls.h"
+#include "heap.h"
 
-#define STAYS_SQRT(x) __builtin_sqrt(x)
+#include "../parts/drawing.h"
 
 #define PAGE(name) __attribute__((export_name(#name)))
 
@@ -40,13 +41,11 @@ double fault[4], answer[6]; /* answer: of the last call                   */
 const int constant[7] = {BLOCKS,       VERTICES,    KERN_STANDS, KERN_FALLS,
                          KERN_OVERLAP, KERN_RAISED, KERN_HANGS};
 
-static kern_vec simple[VERTICES]; /* an outline, and which of its vertices */
-static int kept[VERTICES];
 static kern_block block[BLOCKS];
 static kern_wrench live[BLOCKS]; /* the live load, about the centres          */
 static kern_contact contact[CONTACTS];
 static kern_real real[KERN_REALS(BLOCKS, CONTACTS)];
-static int index[KERN_INTS(BLOCKS, CONTACTS)];
+static int indices[KERN_INTS(BLOCKS, CONTACTS)];
 static kern_work work;
 static kern_task task;
 
@@ -67,45 +66,34 @@ PAGE(text) const char *page_text(int status)
 /* A new structure without blocks. */
 PAGE(begin) void page_begin(double gravity_x, double gravity_y)
 {
-    work = kern_work_of(real, KERN_REALS(BLOCKS, CONTACTS), index,
+    work = kern_work_of(real, KERN_REALS(BLOCKS, CONTACTS), indices,
                         KERN_INTS(BLOCKS, CONTACTS));
     task = kern_task_of(block, 0, contact, 0, &work);
     task.s.gravity.x = gravity_x;
     task.s.gravity.y = gravity_y;
 }
 
+/* After the blocks; error and turn: of measured places, 0: exact, or not told. */
 PAGE(options)
-void page_options(double mu, double gap, double angle, double epsilon)
+void page_options(double mu, double gap, double angle, double epsilon,
+                  double error, double turn)
 {
+    task.options = kern_defaults();
     task.options.mu = mu;
     task.options.gap = gap;
     task.options.angle = angle;
     task.options.epsilon = epsilon;
     task.options.limit = LIMIT;
+    if (error > 0)
+        task.options = kern_measured_options(
+            &task.options, error,
+            turn > 0 ? turn : error / kern_mean_size(block, task.s.blocks));
 }
 
 static void put_centre(int i)
 {
     centre[i][0] = block[i].centre.x;
     centre[i][1] = block[i].centre.y;
-}
-
-/* Simplifies an outline, the first vertices of the array, within half a gap.
-   Returns how many vertices there are then, or a status. */
-PAGE(simplify) int page_simplify(int vertices)
-{
-    kern_block raw;
-    kern_fault f;
-    const int status = kern_ground_init(&raw, vertex, vertices, &f);
-    const double size = __builtin_sqrt(__builtin_fabs(raw.area));
-    int i, count;
-    if (status != KERN_OK && status != KERN_CROSSING)
-        return status;
-    count = kern_outline_simplify(vertex, vertices, 0.5e-3 * size, simple, kept,
-                                  VERTICES);
-    for (i = 0; i < count; i++)
-        vertex[i] = simple[i];
-    return count;
 }
 
 /* Block i, the next or one that was there, from vertices of the array; density
@@ -160,6 +148,65 @@ PAGE(live) void page_live(int i, double fx, double fy, double x, double y)
     kern_block_load(&alone, f, at, 0);
     live[i] = alone.load;
 }
+
+/* ---- Drawings ---- */
+
+static struct drawing drawing;
+static struct shapes_text skipped;
+
+/* Room for bytes that the page writes: of a new file, or one more of it. */
+PAGE(room) char *page_room(int bytes, int fresh)
+{
+    if (fresh)
+        heap_reset();
+    return malloc((size_t)bytes);
+}
+
+/* One line a kind of what became no block. */
+static void put_skipped(void)
+{
+    const struct shapes_text empty = {NULL, 0, 0, 0};
+    skipped = empty;
+    shapes_put(&skipped, "");
+    for (int i = 0; i < drawing.s.skips; i++) {
+        const struct shapes_skip *k = drawing.s.skip + i;
+        shapes_put_int(&skipped, k->count);
+        shapes_put(&skipped, " ");
+        shapes_put(&skipped, shapes_at(&drawing.s, k->kind));
+        if (*shapes_at(&drawing.s, k->label))
+            shapes_put(&skipped, " on ");
+        shapes_put(&skipped, shapes_at(&drawing.s, k->label));
+        shapes_put(&skipped, ", line ");
+        shapes_put_int(&skipped, k->line);
+        shapes_put(&skipped, "\n");
+    }
+}
+
+/* Makes statements of a drawing or a photograph in a file of that name: 1, 0: it
+   is in the text format, -1: with a message. */
+PAGE(draw) int page_draw(const char *name, const char *data, int length)
+{
+    static const struct shapes_asked asked = {.tolerance = 1.5};
+    const enum drawing_format format = drawing_format(name, data,
+                                                      (size_t)length);
+    int bad;
+    if (format == DRAWING_TEXT)
+        return 0;
+    bad = drawing_make(&drawing, format, data, (size_t)length, &asked);
+    put_skipped();
+    return bad ? -1 : 1;
+}
+
+/* What was made: 0 statements, 1 notes, 2 what was skipped, 3 the message. */
+PAGE(drawn) const char *page_drawn(int what)
+{
+    const char *const text[] = {drawing.s.text.at, drawing.s.notes.at,
+                                skipped.at, drawing.s.message.at};
+    return text[what] ? text[what] : "";
+}
+
+/* The line of the message, 0: the whole file. */
+PAGE(drawn_line) int page_drawn_line(void) { return drawing.s.fault; }
 
 /* Shows the page the contacts that there are. */
 static int put_contacts(int contacts)

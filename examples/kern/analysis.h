@@ -9,7 +9,7 @@
 #include "../../kern.h"
 
 #include "../parts/args.h"
-#include "../parts/dxf.h"
+#include "../parts/drawing.h"
 #include "asked.h"
 #include "sweep.h"
 
@@ -114,6 +114,7 @@ static inline void free_analysis(struct analysis *a)
     free(a->stress);
     free_work(a);
     text_free(&a->text);
+    drawing_free(&a->drawing);
 }
 
 /* What limits the margin; nothing does where it is not known or saturated. */
@@ -247,7 +248,7 @@ static inline int measure(struct analysis *a)
 
 static inline int read_structure(struct analysis *a)
 {
-    return (dxf_named(a->file) ? dxf_load : text_load)(&a->text, a->file)
+    return drawing_load(&a->text, &a->drawing, a->file, &a->set->drawing)
              ? fail(a, a->text.line, "%s", a->text.message)
              : 0;
 }
@@ -263,10 +264,11 @@ static inline int check_lengths(struct analysis *a)
         const char *name;
         kern_real value;
         int part;
-    } length[] = {{"--gap", set->gap, 0},
-                  {"--overlap", set->overlap, 0},
-                  {"--error", set->own_error, 0},
-                  {"--measured", set->error, 1}};
+    } length[] = {
+        {"--gap", set->gap, 0},
+        {"--overlap", set->overlap, 0},
+        {"--error", set->own_error, 0},
+        {set->error > 0 ? "--measured" : "measured", pose_error(a), 1}};
     for (size_t k = 0; k < sizeof length / sizeof *length; k++) {
         const double most = length[k].part ? size / 5 : size;
         if ((double)length[k].value > most)
@@ -344,10 +346,8 @@ static inline int analyse(struct analysis *a)
         options.mu = set->mu;
     if (!(set->limit < 0))
         options.limit = (int)set->limit;
-    if (set->error > 0)
-        options = kern_measured_options(
-            &options, set->error,
-            set->turn < 0 ? set->error / (kern_real)mean_size(a) : set->turn);
+    if (pose_error(a) > 0)
+        options = kern_measured_options(&options, pose_error(a), pose_turn(a));
     if (set->overlap > options.overlap)
         options.overlap = set->overlap;
     if (decide(a, &options) || check_shrinkages(a))

@@ -217,7 +217,7 @@ static inline int find_certain(struct analysis *a)
     const int most = 64 * room;
     kern_status got = KERN_NO_SPACE;
     kern_margin m;
-    if (!(a->set->error > 0) || a->text.given || is_open(a->shown)
+    if (!(pose_error(a) > 0) || a->text.given || is_open(a->shown)
         || shrinkage(a) > 0 || kern_measure(&a->task, &m, NULL) < 0)
         return 0;
     for (; got == KERN_NO_SPACE && room <= most; room *= 2) {

@@ -33,6 +33,49 @@ static inline double tidy(const struct analysis *a, double x)
 /* A rate that is printed with five decimals, without the sign of a zero. */
 static inline double rate(double x) { return fabs(x) < 5e-6 ? 0 : x; }
 
+/* What a drawing or a photograph was taken for, before the verdict. */
+static inline void report_drawing(const struct analysis *a)
+{
+    enum { ROWS = 12 };
+    const struct shapes *s = &a->drawing.s;
+    char kind[TEXT_SHOW_ROOM], label[TEXT_SHOW_ROOM];
+    if (!a->drawing.made)
+        return;
+    printf("%s: reads %d block%s of a %s%s%s\n", a->file, a->text.blocks,
+           plural(a->text.blocks), s->photograph ? "photograph" : "drawing",
+           s->units ? ", in " : "", s->units ? s->units : "");
+    for (const char *n = s->notes.at, *end; *n; n = end + 1) {
+        end = strchr(n, '\n');
+        printf("  note        %.*s\n", (int)(end - n), n);
+    }
+    for (int i = 0; i < s->skips && i < ROWS; i++) {
+        const struct shapes_skip *k = s->skip + i;
+        printf("  skipped     %d %s", k->count,
+               text_show(kind, shapes_at(s, k->kind)));
+        if (*shapes_at(s, k->label))
+            printf(" on %s", text_show(label, shapes_at(s, k->label)));
+        if (k->line > 0)
+            printf(", %sline %d", k->count > 1 ? "first " : "", k->line);
+        printf("\n");
+    }
+    if (s->skips > ROWS)
+        printf("  skipped     and %d more kinds (--json lists all)\n",
+               s->skips - ROWS);
+    fflush(stdout);
+}
+
+/* A length with its unit, where that is known. */
+static inline const char *length_text(const struct analysis *a, double value,
+                                      char out[TEXT_SHOW_ROOM])
+{
+    const int share = a->set->relative != 0;
+    char unit[TEXT_SHOW_ROOM];
+    snprintf(out, TEXT_SHOW_ROOM, "%.4g%s%.20s", value,
+             a->text.units && !share ? " " : "",
+             a->text.units && !share ? text_show(unit, a->text.units) : "");
+    return out;
+}
+
 static inline void report_structure(const struct analysis *a)
 {
     int blocks = a->task.s.blocks - a->text.fixed, ends = line_points(a);
@@ -46,6 +89,8 @@ static inline void report_structure(const struct analysis *a)
 static inline void report_level(const struct analysis *a)
 {
     const char *unit = a->set->relative ? " of each contact" : "";
+    char length[TEXT_SHOW_ROOM];
+    length_text(a, (double)a->m.epsilon, length);
     if (a->measured < 0 || a->m.level < 0) {
         printf("  level       undecided\n");
         return;
@@ -58,18 +103,19 @@ static inline void report_level(const struct analysis *a)
     else if (a->measured == KERN_FALLS)
         printf("  falls as it is\n");
     else if (a->m.saturated)
-        printf("  stands even with every kern closed (steps of %.4g%s), so\n"
+        printf("  stands even with every kern closed (steps of %s%s), so\n"
                "                        level and margin do not compare\n",
-               (double)a->m.epsilon, unit);
+               length, unit);
     else
-        printf("  falls after %d step%s of %.4g%s\n", a->m.level,
-               plural(a->m.level), (double)a->m.epsilon, unit);
+        printf("  falls after %d step%s of %s%s\n", a->m.level,
+               plural(a->m.level), length, unit);
 }
 
 static inline void report_margin(const struct analysis *a)
 {
     int falls = a->measured == KERN_FALLS;
     double value = falls ? a->deficit : (double)a->m.margin;
+    char length[TEXT_SHOW_ROOM];
     printf("  %-10s  ", falls ? "deficit" : "margin");
     if (a->measured == KERN_LIMIT) {
         printf("undecided by the limit of work (--limit 0 goes on): ");
@@ -96,7 +142,8 @@ static inline void report_margin(const struct analysis *a)
                "falls\n");
         return;
     }
-    printf("%-8.4g  %s each contact %s at both ends", value,
+    printf("%-8s  %s each contact %s at both ends",
+           length_text(a, value, length),
            a->set->relative ? "by which share of its half" : "how far",
            falls ? "must grow" : "can shrink");
     if (!a->set->relative)
@@ -108,17 +155,26 @@ static inline void report_bearing(const struct analysis *a)
 {
     if (a->measured != KERN_STANDS)
         return;
+    char length[TEXT_SHOW_ROOM];
     printf("  bearing     ");
     if (isnan(a->bearing))
         printf("undecided\n");
     else if (isinf(a->bearing))
         printf("none      it needs points alone\n");
     else
-        printf("%-8.4g  length of the shortest contact that it needs, %.3g %% "
+        printf("%-8s  length of the shortest contact that it needs, %.3g %% "
                "of the mean block size\n",
-               a->bearing,
+               length_text(a, a->bearing, length),
                100 * a->bearing
                    / (double)kern_mean_size(a->task.s.block, a->task.s.blocks));
+}
+
+/* Are stresses in Pa (of a slice 1 m thick)? If lengths are in m, and the user
+   gave a density. */
+static inline int is_si(const struct analysis *a)
+{
+    return a->text.units && strcmp(a->text.units, "m") == 0
+        && a->set->drawing.density_words > 0;
 }
 
 static inline void report_stress(const struct analysis *a)
@@ -131,7 +187,8 @@ static inline void report_stress(const struct analysis *a)
     if (isinf(a->stress[most]))
         printf("  stress      any       ");
     else
-        printf("  stress      %-8.4g  ", a->stress[most]);
+        printf("  stress      %-8.4g%s  ", a->stress[most],
+               is_si(a) ? " Pa" : "");
     printf("mean stress if the most loaded contact, between %s and %s, were "
            "only twice the margin long\n",
            name_of(a, c->a, one), name_of(a, c->b, two));
@@ -405,7 +462,7 @@ static inline void report_unheard(const struct analysis *a)
                   {"--lone", set->lone},
                   {"--gap", set->gap > 0},
                   {"--overlap", set->overlap > 0},
-                  {"--measured", set->error > 0}};
+                  {"--measured", pose_error(a) > 0}};
     const char *head = "  the file gives its contacts, without effect:";
     for (size_t k = 0; k < sizeof option / sizeof *option; k++) {
         if (!a->text.given || !option[k].asked)
@@ -415,7 +472,7 @@ static inline void report_unheard(const struct analysis *a)
     }
     if (!*head)
         printf("\n");
-    if (set->error > 0 && !a->text.given && shrinkage(a) > 0)
+    if (pose_error(a) > 0 && !a->text.given && shrinkage(a) > 0)
         printf("  whether it is certain within the error is not told with "
                "--at\n");
 }

@@ -287,6 +287,37 @@ static inline void json_open(unsigned open)
     printf("]");
 }
 
+/* What became no block, and what was assumed of a drawing or a photograph. */
+static inline void json_drawing(const struct analysis *a)
+{
+    const struct shapes *s = &a->drawing.s;
+    const char *comma = "", *line = s->notes.at ? s->notes.at : "";
+    if (a->text.units && !a->error[0]) {
+        printf(", ");
+        json_string("units", a->text.units);
+    } else
+        printf(", \"units\": null");
+    printf(", \"skipped\": [");
+    for (int i = 0; i < s->skips; i++) {
+        printf("%s{", comma);
+        json_string("kind", shapes_at(s, s->skip[i].kind));
+        printf(", ");
+        json_string("name", shapes_at(s, s->skip[i].label));
+        json_count("line", s->skip[i].line, s->skip[i].line > 0);
+        json_count("count", s->skip[i].count, 1);
+        printf("}");
+        comma = ", ";
+    }
+    printf("], \"notes\": [");
+    for (comma = ""; *line; line = strchr(line, '\n') + 1) {
+        printf("%s\"", comma);
+        json_text_of(line, (int)strcspn(line, "\n"));
+        printf("\"");
+        comma = ", ";
+    }
+    printf("]");
+}
+
 /* What the file has, and how it was taken. */
 static inline void json_structure(const struct analysis *a, int good)
 {
@@ -307,12 +338,12 @@ static inline void json_measure(const struct analysis *a, int good, int asked)
     json_known("epsilon", (double)a->m.epsilon, known);
     json_flag("relative", a->set->relative, 1);
     json_flag("near", is_near(a), 1);
-    if (a->set->error > 0)
+    if (pose_error(a) > 0)
         json_flag("certain", a->certain > 0, a->certain >= 0);
     json_count("level", a->m.level, known && a->m.level >= 0);
     json_flag("saturated", a->m.saturated, known);
     json_known("margin", (double)a->m.margin, known);
-    if (a->set->error > 0) {
+    if (pose_error(a) > 0) {
         json_known("margin_low", (double)a->interval.low, a->certain >= 0);
         json_known("margin_high", (double)a->interval.high,
                    a->certain >= 0 && a->interval.high < KERN_INFINITY);
@@ -350,6 +381,7 @@ static inline void report_json(const struct analysis *a)
     json_string("file", a->file);
     printf(", ");
     json_string("status", status_word(a));
+    json_drawing(a);
     json_structure(a, good);
     json_measure(a, good, asked);
     json_limits(a, asked);

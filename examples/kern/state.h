@@ -9,6 +9,7 @@
 #include "../../kern.h"
 
 #include "../parts/draw.h"
+#include "../parts/drawing.h"
 #include "../parts/text.h"
 
 #include <math.h>
@@ -19,6 +20,7 @@
 
 enum { LEFT, RIGHT, LIVE };
 enum { MARGIN, LOAD_LEFT, LOAD_RIGHT, PROFILES };
+enum { LABELS_MOST = 100 }; /* options --layer, and --density */
 
 struct settings { /* of the command line; numbers < 0: not given */
     kern_real epsilon, mu, gap, at, limit, overlap;
@@ -27,7 +29,10 @@ struct settings { /* of the command line; numbers < 0: not given */
     kern_real own_error, own_turn; /* of --error                          */
     int relative, forces, mechanism, profile, touching, json, verdict_only;
     int raised, sequence, mechanism_live, lone;
-    const char *svg, *c_file, *stays;
+    const char *svg, *c_file, *kern_file, *stays;
+    struct shapes_asked drawing; /* of drawings and photographs         */
+    const char *layer[LABELS_MOST], *density[LABELS_MOST];
+    kern_real ground, pixel;
     char **file;
     int files;
 };
@@ -45,8 +50,9 @@ struct analysis {
     const char *file;
     int number; /* of the file among all             */
     struct text_file text;
-    int line;        /* of the error, 0: the whole file   */
-    char error[600]; /* "" where there is none            */
+    struct drawing drawing; /* that the text was made of               */
+    int line;               /* of the error, 0: the whole file   */
+    char error[600];        /* "" where there is none            */
 
     kern_task task;
     kern_contact *contact; /* task.s.contact                    */
@@ -111,6 +117,22 @@ static inline int fail_memory(struct analysis *a)
 {
     return fail(a, 0, "not enough memory for %d blocks and %d contact points",
                 a->task.s.blocks, a->task.s.contacts);
+}
+
+/* The standard error of places: of the command line, or of the file. */
+static inline kern_real pose_error(const struct analysis *a)
+{
+    return a->set->error > 0 ? a->set->error : a->text.error;
+}
+
+/* That of angles: the error of places over a block, where nobody tells it. */
+static inline kern_real pose_turn(const struct analysis *a)
+{
+    if (a->set->error > 0 && !(a->set->turn < 0))
+        return a->set->turn;
+    if (!(a->set->error > 0) && a->text.turn > 0)
+        return a->text.turn;
+    return pose_error(a) / (kern_real)mean_size(a);
 }
 
 /* Does the collapse motion belong to the verdict, or to the margin? */
@@ -256,7 +278,7 @@ static inline int is_open_sweep(const struct analysis *a)
 /* With given contacts, or shrunk ones, it is not asked. */
 static inline int is_open_certain(const struct analysis *a)
 {
-    return a->set->error > 0 && !a->text.given && !(shrinkage(a) > 0)
+    return pose_error(a) > 0 && !a->text.given && !(shrinkage(a) > 0)
         && a->certain < 0;
 }
 

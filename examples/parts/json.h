@@ -12,10 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The inside of a JSON string. What is not UTF-8 becomes U+FFFD. */
-static inline void json_text(const char *s)
+/* The inside of a JSON string: the n bytes at s. What is not UTF-8 becomes
+   U+FFFD. */
+static inline void json_text_of(const char *s, int bytes)
 {
-    while (*s) {
+    const char *end = s + bytes;
+    while (s < end) {
         int n = text_utf8(s);
         unsigned char c = (unsigned char)*s;
         if (n == 0)
@@ -29,6 +31,8 @@ static inline void json_text(const char *s)
         s += n > 0 ? n : 1;
     }
 }
+
+static inline void json_text(const char *s) { json_text_of(s, (int)strlen(s)); }
 
 static inline void json_string(const char *key, const char *value)
 {

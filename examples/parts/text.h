@@ -18,9 +18,14 @@
        epsilon  E                                     step of Algorithm 1
        tolerance GAP [ANGLE]                          ANGLE in radians; GAP up
                                                       to the blocks' mean size
+       measured E [ANGLE]                             standard errors of places
+                                                      and angles, a length and
+                                                      radians
+       units NAME                                     of lengths, for the report
 
-   and # begins a comment. friction, gravity, epsilon and tolerance hold for the
-   whole file, wherever they stand; of several the last one holds. A program
+   and # begins a comment. friction, gravity, epsilon, tolerance, measured and
+   units hold for the whole file, wherever they stand; of several the last one
+   holds. A program
    uses text_load() or text_read(), then text_free(); of the rest text_show(),
    text_number() and text_utf8() may be of use.
 
@@ -30,6 +35,8 @@
 #define TEXT_H
 
 #include "../../kern.h"
+
+#include "words.h"
 
 #include <errno.h>
 #include <float.h>
@@ -62,12 +69,14 @@ struct text_file {
     kern_vec *mass; /* where statements `mass` put it                  */
     int masses;     /* how many                                        */
     kern_vec gravity;
-    kern_options options; /* the defaults, and what the file says            */
-    int epsilon_line;     /* where `epsilon` stands, 0: nowhere              */
-    int line;             /* of the error, 0: of the file as a whole         */
-    char message[512];    /* what is wrong, with what was read               */
-    char *text;           /* a copy of the file, which the names point into  */
-    kern_vec *vertex;     /* of all blocks                                   */
+    kern_options options;  /* the defaults, and what the file says            */
+    int epsilon_line;      /* where `epsilon` stands, 0: nowhere              */
+    kern_real error, turn; /* of `measured`; 0: exact, turn 0: not told      */
+    const char *units;     /* of lengths, NULL: not known                     */
+    int line;              /* of the error, 0: of the file as a whole         */
+    char message[512];     /* what is wrong, with what was read               */
+    char *text;            /* a copy of the file, which the names point into  */
+    kern_vec *vertex;      /* of all blocks                                   */
 };
 
 /* A file as long as that, or longer, is not read. */
@@ -107,26 +116,6 @@ enum text_range { TEXT_ANY, TEXT_NOT_NEGATIVE, TEXT_POSITIVE };
 #endif
 
 /* ---- Words --------------------------------------------------------------- */
-
-/* Length of the UTF-8 character at s, 0 where there is none. Longer forms than
-   needed, surrogates and what lies beyond Unicode are none. */
-static inline int text_utf8(const char *s)
-{
-    const unsigned char *u = (const unsigned char *)s;
-    int n = u[0] < 0x80 ? 1
-          : u[0] < 0xc2 ? 0
-          : u[0] < 0xe0 ? 2
-          : u[0] < 0xf0 ? 3
-          : u[0] < 0xf5 ? 4
-                        : 0;
-    for (int i = 1; i < n; i++)
-        if ((u[i] & 0xc0) != 0x80)
-            return 0;
-    if ((u[0] == 0xe0 && u[1] < 0xa0) || (u[0] == 0xed && u[1] > 0x9f)
-        || (u[0] == 0xf0 && u[1] < 0x90) || (u[0] == 0xf4 && u[1] > 0x8f))
-        return 0;
-    return n;
-}
 
 /* Writes a word as a terminal may see it: cut where it is long, bytes that are
    not printable as \xNN. Returns out, which has TEXT_SHOW_ROOM bytes. */
@@ -383,6 +372,29 @@ static int text_epsilon(struct text_reader *r)
     return text_real(r, TEXT_POSITIVE, &r->t->options.epsilon);
 }
 
+/* E or E ANGLE: kern_measured_options() is the caller's to ask. */
+static int text_measured(struct text_reader *r)
+{
+    char *word;
+    r->t->turn = 0;
+    if (text_real(r, TEXT_POSITIVE, &r->t->error))
+        return -1;
+    word = text_next(r);
+    if (*word == '\0')
+        return 0;
+    if (text_value(r, word, TEXT_POSITIVE, &r->t->turn))
+        return -1;
+    return r->t->turn < (kern_real)0.5
+             ? 0
+             : text_expect(r, "an angle below 0.5 (in radians)", word);
+}
+
+static int text_units(struct text_reader *r)
+{
+    r->t->units = text_next(r);
+    return *r->t->units ? 0 : text_expect(r, "a unit of length", "");
+}
+
 static int text_tolerance(struct text_reader *r)
 {
     kern_options *o = &r->t->options;
@@ -602,7 +614,8 @@ static int text_line(struct text_reader *r)
                      {"contact", text_contact},   {"load", text_load_at},
                      {"torque", text_torque},     {"com", text_com},
                      {"density", text_density},   {"live", text_live},
-                     {"mass", text_mass}};
+                     {"mass", text_mass},         {"measured", text_measured},
+                     {"units", text_units}};
     char *word = text_next(r), shown[TEXT_SHOW_ROOM];
     if (*word == '\0')
         return 0;

@@ -39,6 +39,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import warnings
 from ctypes import (POINTER, addressof, byref, c_char_p, c_double, c_int,
                     c_void_p)
 from dataclasses import dataclass, field
@@ -60,7 +61,8 @@ __all__ = [
     "Block", "Contact", "contact_make", "contact_travels", "work_need",
     "Verdict", "Raising", "Raised", "Margin", "Factor", "Profile", "Critical",
     "ContactRate", "BlockRate", "Solution", "Structure", "Plan", "overlaps",
-    "parse", "read", "from_labelme", "from_coco", "simplified", "lp_solve",
+    "parse", "read", "from_labelme", "from_coco", "DrawingWarning",
+    "simplified", "lp_solve",
     "status_text", "build",
 ]
 
@@ -198,8 +200,17 @@ class _Text(ctypes.Structure):
                 ("lives", c_int), ("loads", c_int), ("axle", POINTER(_Live)),
                 ("mass", c_void_p), ("masses", c_int), ("gravity", _Vec),
                 ("options", _Options), ("epsilon_line", c_int),
+                ("error", c_double), ("turn", c_double), ("units", c_char_p),
                 ("line", c_int), ("message", ctypes.c_char * 512),
                 ("text", c_void_p), ("vertex", c_void_p)]
+
+
+class _Asked(ctypes.Structure):
+    _fields_ = [("layer", c_void_p), ("layers", c_int),
+                ("densities", c_void_p), ("density_words", c_int),
+                ("has_ground", c_int), ("ground", c_double),
+                ("pixel", c_double), ("tolerance", c_double),
+                ("image", c_char_p)]
 
 
 _LAYOUTS = {
@@ -213,15 +224,15 @@ _LAYOUTS = {
     "kern_contact_rate": _ContactRate, "kern_block_rate": _BlockRate,
     "kern_critical": _Critical, "kern_known": _Known, "kern_task": _Task,
     "kern_plan": _Plan, "kern_lp": _Lp, "struct text_live": _Live,
-    "struct text_file": _Text,
+    "struct text_file": _Text, "struct shapes_asked": _Asked,
 }
 
 # ---- The library ------------------------------------------------------------
 
 _ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-_HEADERS = ("kern.h", "kern_lp.h", "examples/parts/draw.h",
-            "examples/parts/dxf.h", "examples/parts/falls.h",
-            "examples/parts/room.h", "examples/parts/text.h")
+_HEADERS = ("kern.h", "kern_lp.h", *("examples/parts/%s.h" % part for part in (
+    "draw", "drawing", "dxf", "falls", "image", "lines", "outlines", "room",
+    "shapes", "statements", "svg", "text", "tokens", "words")))
 _FLAGS = ("-O2", "-ffp-contract=off", "-shared", "-fPIC", "-I%s" % _ROOT)
 
 
@@ -238,7 +249,7 @@ def _source() -> str:
 #include "kern.h"
 #include "examples/parts/draw.h"
 #include "examples/parts/text.h"
-#include "examples/parts/dxf.h"
+#include "examples/parts/drawing.h"
 #include "examples/parts/room.h"
 #include <stddef.h>
 #define ROW(name, value, text) #name " " #value " "
@@ -254,10 +265,25 @@ int kern_py_read(struct text_file *t, const char *data, size_t length)
 void kern_py_free(struct text_file *t) { text_free(t); }
 void kern_py_falls(const kern_task *task, double shrink, kern_motion *motion)
 { room_falls(task, shrink, motion); }
-char *kern_py_dxf(const char *data, size_t length, char *message, size_t room,
-                  int *line)
-{ return dxf_read(data, length, message, room, line); }
-void kern_py_dxf_free(char *text) { free(text); }
+struct drawing *kern_py_drawing_new(void)
+{ return calloc(1, sizeof(struct drawing)); }
+int kern_py_drawing_parse(struct text_file *t, struct drawing *d,
+                          const char *name, const char *data, size_t length,
+                          const struct shapes_asked *asked)
+{ return drawing_parse(t, d, name, data, length, asked); }
+const char *kern_py_drawing_notes(const struct drawing *d)
+{ return d->s.notes.at ? d->s.notes.at : ""; }
+int kern_py_drawing_skips(const struct drawing *d) { return d->s.skips; }
+void kern_py_drawing_skip(const struct drawing *d, int i, const char **row,
+                          int *line, int *count)
+{
+    const struct shapes_skip *k = d->s.skip + i;
+    row[0] = shapes_at(&d->s, k->kind);
+    row[1] = shapes_at(&d->s, k->label);
+    *line = k->line;
+    *count = k->count;
+}
+void kern_py_drawing_free(struct drawing *d) { drawing_free(d); free(d); }
 int kern_py_draw(const char *path, const kern_structure *s, char *const *names,
                  int relative, double shrink, const kern_force *force,
                  const char *force_name, const kern_motion *motion,
@@ -406,9 +432,13 @@ _check_raised = _declare("kern_check_raised", _r, _p, _r, _i, _p)
 _lp_solve = _declare("kern_lp_solve", _i, _p, _p, _p, _p)
 _read = _declare("kern_py_read", _i, _p, c_char_p, ctypes.c_size_t)
 _free = _declare("kern_py_free", None, _p)
-_dxf = _declare("kern_py_dxf", _p, c_char_p, ctypes.c_size_t, _p,
-                ctypes.c_size_t, _p)
-_dxf_free = _declare("kern_py_dxf_free", None, _p)
+_drawing_new = _declare("kern_py_drawing_new", _p)
+_drawing_parse = _declare("kern_py_drawing_parse", _i, _p, _p, c_char_p,
+                          c_char_p, ctypes.c_size_t, _p)
+_drawing_notes = _declare("kern_py_drawing_notes", c_char_p, _p)
+_drawing_skips = _declare("kern_py_drawing_skips", _i, _p)
+_drawing_skip = _declare("kern_py_drawing_skip", None, _p, _i, _p, _p, _p)
+_drawing_free = _declare("kern_py_drawing_free", None, _p)
 _falls = _declare("kern_py_falls", None, _p, _r, _p)
 _draw = _declare("kern_py_draw", _i, c_char_p, _p, _p, _i, _r, _p, c_char_p, _p,
                  _p, _r, c_char_p, _i, _p, _r, c_char_p)
@@ -1138,6 +1168,7 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     """
 
     lives: Sequence[Tuple[str, Point, Point]] = ()  # of live()
+    units: Optional[str] = None                     # of lengths, if known
 
     def __init__(self, blocks: Iterable[Block],
                  contacts: Optional[Sequence[Contact]] = None,
@@ -1148,12 +1179,15 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         self.options = options or Options()
         self.gravity = gravity
         self.name = name
+        self.notes: List[str] = []
+        self.skipped: List[Tuple[str, str, Optional[int], int]] = []
         self._lock = threading.RLock()
         self.update()
 
     def __getstate__(self) -> Dict[str, Any]:
         return {key: getattr(self, key) for key in
-                ("blocks", "given", "options", "gravity", "name")}
+                ("blocks", "given", "options", "gravity", "name", "units",
+                 "notes", "skipped")}
 
     def __setstate__(self, state: Dict[str, Any]) -> None:
         self.__dict__.update(state)
@@ -1593,7 +1627,8 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     def text(self) -> str:
         """The structure in the format of text.h, from which parse() makes one
         with the same answers. Blanks in names become underscores. Of the
-        options the file has friction, epsilon, gap and angle."""
+        options the file has friction, epsilon, gap and angle, or the errors of
+        measured()."""
         o, lines = self.options, ["friction %r" % self.options.mu]
         used: Dict[str, int] = {}
         names = [_unique(re.sub(r"[\s#]+", "_", b.name) or "block", used)
@@ -1601,7 +1636,11 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         lines.append("gravity %r %r" % tuple(map(float, self.gravity)))
         if o.epsilon:
             lines.append("epsilon %r" % o.epsilon)
-        if o.gap:
+        if self.units:
+            lines.append("units %s" % self.units)
+        if o.pose_error:
+            lines.append("measured %r %r" % (o.pose_error, o.pose_turn))
+        elif o.gap:
             lines.append("tolerance %r %r" % (o.gap, o.angle))
         elif o.angle != _D.angle:
             raise ValueError("an angle without a gap has no place in a file")
@@ -1893,7 +1932,35 @@ def overlaps(blocks: Sequence[Block], options: Optional[Options] = None
             for o in out]
 
 
-# ---- Text files, linear programs --------------------------------------------
+# ---- Text files, drawings, photographs ---------------------------------------
+
+
+def _structure_of(t: _Text, name: str) -> Structure:
+    """The structure that was read."""
+    blocks = []
+    for i in range(t.blocks):
+        c = t.block[i]
+        points = (_Vec * c.vertices).from_address(c.vertex)
+        block = Block(t.name[i].decode(errors="replace"),
+                      [(p.x, p.y) for p in points], fixed=bool(c.fixed),
+                      load=(c.load.fx, c.load.fy, c.load.torque))
+        own, centre = block.body(), (c.centre.x, c.centre.y)
+        if own.mass != c.mass and not block.fixed:
+            block.mass = c.mass
+        if own.centre != centre:
+            block.centre = centre
+        blocks.append(block)
+    given = [Contact._of(c) for c in t.contact[:t.contacts]]
+    options = Options._of(t.options)
+    if t.error:
+        options = options.measured(t.error, t.turn or t.error / _mean_size(
+            t.block, t.blocks))
+    out = Structure(blocks, given if t.given else None, options,
+                    (t.gravity.x, t.gravity.y), name)
+    out.lives = [(blocks[a.block].name, (a.force.x, a.force.y),
+                  (a.place.x, a.place.y)) for a in t.axle[:t.lives]]
+    out.units = t.units.decode(errors="replace") if t.units else None
+    return out
 
 
 def parse(text: Union[str, bytes], name: str = "structure") -> Structure:
@@ -1914,74 +1981,122 @@ read 'much'
         if _read(byref(t), data, len(data)):
             raise ValueError("%s:%d: %s" % (
                 name, t.line, t.message.decode(errors="replace")))
-        blocks = []
-        for i in range(t.blocks):
-            c = t.block[i]
-            points = (_Vec * c.vertices).from_address(c.vertex)
-            block = Block(t.name[i].decode(errors="replace"),
-                          [(p.x, p.y) for p in points], fixed=bool(c.fixed),
-                          load=(c.load.fx, c.load.fy, c.load.torque))
-            own, centre = block.body(), (c.centre.x, c.centre.y)
-            if own.mass != c.mass and not block.fixed:
-                block.mass = c.mass
-            if own.centre != centre:
-                block.centre = centre
-            blocks.append(block)
-        given = [Contact._of(c) for c in t.contact[:t.contacts]]
-        out = Structure(blocks, given if t.given else None,
-                        Options._of(t.options), (t.gravity.x, t.gravity.y),
-                        name)
-        out.lives = [(blocks[a.block].name, (a.force.x, a.force.y),
-                      (a.place.x, a.place.y)) for a in t.axle[:t.lives]]
-        return out
+        return _structure_of(t, name)
     finally:
         _free(byref(t))
 
 
-def read(path: Union[str, os.PathLike], **scale: Any) -> Structure:
-    """A structure from a file: in the format of text.h; a drawing (.dxf, see
-    dxf.h); polygons of LabelMe or COCO (.json), `scale` being the arguments of
-    from_labelme() or from_coco()."""
+class DrawingWarning(UserWarning):
+    """What was assumed of a drawing or a photograph: which blocks are ground,
+    what hangs in the air, what looks like soil."""
+
+
+def _words(values: Sequence[str]) -> Any:
+    out = (c_char_p * max(len(values), 1))()
+    out[:len(values)] = [word.encode() for word in values]
+    return out
+
+
+def _asked(what: Dict[str, Any], name: str) -> Tuple[_Asked, Any]:
+    """What a reader of drawings is told; and the words it points to."""
+    layers = ["%s=%s" % pair for pair in (what.get("layers") or {}).items()]
+    for word in layers:
+        if word.rpartition("=")[2] not in ("ground", "stone", "fill", "ignore"):
+            raise ValueError("%s: layers takes the roles ground, stone, fill, "
+                             "ignore, read '%s'" % (name, word))
+    fixed = what.get("fixed") or ()
+    layers += ["%s=ground" % label for label in (
+        (fixed,) if isinstance(fixed, str) else fixed)]
+    densities = what.get("density")
+    if not isinstance(densities, dict):
+        densities = {} if densities is None else {"": densities}
+    for value in densities.values():
+        if not 0 < value < math.inf:
+            raise ValueError("%s: density takes a number above 0, read %r"
+                             % (name, value))
+    told = ["%s%s%r" % (label, "=" if label else "", float(value))
+            for label, value in densities.items()]
+    pixel, tolerance = what.get("pixel"), what.get("tolerance", 1.5)
+    if not (pixel is None or 0 < pixel < 1e15) or not 0 <= tolerance < 1e15:
+        raise ValueError("%s: pixel is a length above 0, tolerance a number of "
+                         "pixels, read %r and %r" % (name, pixel, tolerance))
+    ground, image = what.get("ground"), what.get("image")
+    words = _words(layers), _words(told)
+    return _Asked(addressof(words[0]), len(layers), addressof(words[1]),
+                  len(told), ground is not None, ground or 0.0, pixel or 0.0,
+                  tolerance, None if image is None else str(image).encode()
+                  ), words
+
+
+def _drawn(data: bytes, ending: str, name: str, what: Dict[str, Any],
+           level: int = 3) -> Structure:
+    """The structure of a file of any format; `ending` tells which."""
+    t, (asked, kept) = _Text(), _asked(what, name)
+    drawing = _drawing_new()
+    try:
+        if _drawing_parse(byref(t), drawing, b"x" + ending.encode(), data,
+                          len(data), byref(asked)):
+            raise ValueError("%s:%s %s" % (
+                name, "%d:" % t.line if t.line else "",
+                t.message.decode(errors="replace")))
+        out = _structure_of(t, name)
+        out.notes = _drawing_notes(drawing).decode().splitlines()
+        row, line, count = (c_char_p * 2)(), c_int(), c_int()
+        for i in range(_drawing_skips(drawing)):
+            _drawing_skip(drawing, i, row, byref(line), byref(count))
+            out.skipped.append(((row[0] or b"").decode(),
+                                (row[1] or b"").decode(),
+                                line.value or None, count.value))
+        for note in out.notes:
+            if re.match("no label|hang|looks|fill|mended", note):
+                warnings.warn("%s: %s" % (name, note), DrawingWarning, level)
+        return out
+    except KernError as error:
+        error.args = ("%s: %s" % (name, error.args[0]), *error.args[1:])
+        raise
+    finally:
+        _drawing_free(drawing)
+        _free(byref(t))
+        del kept
+
+
+def read(path: Union[str, os.PathLike], **what: Any) -> Structure:
+    """A structure from a file: in the format of text.h; a drawing (.dxf,
+    .svg: see dxf.h, svg.h); polygons of LabelMe, COCO or VIA (.json). Of a drawing or a
+    photograph `what` may tell
+
+        layers   roles of layers or labels: {"PIER": "ground"}; other roles are
+                 stone, fill, ignore
+        density  of all blocks, or a dict of those of layers
+        ground   the ground is a line at this y, in the numbers of the file
+        pixel, tolerance, fixed, image   as in from_labelme() and from_coco()
+
+    What became no block is in `skipped`, as (kind, label, line, count), what
+    was assumed in `notes`, and the unit of lengths in `units`."""
     file = pathlib.Path(path)
-    data = file.read_bytes()
-    if file.suffix.lower() == ".json":
-        try:
-            page = json.loads(data)
-        except ValueError as error:
-            raise ValueError("%s: %s" % (path, error)) from None
-        if isinstance(page, dict) and "annotations" in page:
-            structure = from_coco(page, name=str(path), **scale)
-        else:
-            structure = from_labelme(page, name=str(path), **scale)
-    elif scale:
+    data, ending = file.read_bytes(), file.suffix.lower()
+    image = {"pixel", "tolerance", "fixed", "image"} & set(what)
+    known = {"layers", "density", "ground"} | image
+    if set(what) - known:
+        raise TypeError("read() does not know %s"
+                        % ", ".join(sorted(set(what) - known)))
+    if image and ending != ".json":
         raise TypeError("%s: %s go with polygons of an image (.json)"
-                        % (path, ", ".join(scale)))
-    elif file.suffix.lower() == ".dxf":
-        structure = parse(_from_dxf(data, str(path)), str(path))
-    else:
-        structure = parse(data, str(path))
+                        % (path, ", ".join(sorted(image))))
+    if what and ending not in (".json", ".dxf", ".svg"):
+        raise TypeError("%s: %s go with drawings and images"
+                        % (path, ", ".join(sorted(what))))
+    structure = _drawn(data, ending or ".kern", str(path), what)
     structure.name = file.stem
     return structure
 
 
-def _from_dxf(data: bytes, name: str) -> bytes:
-    """The statements of text.h that a drawing stands for."""
-    message, line = ctypes.create_string_buffer(512), c_int()
-    made = _dxf(data, len(data), message, len(message), byref(line))
-    if not made:
-        raise ValueError("%s:%s %s" % (
-            name, "%d:" % line.value if line.value else "",
-            message.value.decode(errors="replace")))
+def _page(page: Any, name: str, what: Dict[str, Any]) -> Structure:
     try:
-        return ctypes.string_at(made)
-    finally:
-        _dxf_free(made)
-
-
-# ---- Polygons of images -----------------------------------------------------
-
-
-_FARTHEST = 1e15  # whose square is still far from the largest number
+        data = json.dumps(page).encode()
+    except (TypeError, ValueError, RecursionError) as error:
+        raise ValueError("%s: is no JSON: %s" % (name, error)) from None
+    return _drawn(data, ".json", name, what, 4)
 
 
 def simplified(points: Sequence[Point], tolerance: float) -> List[Point]:
@@ -2001,54 +2116,16 @@ def simplified(points: Sequence[Point], tolerance: float) -> List[Point]:
     return [points[i] for i in kept[:count]]
 
 
-def _from_image(polygons: List[Tuple[str, List[Any]]], height: float,
-                pixel: float, tolerance: float, density: float,
-                fixed: Sequence[str], name: str) -> Structure:
-    """Polygons in pixels, y down, as a measured structure."""
-    if not 0 < pixel < _FARTHEST or not 0 <= tolerance < _FARTHEST:
-        raise ValueError("%s: pixel is a length above 0, tolerance a number of "
-                         "pixels, read %r and %r" % (name, pixel, tolerance))
-    blocks: List[Block] = []
-    used: Dict[str, int] = {}
-    fixed = (fixed,) if isinstance(fixed, str) else fixed
-    for label, points in polygons:
-        try:
-            turned = [(pixel * float(x), pixel * (height - float(y)))
-                      for x, y in points]
-            if any(not abs(n) < _FARTHEST for q in turned for n in q):
-                raise ValueError
-        except (TypeError, ValueError):
-            raise ValueError("%s: '%s': points are no pairs of numbers, or "
-                             "farther than %g m" % (name, label, _FARTHEST)
-                             ) from None
-        try:
-            turned = simplified(turned, tolerance * pixel)
-        except KernError:
-            pass  # body() tells the vertex and the name
-        blocks.append(Block(_unique(label, used), turned, density,
-                            fixed=label in fixed))
-    if not blocks:
-        raise ValueError("%s: no polygons" % name)
-    e = pixel * math.hypot(1, tolerance)
-    sizes = [abs(b.body().area) ** .5 for b in blocks if not b.fixed]
-    if not sizes:
-        raise ValueError("%s: every polygon is fixed" % name)
-    theta = e * len(sizes) / sum(sizes)
-    if theta > 0.2:
-        raise ValueError("%s: blocks of %.3g pixels in the mean, of which an "
-                         "error of %.3g (pixel and tolerance) is more than a "
-                         "fifth" % (name, e / theta / pixel, e / pixel))
-    return Structure(blocks, options=Options().measured(e, theta), name=name)
-
-
-def from_labelme(page: Any, pixel: float = 1.0, tolerance: float = 1.5,
-                 density: float = 1.0,
-                 fixed: Sequence[str] = ("ground", "fixed"),
-                 name: str = "LabelMe") -> Structure:
+def from_labelme(page: Any, pixel: Optional[float] = None,
+                 tolerance: float = 1.5,
+                 density: Union[None, float, Dict[str, float]] = None,
+                 fixed: Sequence[str] = (), name: str = "LabelMe",
+                 **what: Any) -> Structure:
     """The polygons of a page of LabelMe (the object of its JSON): y up, pixel
-    metres a pixel, simplified to `tolerance` pixels, labels in `fixed` do not
-    move. Pixel and tolerance together are the error that
-    Options.measured() is told.
+    metres a pixel, simplified to `tolerance` pixels. Labels in `fixed` do not
+    move, nor does what is labelled ground; without these the lowest row does
+    not. Pixel and tolerance together are the error that Options.measured() is
+    told. `what`: as in read().
 
     >>> box = [[10, 10], [30, 10], [30, 30], [10, 30]]
     >>> slab = [[0, 30], [60, 30], [60, 40], [0, 40]]
@@ -2058,72 +2135,22 @@ def from_labelme(page: Any, pixel: float = 1.0, tolerance: float = 1.5,
     ...     pixel=.01).verdict()
     Verdict(stands=True)
     """
-    shapes = page.get("shapes") if isinstance(page, dict) else None
-    if not isinstance(shapes, list):
-        raise ValueError("%s: neither LabelMe (shapes) nor COCO (annotations)"
-                         % name)
-    polygons: List[Tuple[str, List[Any]]] = []
-    for i, shape in enumerate(shapes):
-        if not isinstance(shape, dict):
-            raise ValueError("%s: shape %d is no object" % (name, i))
-        label = str(shape.get("label", "stone"))
-        kind, points = shape.get("shape_type", "polygon"), shape.get("points")
-        if kind == "rectangle" and isinstance(points, list) and (
-                len(points) == 2 and all(
-                    isinstance(q, list) and len(q) == 2 for q in points)):
-            (a, b), (c, d) = points
-            points = [[a, b], [c, b], [c, d], [a, d]]
-        elif kind != "polygon" or not isinstance(points, list):
-            raise ValueError("%s: '%s' is a %s, not a polygon"
-                             % (name, label, kind))
-        polygons.append((label, points))
-    return _from_image(polygons, _height(page.get("imageHeight"), polygons),
-                       pixel, tolerance, density, fixed, name)
+    return _page(page, name, dict(what, pixel=pixel, tolerance=tolerance,
+                                  density=density, fixed=fixed))
 
 
-def from_coco(page: Any, pixel: float = 1.0, tolerance: float = 1.5,
-              density: float = 1.0, fixed: Sequence[str] = ("ground", "fixed"),
-              image: Optional[int] = None, name: str = "COCO") -> Structure:
-    """The polygons of one image of a COCO page, named by their categories:
-    otherwise as from_labelme(). image: its id, where there are several."""
-    def rows(key: str) -> List[Dict[str, Any]]:
-        found = page.get(key) if isinstance(page, dict) else None
-        if not isinstance(found, list) or not all(
-                isinstance(row, dict) for row in found):
-            raise ValueError("%s: no list of %s" % (name, key))
-        return found
-
-    images = rows("images") if "images" in page else []
-    if image is None and len(images) > 1:
-        raise ValueError("%s: %d images: name one (image=%r)" % (
-            name, len(images), images[0].get("id")))
-    known = {row.get("id"): str(row.get("name", "stone"))
-             for row in (rows("categories") if "categories" in page else [])}
-    polygons: List[Tuple[str, List[Any]]] = []
-    for row in rows("annotations"):
-        if image is not None and row.get("image_id") != image:
-            continue
-        label = known.get(row.get("category_id"), "stone")
-        parts = row.get("segmentation")
-        if not isinstance(parts, list) or len(parts) != 1 or not isinstance(
-                parts[0], list) or len(parts[0]) % 2:
-            raise ValueError("%s: '%s' (annotation %s) is no single polygon"
-                             % (name, label, row.get("id")))
-        flat = parts[0]
-        polygons.append((label, list(zip(flat[::2], flat[1::2]))))
-    height = next((row.get("height") for row in images
-                   if image is None or row.get("id") == image), None)
-    return _from_image(polygons, _height(height, polygons), pixel, tolerance,
-                       density, fixed, name)
+def from_coco(page: Any, pixel: Optional[float] = None, tolerance: float = 1.5,
+              density: Union[None, float, Dict[str, float]] = None,
+              fixed: Sequence[str] = (), image: Union[None, int, str] = None,
+              name: str = "COCO", **what: Any) -> Structure:
+    """The polygons and masks of one image of a COCO page, named by their
+    categories: otherwise as from_labelme(). image: its id or name, where there
+    are several."""
+    return _page(page, name, dict(what, pixel=pixel, tolerance=tolerance,
+                                  density=density, fixed=fixed, image=image))
 
 
-def _height(told: Any, polygons: List[Tuple[str, List[Any]]]) -> float:
-    """Of the image; where nobody tells it, of the polygons."""
-    if isinstance(told, (int, float)):
-        return float(told)
-    return max((q[1] for _, points in polygons for q in points
-                if isinstance(q, (list, tuple)) and len(q) == 2
-                and isinstance(q[1], (int, float))), default=0.0)
+# ---- Linear programs ---------------------------------------------------------
 
 
 def lp_solve(a: Sequence[Sequence[float]], rhs: Sequence[float],

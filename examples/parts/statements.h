@@ -1,0 +1,508 @@
+/* statements.h - writes the shapes of a drawing or a photograph as statements of
+   text.h: blocks, the weight of fill on them, densities, units, and how exact
+   the outlines of a photograph are.
+
+   Fill is cut into columns between all corners; a column's weight lies on the
+   highest block below it, and is written as one `mass` a block. Fill inside a
+   block's outline does not count.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef STATEMENTS_H
+#define STATEMENTS_H
+
+#include "outlines.h"
+#include "shapes.h"
+
+enum {
+    STATEMENTS_FILL = 200000000 /* edges of all columns that are weighed */
+};
+
+/* ---- Fill ----------------------------------------------------------------- */
+
+/* Where a column leaves an outline: y at its left side, middle and right. */
+struct statements_span {
+    double low[3], high[3];
+    int block; /* -1: the fill                                         */
+};
+
+/* Finds the heights at which an edge passes a column. Returns 0 where it
+   does not. */
+static int statements_edge(struct shapes_point a, struct shapes_point b,
+                           double left, double right, double y[3])
+{
+    const double from = a.x < b.x ? a.x : b.x, to = a.x < b.x ? b.x : a.x;
+    if (!(from <= left && to >= right && to > from))
+        return 0;
+    for (int k = 0; k < 3; k++) {
+        const double x = left + (right - left) / 2 * k;
+        y[k] = a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
+    }
+    return 1;
+}
+
+/* Adds the spans of an outline in a column, from below; n of them are there. */
+static int statements_spans(const struct outlines *o, int block, int name,
+                            double left, double right,
+                            struct statements_span *out, int n, int room)
+{
+    const struct shapes_path *path = outlines_path(o, block);
+    const struct shapes_point *p = outlines_points(o->s, path);
+    const int first = n;
+    double y[3];
+    int found = 0;
+    if (o->block[block].left > left || o->block[block].right < right)
+        return n;
+    for (int i = 0; i < path->points; i++) {
+        int at;
+        if (!statements_edge(p[i], p[i + 1 < path->points ? i + 1 : 0], left,
+                             right, y)
+            || n >= room)
+            continue;
+        /* keeps the heights sorted: low and high are filled in turn */
+        for (at = found++; at > 0; at--) {
+            struct statements_span *before = out + first + (at - 1) / 2;
+            double *below = (at - 1) % 2 ? before->high : before->low;
+            double *here = at % 2 ? out[first + at / 2].high
+                                  : out[first + at / 2].low;
+            if (below[1] <= y[1])
+                break;
+            memcpy(here, below, 3 * sizeof *here);
+        }
+        memcpy(at % 2 ? out[first + at / 2].high : out[first + at / 2].low, y,
+               sizeof y);
+        out[first + (found - 1) / 2].block = name;
+        n = first + found / 2;
+    }
+    return n;
+}
+
+/* Adds a piece of a column of fill to the block below it. */
+static void statements_weigh(struct outlines *o, double left, double right,
+                             const double low[3], const double high[3],
+                             double density, int carrier)
+{
+    struct outlines_block *b = o->block + carrier;
+    static const double weight[3] = {1.0 / 6, 4.0 / 6, 1.0 / 6};
+    for (int k = 0; k < 3; k++) {
+        const double tall = (high[k] - low[k]) * weight[k] * density
+                          * (right - left);
+        b->mass += tall;
+        b->mass_x += tall * (left + (right - left) / 2 * k);
+        b->mass_y += tall * (low[k] + high[k]) / 2;
+    }
+}
+
+/* Weighs the pieces of one span of fill between the blocks. Returns the area
+   that lies on none. */
+static double statements_column(struct outlines *o, double left, double right,
+                                const struct statements_span *fill,
+                                const struct statements_span *span, int n,
+                                double density)
+{
+    const double *low = fill->low;
+    double lost = 0;
+    for (;;) {
+        const struct statements_span *next = NULL;
+        int carrier = -1;
+        double top = 0;
+        for (int k = 0; k < n; k++) {
+            const struct statements_span *b = span + k;
+            if (b->high[1] > low[1] + 1e-3 * o->size
+                && b->low[1] < fill->high[1]
+                && (!next || b->low[1] < next->low[1]))
+                next = b;
+            else if (b->high[1] <= low[1] + 1e-3 * o->size
+                     && (carrier < 0 || b->high[1] > top)) {
+                carrier = b->block;
+                top = b->high[1];
+            }
+        }
+        const double *high = next ? next->low : fill->high;
+        if (high[1] > low[1]) {
+            if (carrier >= 0)
+                statements_weigh(o, left, right, low, high, density, carrier);
+            else
+                lost += (high[1] - low[1]) * (right - left);
+        }
+        if (!next || !(next->high[1] < fill->high[1]))
+            return lost;
+        low = next->high;
+    }
+}
+
+/* Finds all places where a column may begin, and sorts them. Returns how
+   many there are. */
+static int statements_corners(const struct outlines *o, double *x, int *index,
+                              double left, double right)
+{
+    int n = 0;
+    for (int i = 0; i < o->blocks; i++) {
+        const struct shapes_path *path = outlines_path(o, i);
+        const struct shapes_point *p = outlines_points(o->s, path);
+        for (int k = 0; k < path->points; k++)
+            if (p[k].x >= left && p[k].x <= right) {
+                index[n] = n;
+                x[n++] = p[k].x;
+            }
+    }
+    lines_sort(index, n, x);
+    return n;
+}
+
+/* Lays the weight of one fill on the blocks below it. Returns the share of it
+   that lies on none, or -1 where it was too much to weigh. */
+static double statements_lay(struct outlines *o, int i, int corners,
+                             double density)
+{
+    struct shapes *s = o->s;
+    double *x = shapes_array(s, corners, sizeof *x), lost = 0;
+    int *index = shapes_array(s, corners, sizeof *index), columns = 0;
+    struct statements_span *span = shapes_array(s, 2 * corners, sizeof *span);
+    struct statements_span *fill = span ? span + corners : NULL;
+    if (x && index && span)
+        columns = statements_corners(o, x, index, o->block[i].left,
+                                     o->block[i].right);
+    if ((double)columns * corners > STATEMENTS_FILL)
+        columns = -1;
+    for (int k = 0; k + 1 < columns; k++) {
+        const double left = x[index[k]], right = x[index[k + 1]];
+        int n = 0, fills;
+        if (!(right - left > 1e-9 * o->size))
+            continue;
+        fills = statements_spans(o, i, -1, left, right, fill, 0, corners);
+        for (int b = 0; b < o->blocks && fills > 0; b++)
+            if (outlines_path(o, b)->role != SHAPES_FILL)
+                n = statements_spans(o, b, b, left, right, span, n,
+                                     corners - 1);
+        for (int f = 0; f < fills; f++)
+            lost += statements_column(o, left, right, fill + f, span, n,
+                                      density);
+    }
+    free(x);
+    free(index);
+    free(span);
+    return columns < 0 ? -1 : lost / outlines_path(o, i)->area;
+}
+
+/* Lays the weight of all fill, and says so. */
+static void statements_fill(struct outlines *o)
+{
+    struct shapes *s = o->s;
+    int corners = 2;
+    for (int i = 0; i < o->blocks; i++)
+        corners += outlines_path(o, i)->points;
+    for (int i = 0; i < o->blocks && !s->lost; i++) {
+        const char *label = shapes_at(s, outlines_path(o, i)->label);
+        double density, lost;
+        if (outlines_path(o, i)->role != SHAPES_FILL)
+            continue;
+        density = shapes_density(s, label);
+        lost = statements_lay(o, i, corners, density > 0 ? density : 1);
+        shapes_put(&s->notes, "fill: ");
+        shapes_put_shown(&s->notes, shapes_at(s, o->block[i].name));
+        if (lost < 0) {
+            shapes_put(&s->notes, " has too many corners and counts for "
+                                  "nothing\n");
+            continue;
+        }
+        shapes_put(&s->notes, " is no stone: its weight, of density ");
+        shapes_put_number(&s->notes, density > 0 ? density : 1, 4);
+        shapes_put(&s->notes, ", lies on the blocks right below it; it gives "
+                              "neither thrust nor support");
+        if (lost > 0.01) {
+            shapes_put(&s->notes, "; ");
+            shapes_put_number(&s->notes, 100 * lost, 2);
+            shapes_put(&s->notes, " % of it lies on nothing");
+        }
+        shapes_put(&s->notes, "\n");
+    }
+}
+
+/* ---- Text ----------------------------------------------------------------- */
+
+static void statements_number(struct shapes *s, double x)
+{
+    shapes_put(&s->text, " ");
+    shapes_put_number(&s->text, x, 17);
+}
+
+static void statements_block(struct outlines *o, int i, double *density)
+{
+    struct shapes *s = o->s;
+    const struct shapes_path *path = outlines_path(o, i);
+    const struct shapes_point *p = outlines_points(s, path);
+    const double told = shapes_density(s, shapes_at(s, path->label));
+    const double own = told > 0 ? told : 1;
+    const int fixed = path->role == SHAPES_GROUND;
+    if (!fixed && (own < *density || own > *density)) {
+        *density = own;
+        shapes_put(&s->text, "density");
+        statements_number(s, own);
+        shapes_put(&s->text, "\n");
+    }
+    shapes_put(&s->text, fixed ? "fixed " : "block ");
+    shapes_put(&s->text, shapes_at(s, o->block[i].name));
+    shapes_put(&s->text, fixed ? "" : " *");
+    for (int k = 0; k < path->points; k++) {
+        shapes_put(&s->text, " ");
+        statements_number(s, p[k].x);
+        statements_number(s, p[k].y);
+    }
+    shapes_put(&s->text, "\n");
+}
+
+/* Writes the error of a photograph's outlines, which contacts must bear.
+   Returns -1 where it is too much of a block. */
+static int statements_error(struct outlines *o)
+{
+    struct shapes *s = o->s;
+    double size = 0, angle;
+    int n = 0;
+    if (!(o->exact > 0))
+        return 0;
+    for (int i = 0; i < o->blocks; i++)
+        if (outlines_path(o, i)->role == SHAPES_STONE) {
+            size += o->block[i].size;
+            n++;
+        }
+    angle = n > 0 ? o->exact * n / size : 0;
+    if (angle > 0.2) {
+        struct shapes_text *t = shapes_fault(s, 0);
+        shapes_put(t, "blocks of ");
+        shapes_put_number(t, o->exact / angle / s->unit, 3);
+        shapes_put(t, " pixels in the mean, of which an error of ");
+        shapes_put_number(t, o->exact / s->unit, 3);
+        shapes_put(t, " (pixel and tolerance) is more than a fifth");
+        return -1;
+    }
+    shapes_put(&s->text, "measured");
+    statements_number(s, o->exact);
+    if (angle > 0)
+        statements_number(s, angle);
+    shapes_put(&s->text, "\n");
+    return 0;
+}
+
+static int statements_write(struct outlines *o)
+{
+    struct shapes *s = o->s;
+    double density = 1;
+    if (s->units) {
+        shapes_put(&s->text, "units ");
+        shapes_put(&s->text, s->units);
+        shapes_put(&s->text, "\n");
+    }
+    if (statements_error(o))
+        return -1;
+    for (int i = 0; i < o->blocks; i++)
+        if (outlines_path(o, i)->role != SHAPES_FILL)
+            statements_block(o, i, &density);
+    for (int i = 0; i < o->blocks; i++) {
+        const struct outlines_block *b = o->block + i;
+        if (outlines_path(o, i)->role != SHAPES_STONE || !(b->mass > 0))
+            continue;
+        shapes_put(&s->text, "mass ");
+        shapes_put(&s->text, shapes_at(s, b->name));
+        statements_number(s, b->mass);
+        statements_number(s, b->mass_x / b->mass);
+        statements_number(s, b->mass_y / b->mass);
+        shapes_put(&s->text, "\n");
+    }
+    return 0;
+}
+
+/* Returns the line of the file that block `name` was read from, 0 where it
+   is not known. */
+static inline int statements_line(const struct outlines *o, const char *name)
+{
+    for (int i = 0; i < o->blocks; i++)
+        if (strcmp(shapes_at(o->s, o->block[i].name), name) == 0)
+            return outlines_path(o, i)->line;
+    return 0;
+}
+
+/* ---- The whole ------------------------------------------------------------ */
+
+/* Kinds of what draws lines, and of texts: in lower case. */
+static const char statements_lines[] =
+    " line arc polyline lwpolyline spline ellipse path mline ray xline"
+    " linestrip ";
+static const char statements_texts[] =
+    " text mtext attrib attdef dimension leader multileader mleader tspan ";
+
+static int statements_is(const struct shapes *s, int row, const char *list)
+{
+    const char *kind = shapes_at(s, s->skip[row].kind);
+    return shapes_listed(list, kind, (int)strlen(kind));
+}
+
+static int statements_count(const struct shapes *s, const char *list)
+{
+    int count = 0;
+    for (int i = 0; i < s->skips; i++)
+        count += statements_is(s, i, list) ? s->skip[i].count : 0;
+    return count;
+}
+
+/* Says that nothing was left to make a block of, or to move. */
+static int statements_none(struct shapes *s, int line, const char *what)
+{
+    struct shapes_text *t = shapes_fault(s, line);
+    const int lines = statements_count(s, statements_lines);
+    const int texts = statements_count(s, statements_texts);
+    shapes_put(t, what);
+    shapes_put_int(t, lines);
+    shapes_put(t, lines == 1 ? " line, " : " lines, ");
+    shapes_put_int(t, texts);
+    shapes_put(t, texts == 1 ? " text skipped" : " texts skipped");
+    for (int i = 0, shown = 0; i < s->skips && shown < 4; i++) {
+        if (statements_is(s, i, statements_lines)
+            || statements_is(s, i, statements_texts))
+            continue;
+        shapes_put(t, shown++ == 0 ? "; also " : ", ");
+        shapes_put_int(t, s->skip[i].count);
+        shapes_put(t, " ");
+        shapes_put_shown(t, shapes_at(s, s->skip[i].kind));
+    }
+    return -1;
+}
+
+/* Brings the numbers of the file to metres, y up. */
+static void statements_scale(struct shapes *s)
+{
+    double height = s->height;
+    if (s->photograph && height < 0)
+        for (int i = 0; i < s->points; i++)
+            height = s->point[i].y > height ? s->point[i].y : height;
+    for (int i = 0; i < s->points; i++) {
+        struct shapes_point *p = s->point + i;
+        p->y = s->unit * (s->down ? height - p->y : p->y);
+        p->x *= s->unit;
+        p->bulge = s->down ? -p->bulge : p->bulge;
+    }
+    s->sagitta *= s->unit;
+    s->height = height;
+}
+
+/* Lists what the user calls ignored, and open paths that met nothing. */
+static void statements_sort_out(struct shapes *s)
+{
+    for (int i = 0; i < s->paths; i++) {
+        struct shapes_path *p = s->path + i;
+        if (!p->gone && (!p->closed || p->role == SHAPES_IGNORED))
+            shapes_leave(s, p, "");
+    }
+}
+
+/* Says where a label of the command line is none of the file. */
+static void statements_unheard(struct shapes *s)
+{
+    for (int k = 0; k < s->asked->layers; k++) {
+        const char *word = s->asked->layer[k];
+        const int at = shapes_equals(word);
+        int found = 0;
+        for (int i = 0; i < s->paths && !found; i++)
+            found = shapes_same(word, at, shapes_at(s, s->path[i].label));
+        if (found || at < 1)
+            continue;
+        shapes_put(&s->notes, "no label is ");
+        shapes_put_bytes(&s->notes, word, at);
+        shapes_put(&s->notes, ", which the user gives a role\n");
+    }
+}
+
+static void statements_notes(struct outlines *o)
+{
+    struct shapes *s = o->s;
+    if (s->arcs > 0) {
+        shapes_put_int(&s->notes, s->arcs);
+        shapes_put(&s->notes, s->arcs == 1 ? " arc is chords within "
+                                           : " arcs are chords within ");
+        shapes_put_number(&s->notes, s->sagitta, 2);
+        if (s->units) {
+            shapes_put(&s->notes, " ");
+            shapes_put(&s->notes, s->units);
+        }
+        shapes_put(&s->notes, "\n");
+    }
+    if (o->mended > 0) {
+        shapes_put(&s->notes, "mended: ");
+        shapes_put_int(&s->notes, o->mended);
+        shapes_put(&s->notes, o->mended == 1
+                                  ? " outline that crossed itself"
+                                  : " outlines that crossed themselves");
+        if (s->path[o->mended_at].line > 0) {
+            shapes_put(&s->notes, ", the first in line ");
+            shapes_put_int(&s->notes, s->path[o->mended_at].line);
+        }
+        shapes_put(&s->notes, "\n");
+    }
+    if (s->photograph && s->units && strcmp(s->units, "px") == 0)
+        shapes_put(&s->notes, "lengths are in pixels\n");
+}
+
+/* Makes one outline of each stone, and lists what is none. */
+static void statements_outlines(struct outlines *o)
+{
+    struct shapes *s = o->s;
+    const double off = s->photograph ? s->asked->tolerance * s->unit : 0;
+    const double reach = s->photograph ? off + s->unit : 0;
+    outlines_close(s);
+    lines_join(s);
+    statements_sort_out(s);
+    for (int i = 0; i < s->paths && !s->lost; i++)
+        if (!s->path[i].gone) {
+            outlines_simplify(s, s->path + i, off);
+            outlines_mend(o, i, reach);
+        }
+    outlines_join(o, reach);
+    outlines_list(o);
+    outlines_nest(o);
+    outlines_list(o);
+    if (s->asked->has_ground) {
+        const double y = s->unit
+                       * (s->down ? s->height - s->asked->ground
+                                  : s->asked->ground);
+        outlines_line(o, y, reach);
+        outlines_list(o);
+    }
+}
+
+/* Makes statements of the shapes. Returns 0, or -1 with a message. */
+static int statements_make(struct shapes *s, struct outlines *o)
+{
+    const struct outlines none = {0};
+    int bad = 0;
+    *o = none;
+    o->s = s;
+    statements_scale(s);
+    if (s->photograph)
+        o->exact = s->unit
+                 * SHAPES_SQRT(1 + s->asked->tolerance * s->asked->tolerance);
+    statements_unheard(s);
+    if (!s->lost)
+        statements_outlines(o);
+    if (!s->lost && o->blocks == 0)
+        bad = statements_none(s, 0, "no closed outline: ");
+    else if (!s->lost) {
+        int stones = 0;
+        outlines_names(o);
+        outlines_lowest(o);
+        for (int i = 0; i < o->blocks; i++)
+            stones += outlines_path(o, i)->role == SHAPES_STONE;
+        if (stones == 0)
+            return statements_none(s, outlines_path(o, 0)->line,
+                                   "no block is free, all outlines are ground "
+                                   "or fill: ");
+        statements_notes(o);
+        outlines_suspect(o);
+        statements_fill(o);
+        bad = statements_write(o);
+    }
+    if (s->lost || s->text.lost || s->notes.lost)
+        bad = shapes_fail(s, 0, "not enough memory");
+    return bad;
+}
+
+#endif /* STATEMENTS_H */
