@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    {200, 0x59f7a34137c302e6u},
-    {1000, 0x9daaa6f7784be65du},
-    {5000, 0x40d923d894375ed5u},
+    {200, 0xf7f59dc7cbb202a9u},
+    {1000, 0xd93643430b8f3ce7u},
+    {5000, 0x5cb0bf8ded28f5b8u},
 #else
-    {200, 0xb481fa2884b18af8u},
-    {1000, 0xf035363909f66045u},
-    {5000, 0x558fb238ae13c44du},
+    {200, 0x32629ee06625896fu},
+    {1000, 0xc255ddaa76ee6c72u},
+    {5000, 0xa1a5150bbca9f260u},
 #endif
 };
 
