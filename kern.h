@@ -3373,7 +3373,7 @@ static inline kern_real kern_lp_dot(const kern_program *lp, int j,
 
 /* Which of the two groups of a column: the one whose own column it is, which is
    the first of them in order, or the one that this leads to. */
-typedef enum kern_lp_end { KERN_END_OWN, KERN_END_OTHER } kern_lp_end;
+typedef enum kern_lp_end { KERN_LP_END_OWN, KERN_LP_END_OTHER } kern_lp_end;
 
 /* Writes column j's entries in the rows of one of its groups. Returns the first
    of these rows. */
@@ -3551,7 +3551,7 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
     for (; j != KERN_OUT && n < KERN_CRASH_COLUMNS - 1; j = sx->place[j]) {
         const kern_real *a = part[n];
         kern_real along;
-        kern_lp_part(sx->lp, j, KERN_END_OWN, part[n]);
+        kern_lp_part(sx->lp, j, KERN_LP_END_OWN, part[n]);
         along = a[0] * x + a[1] * y;
         mine[n] = j;
         n += all
@@ -3637,7 +3637,7 @@ static void kern_simplex_crash(kern_simplex *sx)
     }
     for (j = lp->cols - 1; j >= 0 && lp->ends; j--) {
         kern_real part[3];
-        g = kern_lp_part(lp, j, KERN_END_OWN, part) / 3;
+        g = kern_lp_part(lp, j, KERN_LP_END_OWN, part) / 3;
         next[j] = first[g];
         first[g] = j;
     }
@@ -3662,7 +3662,7 @@ static int kern_own_enter(kern_simplex *sx, int j)
 
     /* The column in terms of its group's basis so far, and its largest entry in
        a row that is left. */
-    row = kern_lp_part(lp, j, KERN_END_OWN, part);
+    row = kern_lp_part(lp, j, KERN_LP_END_OWN, part);
     block = sx->factors.block + 6 * row;
     for (k = 0; k < 3; k++) {
         alpha[k] = kern_three(block + 6 * k, part);
@@ -3682,7 +3682,8 @@ static int kern_own_enter(kern_simplex *sx, int j)
     for (k = 0; k < 3; k++)
         if (k != best)
             kern_add(block + 6 * k, -alpha[k], own, 3);
-    sx->factors.to[row + best] = kern_lp_part(lp, j, KERN_END_OTHER, own + 3);
+    sx->factors.to[row + best] = kern_lp_part(lp, j, KERN_LP_END_OTHER,
+                                              own + 3);
     sx->base[row + best] = j;
     sx->place[j] = row + best;
     return 1;
