@@ -5,6 +5,8 @@
 
 #include "harness.h"
 #include "worlds.h"
+#include "twin.h"
+#include "verdict.h"
 
 /* A chockstone in two pieces between two walls that lean; 0 where there is no
    such thing. */
