@@ -6649,20 +6649,28 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         kern_status status = KERN_STANDS;
         if (!(at < KERN_INFINITY))
             break;
+
+        /* Just before the value the forces of its basis may prove it. */
         if (!(at < value && kern_path_forces(m, path, at)))
             status = kern_path_evaluate(m, path, at);
         if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
             return status;
+
+        /* After a place without a proof the least value so far is kept. */
         if (offset > kern_half_width(path) && value > path->holds)
             path->critical = kern_min(path->critical, value);
         if (path->asked == KERN_ASKED_PROGRAM && !m->whole)
             return KERN_UNDECIDED;
+
+        /* No proof here: go farther away, and remember what stays dark. */
         if (status == KERN_UNDECIDED) {
             offset *= 2;
             dark.low = kern_min(dark.low, at);
             dark.high = kern_max(dark.high, at);
         }
     }
+
+    /* A bracket that stayed wide is no answer; the value lies inside it. */
     if (path->fails - path->holds > KERN_ANSWER * kern_width(path)
         && path->asked != KERN_ASKED_PART)
         return KERN_UNDECIDED;
@@ -6843,6 +6851,9 @@ static void kern_body_first(kern_model *m, const kern_path *path,
     out->motion = m->answer.motion;
     if (!kern_model_ask(m, 1))
         return;
+
+    /* From top to bottom, so that the load of a body is complete when its turn
+       comes; then it is added to the body that carries it. */
     kern_copy(load, m->load, 3 * m->graph.groups);
     for (g = 0; g < m->graph.groups; g++) {
         int end = kern_body_line(m, g);
@@ -6859,6 +6870,8 @@ static void kern_body_first(kern_model *m, const kern_path *path,
         if (on != KERN_OUT)
             kern_body_load(m, g, on, load);
     }
+
+    /* The least value, the places beside it, and the motion at the upper. */
     out->holds = out->margin - offset;
     out->fails = out->margin + offset;
     if (first != KERN_OUT)
@@ -7698,8 +7711,8 @@ static kern_real kern_least_of(const kern_model *m, const kern_query *q)
     return held > 0 ? power / held : KERN_INFINITY;
 }
 
-/* Newton's method from below: each mechanism tells how much holds it, and just
-   beyond that the next one falls, or all stand. */
+/* Uses Newton's method from below: each mechanism tells how much load holds it,
+   and just beyond that load the next one falls, or all stand. */
 KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         const kern_wrench *pattern,
                                         kern_real *factor,
@@ -7714,6 +7727,8 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                  : KERN_BAD_POINTER;
     if (status != KERN_OK)
         return status;
+
+    /* Where a place has no proof the next lies twice as far beyond. */
     kern_path_push(&c.path, KERN_PATH_LOAD, pattern, KERN_SHRINK);
     for (round = 0; round < KERN_ROUNDS && falls < KERN_FACTOR_MOST; round++) {
         status = kern_model_evaluate(&c.m, &c.part, q);
@@ -7726,6 +7741,8 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
             beyond *= 2;
         q->factor = falls + beyond * (1 + falls);
     }
+
+    /* It falls at every factor only if no load up to the largest holds it. */
     if (status == KERN_FALLS && falls < KERN_FACTOR_MOST)
         status = KERN_UNDECIDED;
     status = kern_ended(task, status);
@@ -8308,9 +8325,15 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
         kern_raise_near(m, r->around);
     if (!kern_norm_open(p, m))
         return 0;
+
+    /* A proof asks that contacts stick within KERN_STICKS; the law of a chance
+       to stay asks for no proof. */
     p->y = p->dual.step;
     p->dual.stiff = r->around < 0 ? KERN_R(1.1) / KERN_STICKS /* it proves */
                                   : KERN_STAYS_STIFF;
+
+    /* Newton's matrix is not symmetric: its upper half has a room of its own.
+       The vectors of a search follow; prices lie behind u. */
     for (g = 0; g < p->groups; g++)
         entries += 9 * (g - p->dual.matrix.first[g] + 1);
     r->up = p->dual.matrix;
@@ -8327,6 +8350,8 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     r->state = kern_take_ints(&p->rest, p->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
+
+    /* no prices yet; longer contacts are stiffer */
     kern_zero(p->dual.price, p->contacts);
     for (k = 0; k < p->contacts; k++) {
         const kern_contact *c = m->s->contact + p->contact[k];
@@ -8489,12 +8514,16 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
     const int n = 3 * p->groups;
     kern_real *way = p->dual.way, last = KERN_INFINITY;
     int k, round;
+
+    /* Coulomb's law knows no prices: approaches are those of u alone. */
     kern_copy(r->kept, p->dual.u, n + 3);
     for (k = 0; k < p->contacts; k++)
         way[2 * k] += p->dual.price[k];
     for (round = 0; round < KERN_NEWTON_ROUNDS; round++) {
         const kern_real most = kern_raise_linearise(r);
         const kern_real left = kern_dot(p->dual.grad, p->dual.grad, n);
+
+        /* It balances: the slips are the prices of the fixed point. */
         if (kern_largest(p->dual.grad, n) <= tolerance + 4 * KERN_EPS * most) {
             for (k = 0; k < p->contacts; k++) {
                 const kern_real slip = kern_raise_slip(p, k, way[2 * k]);
@@ -8504,6 +8533,8 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
             }
             return 1;
         }
+
+        /* A whole step, unless the last one led away from balance. */
         if (!(left < last) || !kern_model_spend(p->m, 3 * p->dual.cost))
             break;
         last = left;
@@ -8514,6 +8545,8 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
         kern_add(p->dual.u, KERN_R(1), p->dual.step, n);
         kern_add(way, KERN_R(1), p->dual.turn, 2 * p->contacts);
     }
+
+    /* no balance: back to where it began */
     kern_copy(p->dual.u, r->kept, n + 3);
     kern_norm_ways(p, KERN_WAY_OF_U);
     return 0;
@@ -8599,6 +8632,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
         KERN_FEW_ROUNDS + 2);
     kern_real change;
     int pressed;
+
+    /* The search ends where work is spent, or where blocks run away. */
     if (found == KERN_LIMIT || !kern_model_spend(p->m, 1 + p->contacts / 10)
         || p->m->task->work->units - settling->units
                > KERN_SEARCH_COSTS * p->dual.cost)
@@ -8606,6 +8641,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
     if (found == KERN_FALLS || kern_raise_runs_away(r, settling))
         return KERN_END_LOST;
 
+    /* Few contacts change between sticking, sliding and open: Newton's method
+       on Coulomb's law may end it at once. */
     if (kern_raise_changes(r) <= KERN_FEW_CHANGES
         && kern_raise_newton(r, settling->tolerance))
         return kern_raise_price(r, settling->tolerance, 1)
@@ -8613,6 +8650,7 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                  ? KERN_END_SHOWN
                  : KERN_END_LOST;
 
+    /* Otherwise new prices, which go on in the direction of their change. */
     pressed = kern_raise_price(r, settling->tolerance, found == KERN_STANDS);
     change = kern_raise_extrapolate(r, settling->round);
     if (pressed && kern_raise_proves(r, q))
@@ -8642,10 +8680,12 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q,
 
 /* ---- questions ---- */
 
-/* The largest of a sequence of shares of gravity, none above `most` unless that
-   is 0, that it bears to either side as kerns shrink by the same share of the
-   mean size, where they are not nested without that too: the worst that errors
-   of places, and of angles over that size, do. Each begins at the last. */
+/* Returns the largest of a sequence of shares of gravity that pushes it to
+   either side, as kerns shrink by the same share of the mean size, and leaves it
+   raised. Where kerns are not nested, the push without the shrinkage must leave
+   it raised too. That is the worst that errors of places, and of angles over
+   that size, do. No share above `most` is asked, unless most is 0. Each search
+   begins at the last that was shown. */
 KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
                                                 const kern_query *asked,
                                                 kern_real most)
@@ -8658,11 +8698,16 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     const int nested = kern_is_nested(m, range);
     kern_query q = *asked;
     int low = (int)(sizeof share / sizeof share[0]) - 1, at, high;
+
+    /* The largest share that is asked, first to the right. What holds there is
+       asked to the left. */
     while (most > 0 && KERN_R(share[low]) / 10000 > most)
         low--;
     kern_copy(r->earlier, r->p->dual.u, r->size);
     for (q.side = 1; q.side >= -1; q.side -= 2) {
         kern_copy(r->held, r->earlier, r->size);
+
+        /* Halve the sequence, from its end. */
         for (at = low, high = low + 1, low = 0; high - low > 1;
              at = (low + high) / 2) {
             int k, good = 1;
@@ -8684,8 +8729,9 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     return KERN_R(share[low]) / 10000;
 }
 
-/* Opens the question: whether blocks hang that nothing holds up, and the others
-   stand without them, in *out, with a proof; else room for prices. */
+/* Opens the question. *out becomes KERN_HANGS, with a proof, where blocks hang
+   that nothing holds up and the others stand without them. Otherwise it is
+   KERN_NOT_SHOWN, and the part of all groups is open for prices. */
 static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
                                     kern_raising *out)
 {
@@ -8700,6 +8746,9 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     kern_take_last(&m->common, m->s->blocks); /* both end at one place */
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
+
+    /* Which blocks hang? A verdict is asked only where that, or the chance of
+       one block to stay, needs it. */
     for (i = 0; i < m->s->blocks; i++)
         value[i] = KERN_R(1);
     left = kern_hang(m->s, value);
@@ -8707,6 +8756,8 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
         kern_known_begin(m, q->shrink);
         status = kern_model_evaluate(m, r->p, q);
     }
+
+    /* They hang if the others stand without them; they fall freely. */
     if (left > 0 && status == KERN_STANDS && kern_model_ask(m, 1)) {
         const kern_vec way = kern_vec_unit(m->s->gravity);
         q->fallen = value;
@@ -8721,6 +8772,8 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     }
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
+
+    /* all groups again, without a program that may be open */
     if (left > 0 || m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
@@ -8737,12 +8790,16 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     kern_real stood = *share = KERN_R(0), taken = KERN_R(1), *u = r->p->dual.u;
     kern_real step = end / KERN_LOAD_STEPS;
     int i, good = 1;
+
+    /* at rest, without the load */
     if (!kern_raise_settle(r, q, KERN_BEGIN_UNLOADED))
         return KERN_R(-1);
     kern_copy(r->held, u, r->size);
     while (stood < end
            && step >= end / (2 * KERN_LOAD_FINER * KERN_LOAD_STEPS)) {
         *share = kern_min(stood + step, end);
+
+        /* begin where the last two places lead; prices are not negative */
         for (i = 0; i < r->size; i++) {
             if (good) {
                 r->earlier[i] = r->held[i];
@@ -8753,6 +8810,8 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
             if (u + i >= r->p->dual.price)
                 u[i] = kern_max(u[i], 0);
         }
+
+        /* a step that fails is tried again, finer */
         good = kern_raise_settle(r, q, KERN_BEGIN_HERE)
             || (!(stood > 0) /* from rest nothing leads there */
                 && kern_raise_settle(r, q, KERN_BEGIN_UNLOADED));
@@ -8761,6 +8820,8 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
             stood = *share;
         } else
             step /= KERN_LOAD_FINER;
+
+        /* an end that was a guess */
         if (!(stood < end) && end < most) {
             end = kern_min(2 * end, most);
             step = end / KERN_LOAD_STEPS;
@@ -8769,9 +8830,10 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     return stood;
 }
 
-/* Whether it is raised, in *out: at once, or where the blocks' loads grow from
-   0. Unless sag is NULL, how far the block goes until then, for a stiffness and
-   a mean weight of 1; a turn by half the way of a point a size off. */
+/* Writes to *out whether the load raises forces: at once, or as the blocks'
+   loads grow from 0. Unless sag is NULL it becomes how far the block goes until
+   then, for a stiffness and a mean weight of 1; a turn counts by half the way of
+   a point that is one size away. */
 static kern_status kern_raise_show(kern_raise *r, kern_call *c,
                                    kern_raising *out, kern_real *sag)
 {
@@ -8796,7 +8858,8 @@ static kern_status kern_raise_show(kern_raise *r, kern_call *c,
              : kern_model_evaluate(&c->m, r->p, &c->path.q);
 }
 
-/* kern_raised(); with a sag of what is near block i, for kern_stays(). */
+/* Answers kern_raised(), and with a sag, of the blocks near block i,
+   kern_stays(). */
 static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
                                    kern_raising *out, kern_real *reserve,
                                    const kern_proof *proof, int i,
@@ -8814,6 +8877,8 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
     if (sag
         && ((unsigned)i >= (unsigned)task->s.blocks || task->s.block[i].fixed))
         return KERN_BAD_BLOCK;
+
+    /* the search, and its proof: forces, and a motion where it is shown */
     r.around = i;
     r.proof = NULL;
     r.end = KERN_END_NONE;
@@ -8824,6 +8889,8 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
     if (raising != KERN_NOT_SHOWN)
         kern_proof_out(&c.m, proof, KERN_FALLS);
     task->work->end = raising == KERN_NOT_SHOWN ? r.end : KERN_END_SHOWN;
+
+    /* how hard it may be pushed on top */
     if (raising == KERN_RAISED && reserve)
         share = kern_raise_reserve(
             &r, &c.path.q, sag ? KERN_STAYS_MOST : task->options.reserve);
@@ -8885,7 +8952,10 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
     kern_raise r;
     kern_status status = kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
                                   side, factor ? &most : NULL, proof);
-    if (status == KERN_STANDS) { /* a model again that no part is open of */
+
+    /* The load factor bounds it. Then the load grows from 0, in a model anew,
+       since the search left a part open. */
+    if (status == KERN_STANDS) {
         kern_query *q = &c.path.q;
         kern_raising hung;
         kern_model_open(&c.m, task, q);
