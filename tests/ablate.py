@@ -60,13 +60,17 @@ MECHANISMS = [
     }"""}),
     ("follow", "program with the value as a column",
      {"kern_path_follow": "return KERN_UNDECIDED;"}),
-    ("extrapolate", "extrapolated prices (Anderson)",
+    ("extrapolate", "extrapolated prices",
      {"kern_raise_extrapolate": """{
-        int k;
+        const kern_part *q = r->p;
+        kern_real sum = 0;
+        int i;
         (void)round;
-        for (k = 0; k < r->p->contacts; k++)
-            r->p->dual.price[k] = r->p->dual.turn[2 * k];
-        return;
+        for (i = 0; i < q->contacts; i++) {
+            q->dual.price[i] = q->dual.turn[2 * i];
+            sum += q->dual.turn[2 * i + 1] * q->dual.turn[2 * i + 1];
+        }
+        return sum;
     }"""}),
 ]
 
