@@ -158,12 +158,12 @@ int main(void)
 }
 
 /* Output, where ticks, stack and flash depend on compiler and version:
-wall of 30 stones:    level 31, margin 0.1518 m; 639 units; 58061 ticks
-candidate at  0.00 m: level 31, margin 0.1518 m; 128 units; 7032 ticks
-candidate at  0.20 m: level 34, margin 0.1663 m; 3194 units; 138651 ticks
-candidate at  0.40 m: level 34, margin 0.1663 m; 2569 units; 125680 ticks
-candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 325 ticks
+wall of 30 stones:    level 31, margin 0.1518 m; 639 units; 50435 ticks
+candidate at  0.00 m: level 31, margin 0.1518 m; 128 units; 6957 ticks
+candidate at  0.20 m: level 34, margin 0.1663 m; 3004 units; 135777 ticks
+candidate at  0.40 m: level 34, margin 0.1663 m; 2776 units; 131495 ticks
+candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 315 ticks
 memory: 42624 bytes of work memory, 9256 of blocks and contacts,
-        51888 of variables in all, 2224 of 13648 of stack, 42476 of flash
+        51888 of variables in all, 2008 of 13648 of stack, 41024 of flash
 best place: 0.20 m
 */
