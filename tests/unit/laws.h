@@ -42,9 +42,11 @@ static void not_worse(const world *w, const kern_margin *m, int got,
     passed++;
 }
 
+/* Returns the difference of margins that is rounding, in mean sizes. The motions
+   of GLPK have half a digit less. */
 static double law_tolerance(const world *w)
 {
-    return SINGLE ? 2e-3 : twin_nested(w) ? 2e-9 : 3e-6;
+    return SINGLE ? 2e-3 : !twin_nested(w) ? 3e-6 : GLPK ? 4e-9 : 2e-9;
 }
 
 static void laws_units_and_places(void)
