@@ -3381,7 +3381,7 @@ static inline int kern_lp_part(const kern_program *lp, int j, kern_lp_end which,
                                kern_real out[3])
 {
     const int *ends = lp->ends + (j & ~1);
-    const int end = (ends[1] < ends[0]) ^ which;
+    const int end = (ends[1] < ends[0]) ^ (int)which;
     const kern_real *c = lp->a + 4 * j;
     out[0] = end ? -c[0] : c[0];
     out[1] = end ? -c[1] : c[1];
@@ -5044,7 +5044,7 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     kern_norm_ways(p, KERN_WAY_OF_U);
 
     /* Each round balances what presses now. */
-    for (round = start; round < rounds; round++) {
+    for (round = (int)start; round < rounds; round++) {
         kern_real most, share;
         const kern_real value = kern_norm_gradient(p, &most);
 
