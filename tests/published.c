@@ -100,7 +100,7 @@ static void close_problem(struct problem *p)
     text_free(&p->t);
 }
 
-enum question { STANDS, LOAD, TILT, LIVE, MARGIN, RAISED };
+enum question { STANDS, LOAD, TILT, LIVE, LEAST, MARGIN, RAISED, LET_GO };
 
 static double ask(const char *file, enum question what, double head)
 {
@@ -121,9 +121,15 @@ static double ask(const char *file, enum question what, double head)
     } else if (what == MARGIN) {
         got = kern_measure(&p.task, &m, NULL);
         value = m.margin;
+    } else if (what == LET_GO) {
+        got = kern_let_go(&p.task, NULL, NULL);
+        value = got == KERN_STANDS;
+        got = got < 0 && got != KERN_UNDECIDED ? got : KERN_STANDS;
     } else
         got = what == LIVE
                 ? kern_load_factor_of(&p.task, 0, p.t.live, &value, NULL)
+            : what == LEAST
+                ? kern_least_load_of(&p.task, 0, p.t.live, &value, NULL)
             : what == TILT ? kern_tilt(&p.task, 0, KERN_RIGHT, &value, NULL)
             : what == LOAD
                 ? kern_load_factor(&p.task, 0, KERN_RIGHT, &value, NULL)
@@ -132,19 +138,25 @@ static double ask(const char *file, enum question what, double head)
     return got == KERN_STANDS ? (double)value : (double)NAN;
 }
 
-/* Where the verdict of what make(x) says changes between falls and stands. */
-static double threshold(void (*make)(double), double falls, double stands)
+/* Where the answer about what make(x) says, STANDS or LET_GO, changes. */
+static double threshold_of(enum question what, void (*make)(double),
+                           double falls, double stands)
 {
     for (int i = 0; i < 34; i++) {
         const double middle = (falls + stands) / 2;
         begin();
         make(middle);
-        if (ask(NULL, STANDS, -1) > 0)
+        if (ask(NULL, what, -1) > 0)
             stands = middle;
         else
             falls = middle;
     }
     return (falls + stands) / 2;
+}
+
+static double threshold(void (*make)(double), double falls, double stands)
+{
+    return threshold_of(STANDS, make, falls, stands);
 }
 
 /* ---- The table ----------------------------------------------------------- */
@@ -368,6 +380,46 @@ static void rods(void)
             digits(atan(2 * mu[i]) * 180 / pi, 4),
             threshold(frame, 1.5, .05) * 180 / pi, "any", 0, NULL);
     }
+}
+
+/* A ladder of 200 at 60 degrees, 4 long, with a man of 600 at three quarters of
+   it; mu .3 at the floor, .2 at the wall. What pushes its foot to the wall? */
+static void held_ladder(void)
+{
+    const double high = 2 * sqrt(3), wall = 1100 / (high + .2 * 2);
+    section("Holding force: a ladder with a man on it (statics)");
+    begin();
+    say("friction .1\ngravity 0 -1\nfixed floor -9 -1 9 -1 9 0 -9 0\n"
+        "fixed wall 2 -1 3 -1 3 12 2 12\nblock ladder 200 0 0 2 %.15g 1.99 "
+        "%.15g -.01 .005\ncom ladder 1 %.15g\n"
+        "contact floor ladder 0 1 0 0 mu .3\n"
+        "contact wall ladder -1 0 2 %.15g mu .2\n"
+        "load ladder 0 -600 1.5 %.15g\nlive ladder 1 0 0 0\n",
+        high, high + .005, high / 2, high, .75 * high);
+    row("least push at the foot that holds it",
+        digits(wall - .3 * (800 - .2 * wall), 3), ask(NULL, LEAST, -1), "any",
+        0, NULL);
+}
+
+/* Goodman and Bray's slope in the frame of its columns, of which 16 stand on
+   steps that rise by 1, dip 60 degrees: heights rise by 4 to the tenth. */
+static void toppling(double mu)
+{
+    say("friction %.15g\ngravity -.5 -.866025403784439\ndensity 25\n", mu);
+    for (int i = 0; i < 16; i++)
+        box(named("fixed base%d", i), 10 * i, i - 5, 10, 5);
+    for (int i = 0; i < 16; i++)
+        box(named("block n%d *", i), 10 * i, i, 10,
+            i < 10 ? 4 * (i + 1) : 40 - 6 * (i - 9));
+}
+
+static void slope(void)
+{
+    section("Toppling slope of 16 columns (Goodman and Bray 1976)");
+    row("least friction, let go", "0.7855",
+        threshold_of(LET_GO, toppling, .7, .8), "Coulomb", 0, NULL);
+    row("least friction of the verdict", "0.7855", threshold(toppling, .5, .8),
+        "dilatant", .13, "sliding parts: columns hold each other");
 }
 
 /* ---- Overhangs ----------------------------------------------------------- */
@@ -666,6 +718,8 @@ int main(int argc, char **argv)
     retaining();
     buttress();
     rods();
+    held_ladder();
+    slope();
     overhangs();
     arches();
     walls();
