@@ -1395,18 +1395,9 @@ extern "C" {
 
 /* ---- model ---- */
 
-/* Left to Part VI: turn [rad] below which a vertex is no corner, and within
-   which of a half turn it is a spike: much larger, and round stones would lose
-   their shape. And how far a foot must lie inside its edge, so that rounding
-   makes no contacts between diagonal neighbours. */
-#define KERN_SLIGHT KERN_R(1e-6)
-/* Left to Part VI: the default gap and the length of the shortest line; and by
-   how much an area may differ, by rounding at large coordinates, from what the
-   block says. */
-#define KERN_GAP KERN_R(1e-3)
 /* Travel below which a contact point counts as one that does not travel [mean
    size]: a millionth of the shortest line is rounding. */
-#define KERN_TRAVEL_LEAST (KERN_R(1e-6) * KERN_GAP)
+#define KERN_TRAVEL_LEAST (KERN_R(1e-6) * KERN_R(1e-3))
 /* Slope of the lines along which blocks count as equally high, in double: a
    flat arch is then ordered from side to side and not by rounding. */
 #define KERN_LEVEL_SLOPE KERN_R(1e-6)
@@ -1451,15 +1442,6 @@ extern "C" {
 #define KERN_GROW_EVEN KERN_R(1.1)
 /* Deficit: largest growth, in extents of the structure: the rule of >>rules. */
 #define KERN_GROW_MOST 1000
-
-/* Left to >>search: difference of two critical values that is rounding [mean
-   block size], a tenth of KERN_TOL, and the largest negative force of a basis
-   that is rounding. Less, and the search chases rounding. */
-#define KERN_NOISE KERN_PICK(1e-10, 1e-5)
-/* Left to >>search: most places in a bracket; four to eight suffice. */
-#define KERN_ROUNDS 100
-/* Left to >>search and >>raised: most rounds of what ends in fewer, usually. */
-#define KERN_FEW_ROUNDS 8
 
 /* ---- profile, mechanism, sensitivity ---- */
 
@@ -1539,9 +1521,6 @@ extern "C" {
    infeasible. Larger, clusters grow later and Newton's method takes more
    steps: without the bound trying a stone costs 4 % more. */
 #define KERN_CLUSTER_NORM KERN_R(100)
-/* Left to >>raised: the same in all loads; and slide of a stone that falls into
-   a jam, in approaches. */
-#define KERN_NORM_MOST KERN_R(100)
 /* Approach of a contact that parts, as a share of the largest speed. */
 #define KERN_PARTS_TOL KERN_R(1e-4)
 /* Share of all groups that a cluster may have, inverse: a quarter in a verdict,
@@ -1560,12 +1539,28 @@ extern "C" {
 
 /* ---- search ---- */
 
+/* Difference of two critical values that is rounding [mean block size]: with
+   less, Newton's method chases rounding. */
+#define KERN_VALUE_SAME KERN_PICK(1e-10, 1e-5)
+/* Negative force of a known basis that is rounding, as a share of the weight. */
+#define KERN_BASIS_NOISE KERN_PICK(1e-10, 1e-5)
+/* Most places of a bracket: four to eight suffice, unless digits are lost. */
+#define KERN_BRACKET_ROUNDS 100
+/* Most places of a least load, which takes one for each mechanism. */
+#define KERN_LEAST_ROUNDS 100
+/* Most bends of a power, where kerns close, that Newton's method passes. */
+#define KERN_BENDS 8
+/* Most parts that fall before the whole is asked. */
+#define KERN_PARTS 8
+/* A bracket without a predicted value is cut at a quarter: mechanisms are near
+   its lower end more often. */
+#define KERN_CUT KERN_R(4)
+/* Halley's step is at most so many of Newton's. */
+#define KERN_HALLEY_MOST KERN_R(4)
 /* First step of a search [mean size; load factor, tangent of a quarter of the
    angle], by the corpus' odd half and by walls of 100 to 200 blocks. */
 #define KERN_CLIMB KERN_R(0.1)
 #define KERN_CLIMB_PUSH KERN_R(0.5)
-/* Parts of a bracket, unpredicted; of Newton's steps Halley's, at most. */
-#define KERN_NEAR KERN_R(4)
 /* A step, in the one before. */
 #define KERN_CLIMB_GROWS KERN_R(1.5)
 
@@ -1656,6 +1651,12 @@ extern "C" {
 
 /* ---- raised ---- */
 
+/* Norm of the forces, in all loads, beyond which none are expected. */
+#define KERN_RAISE_NORM KERN_R(200)
+/* Slide of a stone that falls into a jam, in approaches. */
+#define KERN_SLIDE_MOST KERN_R(100)
+/* Rounds of Newton's method for one set of prices; it ends in four, usually. */
+#define KERN_PRICED_ROUNDS 10
 /* A search is lost once u goes this many times as far as in its first round,
    and once more for each group, since in a row their slides add up; or, from a
    place that was shown, this many times as far as that is from the unloaded
@@ -6433,7 +6434,7 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
                                       kern_real power)
 {
     kern_part *p = path->part;
-    const kern_real same = KERN_NOISE * path->unit / 8;
+    const kern_real same = KERN_VALUE_SAME * path->unit / 8;
     kern_real *change = kern_path_change(p->m);
     kern_real lo = path->holds, hi = q->shrink, at = hi, rate, step;
     int round;
@@ -6442,14 +6443,14 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     for (round = 0;; round++) {
         const kern_real left = power + kern_shrink_power(p, q, at, p->x, &rate);
         step = left / rate;
-        if (kern_abs(step) <= same || round == KERN_FEW_ROUNDS)
+        if (kern_abs(step) <= same || round == KERN_BENDS)
             break;
         *(left < 0 ? &hi : &lo) = at;
         at -= step;
         if (!(at > lo && at < hi))
             at = lo + (hi - lo) / 2;
     }
-    at = round < KERN_FEW_ROUNDS ? at - step : path->holds;
+    at = round < KERN_BENDS ? at - step : path->holds;
 
     /* the step grows by the power that the change of the forces takes */
     path->predicted = at;
@@ -6458,7 +6459,8 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
         const kern_real turned = kern_shrink_power(p, q, at, change, &rate);
         path->predicted = q->shrink
                         + (at - q->shrink)
-                              / kern_max(1 - turned / power, 1 / KERN_NEAR);
+                              / kern_max(1 - turned / power,
+                                         1 / KERN_HALLEY_MOST);
     }
     return at;
 }
@@ -6570,7 +6572,7 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
         return 0;
     kern_add(p->x, KERN_R(1), kern_path_change(m), 2 * p->contacts);
     for (i = 0; i < 2 * p->contacts; i++)
-        if (p->x[i] < -KERN_NOISE)
+        if (p->x[i] < -KERN_BASIS_NOISE)
             return 0;
     kern_part_forces(p);
     kern_force_transfer(m, path->critical, s);
@@ -6589,10 +6591,10 @@ static kern_real kern_path_cut(const kern_path *path, const kern_proven *dark)
 {
     const kern_real lo = path->holds, hi = path->fails;
     const kern_real below = dark->low - lo, above = hi - dark->high;
-    const kern_real least = kern_max((dark->high - dark->low) / KERN_NEAR,
+    const kern_real least = kern_max((dark->high - dark->low) / KERN_CUT,
                                      kern_half_width(path) / 8);
     if (!(dark->low <= dark->high))
-        return lo + (hi - lo) / KERN_NEAR;
+        return lo + (hi - lo) / KERN_CUT;
     if (kern_max(below, above) <= least)
         return KERN_INFINITY;
     return below > above ? lo + below / 2 : hi - above / 2;
@@ -6643,7 +6645,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
     kern_real offset = kern_half_width(path);
     kern_proven dark = {KERN_INFINITY, -KERN_INFINITY};
     int round;
-    for (round = 0; round < KERN_ROUNDS; round++) {
+    for (round = 0; round < KERN_BRACKET_ROUNDS; round++) {
         const kern_real lo = path->holds, value = path->critical;
         const kern_real at = kern_path_next(path, offset, &dark);
         kern_status status = KERN_STANDS;
@@ -7037,7 +7039,7 @@ static void kern_known_start(kern_model *m, kern_part *p)
         x[0] = way[0] + along;
         x[1] = way[0] - along;
     }
-    kern_simplex_start(&p->eq.simplex, p->x, KERN_NOISE * m->weight);
+    kern_simplex_start(&p->eq.simplex, p->x, KERN_BASIS_NOISE * m->weight);
 }
 
 /* Finds the critical value of the whole beyond path->holds, at q, by the
@@ -7111,7 +7113,7 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
     kern_status status = KERN_UNDECIDED;
     kern_real at = kern_path_first(m, path, step);
     int round;
-    for (round = 0; round < KERN_FEW_ROUNDS;) {
+    for (round = 0; round < KERN_PARTS;) {
         const kern_query q = kern_path_at(path, at);
         kern_model_arms(m, &q);
         kern_known_begin(m, at);
@@ -7730,7 +7732,8 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
 
     /* Where a place has no proof the next lies twice as far beyond. */
     kern_path_push(&c.path, KERN_PATH_LOAD, pattern, KERN_SHRINK);
-    for (round = 0; round < KERN_ROUNDS && falls < KERN_FACTOR_MOST; round++) {
+    for (round = 0; round < KERN_LEAST_ROUNDS && falls < KERN_FACTOR_MOST;
+         round++) {
         status = kern_model_evaluate(&c.m, &c.part, q);
         kern_proof_out(&c.m, proof, status);
         if (status == KERN_FALLS)
@@ -8404,7 +8407,7 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
         p->dual.turn[2 * k] = to;
         p->dual.turn[2 * k + 1] = to - price;
     }
-    return pressed && slid <= KERN_NORM_MOST * most;
+    return pressed && slid <= KERN_SLIDE_MOST * most;
 }
 
 /* Makes new prices of the last two rounds. Where F is linear the change is
@@ -8626,10 +8629,10 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
 {
     kern_part *p = r->p;
     const kern_status found = kern_norm_find(
-        p, settling->tolerance, 2 * KERN_NORM_MOST,
+        p, settling->tolerance, KERN_RAISE_NORM,
         settling->warm || settling->round > 0 ? KERN_START_WARM
                                               : KERN_START_COLD,
-        KERN_FEW_ROUNDS + 2);
+        KERN_PRICED_ROUNDS);
     kern_real change;
     int pressed;
 
@@ -8986,6 +8989,21 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* Most runs of edges with a box of an outline that has more vertices. A run has
    half as many edges at least. More runs take stack, fewer time. */
 #define KERN_RUNS 16
+/* The default gap, as a share of the size of a pair's smaller free block. */
+#define KERN_GAP_SHARE KERN_R(1e-3)
+/* Length of the shortest line, as a share of that size. */
+#define KERN_LINE_LEAST KERN_R(1e-3)
+/* How much an area may differ, by rounding at large coordinates, from what the
+   block says; more, and its vertices have moved. */
+#define KERN_AREA_TOL KERN_R(1e-3)
+/* Turn [rad] below which a vertex is no corner, and within which of a half turn
+   it is a spike: with much more round stones would lose their shape. */
+#define KERN_TURN_LEAST KERN_R(1e-6)
+/* How far a foot must lie inside its edge, as a share of the size, so that
+   rounding makes no contacts between diagonal neighbours. */
+#define KERN_FOOT_INSET KERN_R(1e-6)
+/* Slope against gravity below which a lone point carries nothing. */
+#define KERN_LEVEL_LEAST KERN_R(1e-6)
 /* The default angle [rad]. */
 #define KERN_ANGLE KERN_R(0.0174533)
 /* Least denominator where a cone is widened: its friction stays finite. */
@@ -9050,7 +9068,7 @@ static inline int kern_polygon_turn(const kern_block *block, int i)
     const kern_vec in = kern_vec_sub(v[i], v[kern_polygon_before(block, i)]);
     const kern_vec out = kern_vec_sub(v[kern_polygon_next(block, i)], v[i]);
     const kern_real turn = kern_vec_cross(in, out);
-    const kern_real least = KERN_SLIGHT * kern_vec_dot(in, out);
+    const kern_real least = KERN_TURN_LEAST * kern_vec_dot(in, out);
     if (kern_abs(turn) < least)
         return 0;
     if (kern_abs(turn) <= -least)
@@ -9840,7 +9858,7 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 KERN_SHARED static int kern_carried_block(const kern_contact *c, kern_vec down)
 {
     const kern_real push = kern_vec_dot(c->n, down);
-    const kern_real least = KERN_SLIGHT * kern_vec_largest(down);
+    const kern_real least = KERN_LEVEL_LEAST * kern_vec_largest(down);
     return push < -least ? c->b : push > least ? c->a : KERN_OUT;
 }
 
@@ -9932,7 +9950,7 @@ static kern_real kern_search_gap(const kern_search *s, kern_real size)
     const kern_options *o = s->pair.options;
     const kern_real exact = o->gap > 0 && !(o->pose_error > 0)
                               ? KERN_R(0)
-                              : KERN_GAP * size;
+                              : KERN_GAP_SHARE * size;
     return kern_max(o->gap + exact, s->floor);
 }
 
@@ -9947,8 +9965,9 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
     pair->deep = kern_max(pair->gap, pair->options->overlap)
                + pair->swing * (kern_box_half(a) + kern_box_half(b));
     pair->reach = kern_max(s->reach, pair->deep);
-    pair->least = kern_max(kern_min(pair->gap, KERN_GAP * size), s->floor);
-    pair->foot = kern_max(KERN_SLIGHT * size, s->floor);
+    pair->least = kern_max(kern_min(pair->gap, KERN_LINE_LEAST * size),
+                           s->floor);
+    pair->foot = kern_max(KERN_FOOT_INSET * size, s->floor);
 }
 
 /* Returns 1 if box or area of the vertices changed since kern_block_init(). */
@@ -9959,7 +9978,7 @@ static int kern_block_is_stale(const kern_block *block)
     return kern_vec_largest(kern_vec_sub(now.box.low, block->box.low)) > 0
         || kern_vec_largest(kern_vec_sub(now.box.high, block->box.high)) > 0
         || !(kern_abs(now.area - block->area)
-             <= KERN_GAP * kern_abs(block->area));
+             <= KERN_AREA_TOL * kern_abs(block->area));
 }
 
 /* Returns 1 if two blocks cannot touch: they are far apart, both fixed, or the
