@@ -139,7 +139,8 @@
          |-- some blocks cannot be held, all others fixed:
          |   simplex method on these (>>lp) --------------> FALLS
        whole        >>ipm     above 64 free blocks the interior-point method,
-                    >>lp      else, and last, the simplex method
+                    >>lp      otherwise the simplex method; in double the
+                              interior point again where that has no proof
 
    A measure is the critical value of a path (kerns shrink, a load grows,
    gravity turns): the first at which it falls. That of the whole is at most
@@ -1413,8 +1414,8 @@ extern "C" {
    would have a proof. If it were wider, it would exceed the 2e-6 that are
    promised. */
 #define KERN_WIDTH KERN_PICK(1.26e-6, 1.8e-3)
-/* How many times wider a bracket may become where proofs fail. A wider one is
-   no answer. */
+/* Distance from the critical value, in widths, beyond which the search cuts the
+   bracket instead of aiming at the value. */
 #define KERN_WIDEST KERN_R(20)
 /* How many times wider it may be to count as an answer: in jams no proof comes
    nearer. */
@@ -4649,7 +4650,6 @@ typedef struct kern_part {
     kern_real *y; /* three a group: prices of equilibrium, a motion */
     kern_equations eq;
     kern_status found; /* what the program said, proven or not         */
-    kern_real ahead;   /* critical value predicted for >>search        */
 } kern_part;
 
 /* Lists the groups of the part at the ends of its contacts. Returns 0 if there
@@ -6280,7 +6280,7 @@ KERN_SHARED static kern_real kern_half_width(const kern_path *path)
     return kern_width(path) / 2;
 }
 
-/* Returns the width of the widest bracket that is an answer. */
+/* Returns the distance from the critical value at which aiming at it ends. */
 KERN_SHARED static kern_real kern_widest(const kern_path *path)
 {
     return kern_width(path) * KERN_WIDEST;
@@ -7370,8 +7370,8 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     last += KERN_R(last) < steps; /* until every kern is closed */
     first = kern_min(r.epsilon, r.most);
 
-    /* Where kerns are nested the search asks at its first place whether it
-       stands. Where they are not, it may walk in even steps, a whole number to a
+    /* Where kerns are nested the search begins where a body falls, and asks the
+       start only if the value is near it. Where they are not, it may walk in even steps, a whole number to a
        step of the level. */
     status = nested ? kern_path_search(&c->m, path, 0)
                     : kern_path_scan(

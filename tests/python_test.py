@@ -196,6 +196,68 @@ class Calls(unittest.TestCase):
         r = Structure(two(0.7)).raised()
         self.assertEqual((bool(r), r.stands, r.raising), (False, False, None))
 
+    def test_let_go(self):
+        """A box on a box stays, one past its edge moves by a motion that is
+        proven, a stone that rests on nothing moves, and a limit of work is a
+        reason."""
+        s = Structure(two(0.2))
+        r = s.let_go()
+        self.assertEqual((r.stays, r.how, r.why), (
+            True, kern.Raising.RAISED, kern.End.SHOWN))
+        self.assertTrue(r)
+        self.assertLessEqual(s.check_raised(r), 1)
+        self.assertEqual(len(r.forces), len(s.contacts))
+        self.assertEqual(Plan(two(0.2)).let_go(), r)
+        self.assertEqual(pickle.loads(pickle.dumps(r)), r)
+        s = Structure(two(0.7))
+        r = s.let_go()
+        self.assertEqual((r.stays, r.how, r.why, r.forces), (
+            False, kern.Raising.NOT_SHOWN, kern.End.NONE, None))
+        self.assertFalse(r)
+        self.assertLessEqual(s.check_motion(r.motion), 1)
+        walls = [Block("left", [(-1, 0), (0, 0), (0, 2), (-1, 2)], fixed=True),
+                 Block("right", [(1, 0), (2, 0), (2, 2), (1, 2)], fixed=True),
+                 Block("stone", BOX).move(0, 0.5)]
+        s = Structure(walls)
+        r = s.let_go()
+        self.assertEqual((r.stays, r.how), (False, kern.Raising.HANGS))
+        self.assertLessEqual(s.check_raised(r), 1)
+        r = Structure(two(0.2), options=Options(limit=1)).let_go()
+        self.assertEqual((r.stays, r.why, r.forces, r.motion), (
+            None, kern.End.WORK, None, None))
+
+    def test_why_a_search_ended(self):
+        """A plain load factor has no search, a raised one says why it ended."""
+        s = Structure(two(0.2))
+        self.assertEqual(s.raised().why, kern.End.SHOWN)
+        self.assertEqual(s.load_factor(kern.RIGHT).why, kern.End.NONE)
+        factor = s.raised_load(kern.RIGHT)
+        self.assertIn(factor.why, (kern.End.SHOWN, kern.End.LOST))
+        self.assertEqual(pickle.loads(pickle.dumps(factor)).why, factor.why)
+        self.assertEqual(Plan(two(0)[:2]).try_raised(two(0.2)[2]).why,
+                         kern.End.SHOWN)
+
+    def test_least_load(self):
+        """A box of 1 kg whose centre is .25 past the edge below needs its own
+        weight at its far corner, which is .25 on the other side; a box that
+        stands needs nothing, and a pull upwards there holds nothing."""
+        b = two(0.75)
+        b[2].mass = 1
+        s = Structure(b)
+        load = [("top", (0, -1), (0.75, 2))]
+        least = s.live_least(load)
+        self.assertAlmostEqual(least, 9.81, 4)
+        self.assertEqual((len(least.forces), len(least.motion)),
+                         (len(s.contacts), 3))
+        pattern = [(0, 0, 0), (0, 0, 0), (0, -1, 0.5)]
+        self.assertAlmostEqual(s.least_load(pattern), 9.81, 4)
+        s.lives = load
+        self.assertEqual(s.live_least(), least)
+        self.assertIsNone(s.live_least([("top", (0, 1), (0.75, 2))]))
+        self.assertIsNone(s.live(load))
+        least = Structure(two(0.2)).live_least(load)
+        self.assertEqual((least, least.motion), (0, None))
+
     def test_stays(self):
         """A stone in the middle stays, one that a push of .003 g tips hardly, and
         less the nearer to its edge; what falls has the chance 0."""
@@ -588,7 +650,9 @@ class BadInput(unittest.TestCase):
                 ("reserve=True.: there is no gravity",
                  lambda: still.raised(reserve=True)),
                 ("stays..: there is no gravity", lambda: still.stays("top")),
-                ("no live load", s.live), ("'ground' is fixed", lambda: s.live(
+                ("no live load: live.*NAME", s.live),
+                ("no live load: live_least.*NAME", s.live_least),
+                ("'ground' is fixed", lambda: s.live(
                     [("ground", (0, -1), (0, 0))]))):
             with self.assertRaisesRegex(ValueError, words):
                 call()
@@ -627,7 +691,8 @@ class BadInput(unittest.TestCase):
         with self.assertRaises(kern.KernError):
             s.update()
         for ask in (s.verdict, s.measure, s.bearing, s.profile, s.critical,
-                    s.sensitivity, s.svg, s.deficit, s.forces, s.raised):
+                    s.sensitivity, s.svg, s.deficit, s.forces, s.raised,
+                    s.let_go):
             self.refuse(Status.STALE, ("top",), ask)
         s.blocks[2].move(0, 0.5)
         self.assertAlmostEqual(s.measure().margin, before)
@@ -674,7 +739,7 @@ class BadInput(unittest.TestCase):
             extra = Block("extra", BOX)
             asks = [getattr(s, name) for name in (
                 "verdict", "measure", "bearing", "deficit", "profile",
-                "critical", "sensitivity", "raised", "forces", "update",
+                "critical", "sensitivity", "raised", "forces", "let_go", "update",
                 "update", "certain")]
             asks += [lambda: s.blocks[draw.randrange(9)].move(
                          draw.choice((0.1, 0, math.nan)), -0.1),

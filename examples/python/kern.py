@@ -59,7 +59,8 @@ __version__ = "0.2.0"
 __all__ = [
     "LEFT", "SHRINK", "RIGHT", "Status", "KernError", "Options", "Body",
     "Block", "Contact", "contact_make", "contact_travels", "work_need",
-    "Verdict", "Raising", "Raised", "Margin", "Factor", "Profile", "Critical",
+    "Verdict", "Raising", "End", "Raised", "LetGo", "Margin", "Factor",
+    "Profile", "Critical",
     "ContactRate", "BlockRate", "Solution", "Structure", "Plan", "overlaps",
     "parse", "read", "from_labelme", "from_coco", "DrawingWarning",
     "simplified", "lp_solve",
@@ -406,6 +407,7 @@ _contact_at = _declare("kern_contact_at", _Vec, _p, _r, _i)
 _task_of = _declare("kern_task_of", _Task, _p, _i, _p, _i, _p)
 _verdict = _declare("kern_verdict", _i, _p, _r, _p)
 _raised = _declare("kern_raised", _i, _p, _r, _p, _p, _p)
+_let_go = _declare("kern_let_go", _i, _p, _p, _p)
 _stays = _declare("kern_stays", _i, _p, _i, _p)
 _least_forces = _declare("kern_forces", _i, _p, _r, _p)
 _measure = _declare("kern_measure", _i, _p, _p, _p)
@@ -413,6 +415,7 @@ _deficit = _declare("kern_deficit", _i, _p, _p)
 _bearing = _declare("kern_bearing", _i, _p, _p, _p)
 _load_factor = _declare("kern_load_factor", _i, _p, _r, _i, _p, _p)
 _load_factor_of = _declare("kern_load_factor_of", _i, _p, _r, _p, _p, _p)
+_least_load_of = _declare("kern_least_load_of", _i, _p, _r, _p, _p, _p)
 _raised_load = _declare("kern_raised_load", _i, _p, _r, _i, _p, _p, _p)
 _tilt = _declare("kern_tilt", _i, _p, _r, _i, _p, _p)
 _profile = _declare("kern_profile", _i, _p, _i, _p, _p)
@@ -919,12 +922,22 @@ class Raising(enum.IntEnum):
     HANGS = 2
 
 
+class End(enum.IntEnum):
+    """kern_end: why a search for forces that the load raises ended."""
+    NONE = 0
+    SHOWN = 1
+    LOST = 2
+    WORK = 3
+
+
 @dataclass
 class Raised(Verdict):
     """kern_raised(): true where the load raises the forces that hold it. forces
-    and motion are the proof; reserve: a share of g, None if not asked for."""
+    and motion are the proof; reserve: a share of g, None if not asked for.
+    why: the reason why the search ended."""
     raising: Optional[Raising]
     reserve: Optional[float]
+    why: End = field(default=End.NONE, repr=False)
 
     def __bool__(self) -> bool:
         return self.raising == Raising.RAISED
@@ -933,6 +946,33 @@ class Raised(Verdict):
     def motion(self) -> Any:
         return (None if self.raising == Raising.NOT_SHOWN or not self._motion
                 else _view(self._motion, 3))
+
+
+@dataclass
+class LetGo:
+    """kern_let_go(): stays is True where the structure stays, False where it
+    moves, None where neither is shown. A LetGo is true where stays is True.
+    why: the reason why the search for forces ended, NONE where none was needed.
+    how: RAISED where it stays, HANGS where blocks hang, else NOT_SHOWN. forces
+    [N] (n, 2) and motion (n, 3) are the proof: forces are None where it falls,
+    both are None where nothing is shown."""
+    stays: Optional[bool]
+    why: End
+    how: Raising
+    _force: bytes = field(repr=False, compare=False)
+    _motion: bytes = field(repr=False, compare=False)
+
+    def __bool__(self) -> bool:
+        return self.stays is True
+
+    @property
+    def forces(self) -> Any:
+        return (None if self.how == Raising.NOT_SHOWN
+                else _view(self._force, 2))
+
+    @property
+    def motion(self) -> Any:
+        return None if self.stays is None else _view(self._motion, 3)
 
 
 @dataclass
@@ -980,9 +1020,11 @@ class Interval:
 class Factor(float):
     """A load factor, an angle of tilt or a length, with its proof: forces hold
     the structure at it, (n, 2); motion moves it just beyond, (n, 3), None where
-    it has no end."""
+    it has no end. why: the reason why the search of raised_load() ended, NONE
+    where none was made."""
     _force: bytes = b""
     _motion: bytes = b""
+    why: End = End.NONE
 
     @staticmethod
     def _of(value: float, force: bytes, motion: bytes) -> Factor:
@@ -996,7 +1038,8 @@ class Factor(float):
 
     @property
     def motion(self) -> Any:
-        return None if self == math.inf else _view(self._motion, 3)
+        return (None if self == math.inf or not self._motion
+                else _view(self._motion, 3))
 
 
 @dataclass
@@ -1370,7 +1413,37 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             byref(_Proof(addressof(force), addressof(motion))))) == _STANDS
         return Raised(stands, bytes(force), bytes(motion),
                       Raising(raising.value) if stands else None,
-                      share.value if stands and reserve else None)
+                      share.value if stands and reserve else None,
+                      self._end() if stands else End.NONE)
+
+    def _end(self) -> End:
+        """Returns why the last search for raised forces ended."""
+        return End(self._held.work.end)
+
+    @_asks
+    def let_go(self) -> LetGo:
+        """kern_let_go(): does the structure stay when all blocks are let go at
+        once, from rest? A limit of work is a reason, not an error.
+
+        >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> low = Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
+        ...             fixed=True), Block("low", box)
+        >>> for x in (0.2, 0.7):
+        ...     print(Structure([*low, Block("top", box).move(x, 1)])
+        ...           .let_go().stays)
+        True
+        False
+        """
+        force, motion, how = self._forces(), self._motions(), c_int()
+        status = _let_go(self._at_task, byref(how), byref(
+            _Proof(addressof(force), addressof(motion))))
+        if status == Status.LIMIT:
+            return LetGo(None, End.WORK, Raising.NOT_SHOWN, b"", b"")
+        if status != Status.UNDECIDED:
+            self._check(status)
+        stays = {_STANDS: True, _FALLS: False}.get(status)
+        return LetGo(stays, End.NONE if stays is False else self._end(),
+                     Raising(how.value), bytes(force), bytes(motion))
 
     @_asks
     def stays(self, block: Union[int, str]) -> Optional[float]:
@@ -1463,22 +1536,62 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
                     pattern: Optional[Sequence[Sequence[float]]] = None
                     ) -> Optional[Factor]:
         """kern_raised_load(): load_factor() of Coulomb friction, by equilibrium
-        that the load raises from rest. Undecided where none is shown."""
+        that the load raises from rest. Undecided where none is shown. Its `why`
+        is SHOWN where it is the load factor, else the reason why it is less."""
         if pattern is None:
             self._side("raised_load()", side)
-        return self._factor(_raised_load, shrink, side,
-                            None if pattern is None else _rows(
-                                pattern, len(self.blocks), 3, "a load pattern"))
+        out = self._factor(_raised_load, shrink, side,
+                           None if pattern is None else _rows(
+                               pattern, len(self.blocks), 3, "a load pattern"))
+        if out is not None:
+            out.why = self._end()
+        return out
+
+    @_asks
+    def least_load(self, pattern: Sequence[Sequence[float]],
+                   shrink: float = 0.0) -> Optional[Factor]:
+        """kern_least_load_of(): the least multiple of a pattern (fx [N], fy [N],
+        torque [Nm]) a block at which the structure stands, 0 where it stands
+        without. None: it falls at every multiple. At 0 there is no motion."""
+        out = self._factor(_least_load_of, shrink, _rows(
+            pattern, len(self.blocks), 3, "a load pattern"))
+        if out is not None and out == 0:
+            out._motion = b""
+        return out
 
     def live(self, loads: Optional[Iterable[Tuple[str, Point, Point]]] = None,
              shrink: float = 0.0, raised: bool = False) -> Optional[Factor]:
         """The factor by which a live load may grow, with its mechanism: forces
-        (name of a block, force, point), without them `lives`, which are those
-        of the file. raised: as raised_load()."""
+        (name of a block, force [N], point [m]), without them `lives`, which are
+        those of the file. raised: as raised_load()."""
+        ask = self.raised_load if raised else self.load_factor
+        return ask(SHRINK, shrink, self._live_pattern("live", loads))
+
+    def live_least(self, loads: Optional[Iterable[Tuple[str, Point, Point]]]
+                   = None, shrink: float = 0.0) -> Optional[Factor]:
+        """least_load() of a live load, as live() takes it: the least factor of
+        the force that holds the structure, 0 where it stands without.
+
+        >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> wall = Structure([Block("ground", [(-3, -1), (4, -1), (4, 0),
+        ...                                    (-3, 0)], fixed=True),
+        ...                   Block("low", box),
+        ...                   Block("top", box, mass=1).move(0.75, 1)])
+        >>> round(wall.live_least([("top", (0, -1), (0.75, 2))]), 4)
+        9.81
+        """
+        return self.least_load(self._live_pattern("live_least", loads), shrink)
+
+    def _live_pattern(self, ask: str,
+                      loads: Optional[Iterable[Tuple[str, Point, Point]]]
+                      ) -> List[List[float]]:
+        """Returns the wrench of a live load on each block; `ask` names the
+        question."""
         pattern = [[0.0, 0.0, 0.0] for _ in self.blocks]
         index = {b.name: i for i, b in enumerate(self.blocks)}
         if loads is None and not self.lives:
-            raise ValueError("no live load: live([(NAME, FORCE, POINT), ...])")
+            raise ValueError("no live load: %s([(NAME, FORCE, POINT), ...])"
+                             % ask)
         for name, force, at in self.lives if loads is None else loads:
             if name not in index:
                 raise ValueError("no block is named %r" % name)
@@ -1490,8 +1603,7 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             row[1] += force[1]
             row[2] += ((at[0] - centre[0]) * force[1]
                        - (at[1] - centre[1]) * force[0])
-        ask = self.raised_load if raised else self.load_factor
-        return ask(SHRINK, shrink, pattern)
+        return pattern
 
     @_asks
     def tilt(self, side: int, shrink: float = 0.0) -> Optional[Factor]:
@@ -1570,15 +1682,19 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             motion, self._task.s.blocks, 3, "a motion"))
 
     @_asks
-    def check_raised(self, raised: Raised, shrink: float = 0.0) -> float:
-        """kern_check_raised(): up to 1 what raised() found is proven."""
+    def check_raised(self, raised: Union[Raised, LetGo],
+                     shrink: float = 0.0) -> float:
+        """kern_check_raised(): up to 1 the forces and the motion that raised()
+        or let_go() found are proven. Where let_go() found that a structure
+        moves and nothing hangs, the proof is for check_motion()."""
+        how = raised.how if isinstance(raised, LetGo) else raised.raising
         force = _rows(_view(raised._force or b"", 2).tolist(),
                       self._task.s.contacts, 2, "forces")
         motion = _rows(_view(raised._motion or b"", 3).tolist(),
                        self._task.s.blocks, 3, "a motion")
         proof = _Proof(addressof(force), addressof(motion))
         return _check_raised(self._at_task, shrink,
-                             raised.raising or Raising.NOT_SHOWN, byref(proof))
+                             how or Raising.NOT_SHOWN, byref(proof))
 
     @_asks
     def svg(self, shrink: float = 0.0, mechanism: bool = False,
@@ -1876,7 +1992,8 @@ class Plan(Structure):
                 byref(share) if reserve else None, None) == _STANDS
             return Raised(stands, None, None,
                           Raising(raising.value) if stands else None,
-                          share.value if stands and reserve else None)
+                          share.value if stands and reserve else None,
+                          self._end() if stands else End.NONE)
 
     def try_stays(self, block: Block) -> Optional[float]:
         """kern_plan_stays(): the chance that the block, laid last on the plan,
