@@ -240,17 +240,18 @@ class Calls(unittest.TestCase):
     def test_least_load(self):
         """A box of 1 kg whose centre is .25 past the edge below needs its own
         weight at its far corner, which is .25 on the other side; a box that
-        stands needs nothing, and a pull upwards there holds nothing."""
+        stands needs nothing, and a pull upwards there holds nothing. The least
+        factor at which it is proven to stand is just above the exact one."""
         b = two(0.75)
         b[2].mass = 1
         s = Structure(b)
         load = [("top", (0, -1), (0.75, 2))]
         least = s.live_least(load)
-        self.assertAlmostEqual(least, 9.81, 4)
+        self.assertTrue(0 <= least - 9.81 <= 2e-6 * (1 + 9.81), least)
         self.assertEqual((len(least.forces), len(least.motion)),
                          (len(s.contacts), 3))
         pattern = [(0, 0, 0), (0, 0, 0), (0, -1, 0.5)]
-        self.assertAlmostEqual(s.least_load(pattern), 9.81, 4)
+        self.assertEqual(s.least_load(pattern), least)
         s.lives = load
         self.assertEqual(s.live_least(), least)
         self.assertIsNone(s.live_least([("top", (0, 1), (0.75, 2))]))
@@ -650,9 +651,8 @@ class BadInput(unittest.TestCase):
                 ("reserve=True.: there is no gravity",
                  lambda: still.raised(reserve=True)),
                 ("stays..: there is no gravity", lambda: still.stays("top")),
-                ("no live load: live.*NAME", s.live),
-                ("no live load: live_least.*NAME", s.live_least),
-                ("'ground' is fixed", lambda: s.live(
+                ("no live load: live...NAME", s.live),
+                ("no live load: live_least...NAME", s.live_least), ("'ground' is fixed", lambda: s.live(
                     [("ground", (0, -1), (0, 0))]))):
             with self.assertRaisesRegex(ValueError, words):
                 call()

@@ -59,8 +59,7 @@ __version__ = "0.2.0"
 __all__ = [
     "LEFT", "SHRINK", "RIGHT", "Status", "KernError", "Options", "Body",
     "Block", "Contact", "contact_make", "contact_travels", "work_need",
-    "Verdict", "Raising", "End", "Raised", "LetGo", "Margin", "Factor",
-    "Profile", "Critical",
+    "Verdict", "Raising", "End", "Raised", "LetGo", "Margin", "Factor", "Profile", "Critical",
     "ContactRate", "BlockRate", "Solution", "Structure", "Plan", "overlaps",
     "parse", "read", "from_labelme", "from_coco", "DrawingWarning",
     "simplified", "lp_solve",
