@@ -19,6 +19,7 @@
      V    Measures         >>kern (Algorithm 1) >>search >>measure >>profile
                            >>critical >>sensitivity >>raised
      VI   Geometry         >>tol (tolerances) >>polygon >>contact, and >>plan
+                           >>rest
      VII  Words            >>words
      VIII Sources          >>references >>changes, and the licence
 
@@ -401,6 +402,7 @@ typedef float kern_real;
 #define kern_profile kern_profile_f32
 #define kern_raised kern_raised_f32
 #define kern_raised_load kern_raised_load_f32
+#define kern_rest kern_rest_f32
 #define kern_sensitivity kern_sensitivity_f32
 #define kern_status_text kern_status_text_f32
 #define kern_stays kern_stays_f32
@@ -469,13 +471,15 @@ typedef struct kern_box {
     X(KERN_STALE, -20, "vertices have moved since kern_block_init()")        \
     X(KERN_NO_LOAD, -21, "no gravity or load acts on a free block")          \
     X(KERN_BAD_SHARE, -22, "relative: a shrinkage is above 1")               \
-    X(KERN_NO_BLOCK, -23, "a block was refused when it was made")
+    X(KERN_NO_BLOCK, -23, "a block was refused when it was made")            \
+    X(KERN_NO_SUPPORT, -24, "nothing is below the stone: it falls past")     \
+    X(KERN_NO_REST, -25, "the stone goes on turning or sliding")
 
 typedef enum kern_status {
 #define KERN_STATUS_NAME(name, value, text) name = value,
     KERN_STATUS_LIST(KERN_STATUS_NAME)
 #undef KERN_STATUS_NAME
-        KERN_STATUS_LEAST = -23 /* the same number */
+        KERN_STATUS_LEAST = -25 /* the same number */
 } kern_status;
 
 /* Where the fault of a status below zero lies. */
@@ -676,6 +680,22 @@ typedef struct kern_plan {
     kern_contact *contact;
     int contact_room;
 } kern_plan;
+
+/* How a stone at rest is held. */
+typedef enum kern_held {
+    KERN_HELD,  /* forces at two touches, or one, balance its weight */
+    KERN_WEDGED /* no motion is free; friction may hold it or not    */
+} kern_held;
+
+/* Where a stone comes to rest: kern_rest(). */
+typedef struct kern_pose {
+    kern_block block; /* the stone there, with its own vertices        */
+    kern_vec turn;    /* by which it was turned: cosine, sine          */
+    kern_held held;
+    kern_vec at[2]; /* KERN_HELD: where the forces act               */
+    int on[2];      /* the blocks that they come from, -1: none      */
+    int motions;    /* on the way, the first of which is downward    */
+} kern_pose;
 
 /* Sides of a horizontal load or tilt: right is +x for gravity (0, -9.81). */
 typedef enum kern_side {
@@ -1092,6 +1112,29 @@ KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
                                       kern_raising *out, kern_real *reserve,
                                       const kern_proof *proof);
+
+/* Finds where a stone comes to rest on a structure, such as plan.task, when it
+   is let down with its centre at x and turned by an angle of at most 64 rad. x
+   is measured along gravity turned by +90 degrees, which is the x of the plane
+   for gravity (0, -9.81).
+   The stone goes down without turning to the first touch. Then it turns about
+   the support nearest to its centre, as its weight turns it, and slides down an
+   edge that is steeper than options.mu holds, until forces at two touches
+   balance its weight. Blocks of the structure stay. Each motion ends where the
+   stone meets a block, so it overlaps none by more than 1e-6 of its size. A
+   mirrored stone and structure have the mirrored pose, except where the centre
+   is exactly above a point that does not hold it.
+   vertex[0..stone->vertices) receives the vertices there, in their order; it is
+   another array than the stone's own. The structure's contacts are not read.
+   KERN_OK: *out is written. KERN_NO_SUPPORT: the stone falls past the
+   structure. KERN_NO_REST: it still moves after 32 motions. KERN_BAD_OPTION: no
+   gravity; KERN_BAD_BLOCK: a fixed stone; KERN_NO_BLOCK, KERN_FEW_VERTICES,
+   KERN_STALE: a stone that kern_block_init() refused, has no polygon or has
+   moved; KERN_BAD_NUMBER also for x and turn. A bad stone is block B in the
+   fault. Time: O(B) for each motion, and the edges near it. */
+KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
+                               kern_real x, kern_real turn, kern_vec *vertex,
+                               kern_pose *out);
 
 /* -- proofs -- */
 
@@ -8752,6 +8795,606 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
         plan, block, found,
         found < 0 ? (kern_status)found
                   : kern_raised(&plan->task, KERN_R(0), out, reserve, proof));
+}
+
+/* ---- Coming to rest ---------------------------------------------- >>rest */
+/* A stone goes down without turning, and then from touch to touch, turning
+   about one of the points where it touches or sliding along an edge, until two
+   of these points can hold it against its weight. Each motion ends where the
+   stone meets something, so nothing overlaps. A vertex of one outline meets an
+   edge of the other: along a line, or on an arc. */
+
+/* Most motions of a stone; most touches that are kept. */
+#define KERN_REST_MOTIONS 32
+#define KERN_REST_TOUCHES 16
+/* Distance within which outlines touch, as a share of the stone's size. */
+#define KERN_REST_NEAR KERN_PICK(1e-7, 1e-4)
+/* Share of that by which a vertex may lie beyond the end of an edge. */
+#define KERN_REST_END KERN_R(0.01)
+/* Slope against its normal up to which a motion runs along an edge. */
+#define KERN_REST_ALONG KERN_PICK(1e-6, 1e-3)
+/* Upward part of the normal from which a touch supports. */
+#define KERN_REST_UP KERN_R(0.05)
+/* Largest turn that may be asked for [rad]; turn whose series is exact. */
+#define KERN_REST_TURN KERN_R(64)
+#define KERN_REST_SMALL KERN_R(0.06)
+
+/* A point where the stone touches a block. */
+typedef struct kern_prop {
+    kern_vec p, n;    /* place; unit normal into the stone */
+    kern_vec from, t; /* the edge that is touched: its start, unit direction */
+    kern_real length;
+    int back;  /* 1: an edge of the block; -1: of the stone */
+    int block; /* that is touched                           */
+} kern_prop;
+
+/* A motion of the stone: a slide, or a turn of up to a quarter. */
+typedef struct kern_course {
+    kern_vec along; /* slide: unit direction                              */
+    kern_vec about; /* turn: its centre                                   */
+    int sense;      /* 0: slide; 1: counter-clockwise; -1: clockwise      */
+    kern_real far;  /* end of the motion: way, or sine of the turn        */
+    kern_vec turn;  /* end of a turn: cosine, and sine in its sense       */
+    int on;         /* block that is met there, KERN_OUT: none            */
+    kern_real low, high; /* slide: what the stone covers across           */
+} kern_course;
+
+typedef struct kern_settling {
+    const kern_task *task;
+    const kern_block *shape; /* the stone as it was given          */
+    kern_pose *pose;         /* where it is now                    */
+    kern_vec *vertex;        /* its vertices                       */
+    kern_vec down;           /* unit direction of gravity          */
+    kern_real near, reach;   /* distance that touches; farthest vertex */
+    kern_prop prop[KERN_REST_TOUCHES];
+    int props;
+} kern_settling;
+
+/* Returns a turned by the angle whose cosine and sine are q. */
+static kern_vec kern_vec_turned(kern_vec a, kern_vec q)
+{
+    return kern_vec_make(q.x * a.x - q.y * a.y, q.y * a.x + q.x * a.y);
+}
+
+/* Returns cosine and sine of an angle: of a small part of it, which doubles. */
+static kern_vec kern_turn_of(kern_real angle)
+{
+    kern_vec q;
+    int doubles = 0;
+    while (kern_abs(angle) > KERN_REST_SMALL) {
+        angle /= 2;
+        doubles++;
+    }
+    q.y = kern_sine(angle);
+    q.x = KERN_SQRT(1 - q.y * q.y);
+    for (; doubles > 0; doubles--)
+        q = kern_vec_unit(kern_vec_turned(q, q));
+    return q;
+}
+
+/* Moves the stone to a place of its centre, turned as the pose says. */
+static void kern_rest_put(kern_settling *r, kern_vec centre)
+{
+    const kern_block *shape = r->shape;
+    kern_block *b = &r->pose->block;
+    int i;
+    b->centre = centre;
+    for (i = 0; i < b->vertices; i++) {
+        r->vertex[i] = kern_vec_add(
+            centre,
+            kern_vec_turned(kern_vec_sub(shape->vertex[i], shape->centre),
+                            r->pose->turn));
+        if (i == 0)
+            b->box.low = b->box.high = r->vertex[0];
+        kern_box_add(&b->box, r->vertex[i]);
+    }
+}
+
+/* Sets edge i of a block: start, unit direction counter-clockwise, length. */
+static void kern_rest_edge(const kern_block *b, int i, kern_prop *e)
+{
+    const kern_vec p = b->vertex[i];
+    const kern_vec q = b->vertex[i + 1 < b->vertices ? i + 1 : 0];
+    e->from = b->area < 0 ? q : p;
+    e->t = kern_vec_sub(b->area < 0 ? p : q, e->from);
+    e->length = kern_vec_length(e->t);
+    e->t = kern_vec_scale(e->t, 1 / e->length);
+    e->n = kern_vec_scale(kern_vec_turn(e->t), -KERN_R(e->back));
+}
+
+/* Returns 1 if a point `s` along the edge from its start lies on it. */
+static int kern_rest_on(const kern_settling *r, const kern_prop *e, kern_real s)
+{
+    const kern_real end = KERN_REST_END * r->near;
+    return s > -end && s < e->length + end;
+}
+
+/* Keeps the touch of a point with the edge, if it is one. */
+static void kern_rest_touch(kern_settling *r, const kern_prop *e, kern_vec p)
+{
+    const kern_vec w = kern_vec_sub(p, e->from);
+    if (kern_abs(kern_vec_cross(e->t, w)) > r->near
+        || !kern_rest_on(r, e, kern_vec_dot(e->t, w))
+        || r->props >= KERN_REST_TOUCHES)
+        return;
+    r->prop[r->props] = *e;
+    r->prop[r->props++].p = p;
+}
+
+/* Ends a slide where a point meets the edge from outside. */
+static void kern_rest_slide(const kern_settling *r, kern_course *c,
+                            const kern_prop *e, kern_real into, kern_vec p)
+{
+    const kern_vec w = kern_vec_sub(p, e->from);
+    const kern_real gap = kern_vec_cross(w, e->t), back = KERN_R(e->back);
+    const kern_real across = kern_vec_cross(c->along, p);
+    kern_real way;
+    if (gap < -r->near || gap >= c->far * into
+        || (e->back < 0 && !(across > c->low && across < c->high)))
+        return;
+    way = gap / into;
+    if (!kern_rest_on(r, e,
+                      kern_vec_dot(e->t, w)
+                          + way * back * kern_vec_dot(e->t, c->along)))
+        return;
+    c->far = kern_max(way, 0);
+    c->on = e->block;
+}
+
+/* Ends a turn where a point meets the edge from outside. */
+static void kern_rest_arc(const kern_settling *r, kern_course *c,
+                          const kern_prop *e, kern_vec p)
+{
+    const kern_vec arm = kern_vec_sub(p, c->about);
+    const kern_vec w = kern_vec_sub(c->about, e->from);
+    const kern_real square = kern_vec_dot(arm, arm);
+    const kern_real off = kern_vec_cross(e->t, w), side = square - off * off;
+    const kern_real sense = KERN_R(c->sense * e->back);
+    kern_real s, sine, cosine;
+    kern_vec to;
+    if (side < 0 || square < r->near * r->near)
+        return;
+    s = kern_vec_dot(e->t, w) + sense * KERN_SQRT(side);
+    if (!kern_rest_on(r, e, s))
+        return;
+    to = kern_vec_sub(kern_vec_step(e->from, s, e->t), c->about);
+    cosine = kern_vec_dot(arm, to) / square;
+    sine = sense * kern_vec_cross(arm, to) / square;
+    if (!(cosine > 0) || sine >= c->far || -sine * KERN_SQRT(square) > r->near)
+        return;
+    c->far = kern_max(sine, 0);
+    c->turn = sine > 0 ? kern_vec_unit(kern_vec_make(cosine, sine))
+                       : kern_vec_make(KERN_R(1), KERN_R(0));
+    c->on = e->block;
+}
+
+/* Looks at each edge of a and each vertex of b, one of which is the stone: for
+   touches, or for the end of a motion unless c is NULL. */
+static void kern_rest_pair(kern_settling *r, kern_course *c, kern_prop *e,
+                           const kern_block *a, const kern_block *b)
+{
+    int i, k;
+    for (i = 0; i < a->vertices; i++) {
+        kern_real into = KERN_R(1);
+        kern_rest_edge(a, i, e);
+
+        /* pass by an edge that no vertex of b can meet */
+        if (c && c->sense == 0) {
+            const kern_real at = kern_vec_cross(c->along, e->from);
+            const kern_real to = at
+                               + e->length * kern_vec_cross(c->along, e->t);
+            into = KERN_R(e->back) * kern_vec_cross(e->t, c->along);
+            if (into <= KERN_NOISE || kern_max(at, to) <= c->low
+                || kern_min(at, to) >= c->high)
+                continue;
+        } else if (c) {
+            const kern_vec w = kern_vec_sub(c->about, e->from);
+            if (kern_abs(kern_vec_cross(e->t, w)) > r->reach)
+                continue;
+        }
+
+        for (k = 0; k < b->vertices; k++)
+            if (!c)
+                kern_rest_touch(r, e, b->vertex[k]);
+            else if (c->sense == 0)
+                kern_rest_slide(r, c, e, into, b->vertex[k]);
+            else
+                kern_rest_arc(r, c, e, b->vertex[k]);
+    }
+}
+
+/* Sets what the stone may cover in a motion, or covers where c is NULL; of a
+   slide also what it covers across, of a turn how far it reaches. */
+static kern_box kern_rest_box(kern_settling *r, kern_course *c)
+{
+    const kern_block *stone = &r->pose->block;
+    const kern_real end = KERN_REST_END * r->near;
+    kern_box box = stone->box;
+    int i;
+    if (c && c->sense == 0) {
+        const kern_vec way = kern_vec_scale(c->along, c->far);
+        kern_box_add(&box, kern_vec_add(box.low, way));
+        kern_box_add(&box, kern_vec_add(box.high, way));
+        c->low = KERN_INFINITY;
+        c->high = -c->low;
+        for (i = 0; i < stone->vertices; i++) {
+            const kern_real across = kern_vec_cross(c->along, r->vertex[i]);
+            c->low = kern_min(c->low, across + end);
+            c->high = kern_max(c->high, across - end);
+        }
+    } else if (c) {
+        kern_real square = KERN_R(0);
+        kern_vec reach;
+        for (i = 0; i < stone->vertices; i++) {
+            const kern_vec arm = kern_vec_sub(r->vertex[i], c->about);
+            square = kern_max(square, kern_vec_dot(arm, arm));
+        }
+        r->reach = KERN_SQRT(square);
+        reach = kern_vec_make(r->reach, r->reach);
+        box.low = kern_vec_sub(c->about, reach);
+        box.high = kern_vec_add(c->about, reach);
+    }
+    return box;
+}
+
+/* Returns the units of work of a look at a block. */
+static int kern_rest_units(const kern_block *b, const kern_block *stone)
+{
+    const kern_real pairs = KERN_R(b->vertices) * KERN_R(stone->vertices);
+    return 1 + (int)kern_min(pairs / (KERN_UNIT / 2), KERN_R(KERN_WORK_MOST));
+}
+
+/* Finds where a motion ends, or for NULL the touches. Returns 0 where the call
+   has no work left. */
+static int kern_rest_look(kern_settling *r, kern_course *c)
+{
+    const kern_structure *s = &r->task->s;
+    const kern_block *stone = &r->pose->block;
+    const int limit = r->task->options.limit;
+    const kern_box box = kern_rest_box(r, c);
+    kern_prop edge;
+    int i;
+    if (!kern_spend(r->task->work, limit, 1 + s->blocks / KERN_UNIT))
+        return 0;
+    r->props = c ? r->props : 0;
+    for (i = 0; i < s->blocks; i++) {
+        const kern_block *b = &s->block[i];
+        if (!b->vertices || !kern_box_near(&box, &b->box, r->near))
+            continue;
+        if (!kern_spend(r->task->work, limit, kern_rest_units(b, stone)))
+            return 0;
+        edge.block = i;
+        edge.back = 1;
+        kern_rest_pair(r, c, &edge, b, stone);
+        edge.back = -1;
+        kern_rest_pair(r, c, &edge, stone, b);
+    }
+    return 1;
+}
+
+/* Returns 1 if a force within the cone of friction there may be `at` + s
+   `slope`, for an s in [*low, *high], which it narrows. */
+static void kern_rest_cone(const kern_settling *r, const kern_prop *e,
+                           kern_vec at, kern_vec slope, kern_real *low,
+                           kern_real *high)
+{
+    const kern_vec t = kern_vec_turn(e->n);
+    int side;
+    for (side = -1; side <= 1; side++) {
+        const kern_vec inner = kern_vec_step(
+            kern_vec_scale(e->n, side ? r->task->options.mu : KERN_R(1)),
+            KERN_R(side), t);
+        kern_clip(low, high, kern_vec_dot(inner, at),
+                  kern_vec_dot(inner, slope), -KERN_NOISE, KERN_INFINITY);
+    }
+}
+
+/* Returns 1 if forces at two touches balance the weight; at one of them, if
+   they are the same, below or above the centre. */
+static int kern_rest_balances(const kern_settling *r, const kern_prop *e,
+                              const kern_prop *f)
+{
+    const kern_vec up = kern_vec_scale(r->down, KERN_R(-1));
+    const kern_vec arm = kern_vec_sub(r->pose->block.centre, e->p);
+    const kern_vec d = kern_vec_sub(f->p, e->p);
+    const kern_real square = kern_vec_dot(d, d),
+                    lever = kern_vec_cross(arm, up);
+    kern_real low = -KERN_BOUND, high = KERN_BOUND;
+    kern_vec at = kern_vec_make(KERN_R(0), KERN_R(0)), slope = at;
+    if (e != f) {
+        if (square < r->near * r->near)
+            return 0;
+        /* the force at f, but for a share of d, from torques about e */
+        at = kern_vec_scale(kern_vec_turn(d), lever / square);
+        slope = kern_vec_scale(d, 1 / KERN_SQRT(square));
+        kern_rest_cone(r, f, at, slope, &low, &high);
+    } else if (kern_abs(lever) > r->near)
+        return 0;
+    kern_rest_cone(r, e, kern_vec_sub(up, at),
+                   kern_vec_scale(slope, KERN_R(-1)), &low, &high);
+    return low <= high;
+}
+
+/* Returns 1 if the touches hold the stone, and tells which. */
+static int kern_rest_holds(kern_settling *r)
+{
+    int i, k;
+    for (i = 0; i < r->props; i++)
+        for (k = 0; k <= i; k++)
+            if (kern_rest_balances(r, &r->prop[k], &r->prop[i])) {
+                r->pose->at[0] = r->prop[k].p;
+                r->pose->at[1] = r->prop[i].p;
+                r->pose->on[0] = r->prop[k].block;
+                r->pose->on[1] = r->prop[i].block;
+                return 1;
+            }
+    return 0;
+}
+
+/* Moves the stone to where the motion ends. Returns 1 if it moved. */
+static int kern_rest_go(kern_settling *r, kern_course *c)
+{
+    kern_block *b = &r->pose->block;
+    kern_vec centre;
+    if (!kern_rest_look(r, c))
+        return 0;
+    if (c->sense == 0) {
+        if (!(c->far > r->near))
+            return 0;
+        centre = kern_vec_step(b->centre, c->far, c->along);
+    } else {
+        const kern_vec turn = kern_vec_make(c->turn.x,
+                                            KERN_R(c->sense) * c->turn.y);
+        if (!(c->far * r->reach > r->near))
+            return 0;
+        r->pose->turn = kern_vec_unit(kern_vec_turned(r->pose->turn, turn));
+        centre = kern_vec_add(
+            c->about, kern_vec_turned(kern_vec_sub(b->centre, c->about), turn));
+    }
+    kern_rest_put(r, centre);
+    r->pose->motions++;
+    return 1;
+}
+
+/* Turns the stone about a touch, the way its weight turns it, by at most a
+   quarter and until the centre is lowest. Returns 1 if it moved. */
+static int kern_rest_tip(kern_settling *r, const kern_prop *e)
+{
+    const kern_vec arm = kern_vec_sub(r->pose->block.centre, e->p);
+    const kern_real lever = kern_vec_cross(arm, r->down);
+    const kern_real low = kern_vec_dot(arm, r->down);
+    kern_course c;
+    c.about = e->p;
+    c.sense = lever < 0 ? -1 : 1;
+    c.far = KERN_R(1);
+    c.turn = kern_vec_make(KERN_R(0), KERN_R(1));
+    if (low > 0) {
+        c.turn = kern_vec_unit(kern_vec_make(low, kern_abs(lever)));
+        c.far = c.turn.y;
+    }
+    return kern_rest_go(r, &c);
+}
+
+/* Slides the stone until it meets something, its centre is above the end of
+   what it slides on, or a vertex runs off there. Returns 1 if it moved. */
+static int kern_rest_run(kern_settling *r, kern_vec along, kern_real most)
+{
+    const kern_vec level = kern_vec_turn(r->down);
+    const kern_vec centre = r->pose->block.centre;
+    const kern_real pace = kern_vec_dot(along, level);
+    kern_course c;
+    int i;
+    c.along = along;
+    c.sense = 0;
+    c.far = most;
+    c.on = KERN_OUT;
+    for (i = 0; i < r->props; i++) {
+        const kern_prop *e = &r->prop[i];
+        const kern_real way = KERN_R(e->back) * kern_vec_dot(e->t, along);
+        const kern_real at = kern_vec_dot(e->t, kern_vec_sub(e->p, e->from));
+        const kern_real end = way > 0 ? e->length - at : at;
+        const kern_real ahead = kern_vec_dot(kern_vec_sub(e->p, centre), level);
+        if (kern_abs(kern_vec_dot(e->n, along)) > KERN_REST_ALONG)
+            continue;
+        if (end > r->near)
+            c.far = kern_min(c.far, end);
+        if (e->back < 0 && ahead * pace > 0 && ahead / pace > r->near)
+            c.far = kern_min(c.far, ahead / pace);
+    }
+    return kern_rest_go(r, &c);
+}
+
+/* Slides the stone along the steepest edge that is steeper than friction holds
+   and along which nothing is in the way. Returns 1 if it moved. */
+static int kern_rest_slip(kern_settling *r, kern_real sticks)
+{
+    kern_vec best = r->down;
+    kern_real steepest = KERN_R(0);
+    int i, k, side;
+    for (i = -1; i < r->props; i++)
+        for (side = -1; side <= 1; side += 2) {
+            const kern_vec u = i < 0
+                                 ? r->down
+                                 : kern_vec_scale(r->prop[i].t, KERN_R(side));
+            const kern_real down = kern_vec_dot(u, r->down);
+            int open = i < 0 || -kern_vec_dot(r->prop[i].n, r->down) < sticks;
+            for (k = 0; k < r->props && open; k++)
+                open = kern_vec_dot(r->prop[k].n, u) >= -KERN_REST_ALONG;
+            if (open && down > steepest) {
+                steepest = down;
+                best = u;
+            }
+        }
+    return steepest > 0
+        && kern_rest_run(
+               r, best,
+               2
+                   * kern_vec_length(kern_vec_sub(r->pose->block.box.high,
+                                                  r->pose->block.box.low)));
+}
+
+/* Returns the support beside which the centre lies, or NULL where it lies
+   between supports or there are none. */
+static const kern_prop *kern_rest_hinge(const kern_settling *r)
+{
+    const kern_vec level = kern_vec_turn(r->down);
+    const kern_prop *left = NULL, *right = NULL;
+    kern_real least = KERN_INFINITY, most = -least, at;
+    int i;
+    for (i = 0; i < r->props; i++) {
+        const kern_prop *e = &r->prop[i];
+        if (-kern_vec_dot(e->n, r->down) < KERN_REST_UP)
+            continue;
+        at = kern_vec_dot(kern_vec_sub(e->p, r->pose->block.centre), level);
+        if (at < least) {
+            least = at;
+            left = e;
+        }
+        if (at > most) {
+            most = at;
+            right = e;
+        }
+    }
+    return least > 0 ? left : most < 0 ? right : NULL;
+}
+
+/* Moves the stone to the next touch. Returns 1 if it moved. */
+static int kern_rest_move(kern_settling *r, kern_real below)
+{
+    const kern_real mu = r->task->options.mu;
+    const kern_real sticks = 1 / KERN_SQRT(1 + mu * mu);
+    const kern_prop *hinge = kern_rest_hinge(r);
+    int i, holds;
+    if (r->props == 0)
+        return kern_rest_run(
+            r, r->down, below - kern_vec_dot(r->pose->block.centre, r->down));
+    holds = hinge && -kern_vec_dot(hinge->n, r->down) >= sticks;
+    if ((holds && kern_rest_tip(r, hinge)) || kern_rest_slip(r, sticks)
+        || (hinge && !holds && kern_rest_tip(r, hinge)))
+        return 1;
+    for (i = 0; i < r->props; i++)
+        if (&r->prop[i] != hinge && kern_rest_tip(r, &r->prop[i]))
+            return 1;
+    return 0;
+}
+
+/* Returns the extent of a box along a direction: from its middle. */
+static kern_real kern_rest_half(const kern_box *box, kern_vec d)
+{
+    return ((box->high.x - box->low.x) * kern_abs(d.x)
+            + (box->high.y - box->low.y) * kern_abs(d.y))
+         / 2;
+}
+
+/* Puts the stone above all blocks, with its centre at x. Returns how far down
+   its centre goes where it misses them; -infinity where there are none. */
+static kern_real kern_rest_lift(kern_settling *r, kern_real x)
+{
+    const kern_structure *s = &r->task->s;
+    const kern_vec level = kern_vec_turn(r->down);
+    const kern_real half = 2 * kern_box_half(r->shape);
+    kern_real top = KERN_INFINITY, bottom = -top, largest = KERN_R(0);
+    int i;
+    for (i = 0; i < s->blocks; i++) {
+        const kern_box *box = &s->block[i].box;
+        if (s->block[i].vertices) {
+            const kern_real at = kern_vec_dot(kern_vec_mid(box->low, box->high),
+                                              r->down);
+            const kern_real deep = kern_rest_half(box, r->down);
+            top = kern_min(top, at - deep);
+            bottom = kern_max(bottom, at + deep);
+            largest = kern_max(largest, kern_box_largest(box));
+        }
+    }
+    r->near = kern_max(KERN_REST_NEAR * kern_block_size(r->shape),
+                       2 * KERN_ROUNDING * (largest + kern_abs(x)));
+    if (top <= bottom)
+        kern_rest_put(
+            r, kern_vec_step(kern_vec_scale(level, x), top - half, r->down));
+    return bottom + half;
+}
+
+/* Checks what kern_rest() is given, but for the pointers of the task. */
+static kern_status kern_rest_check(const kern_task *task,
+                                   const kern_block *stone,
+                                   const kern_vec *vertex, kern_vec place)
+{
+    const kern_vec none = {KERN_R(0), KERN_R(0)};
+    const kern_vec g = task->s.gravity;
+    kern_status status = KERN_OK;
+    int i, loaded = 0;
+    if (!stone || !vertex || vertex == stone->vertex)
+        return KERN_BAD_POINTER;
+    if (!kern_vec_is_moderate(place) || !(kern_abs(place.y) <= KERN_REST_TURN))
+        return KERN_BAD_NUMBER;
+    if (!(kern_vec_largest(g) > 0))
+        return KERN_BAD_OPTION;
+    if (!kern_spend(task->work, task->options.limit,
+                    1 + task->s.blocks / (KERN_UNIT / 4)))
+        return KERN_LIMIT;
+    for (i = 0; i <= task->s.blocks && status == KERN_OK; i++) {
+        const kern_block *b = i < task->s.blocks ? &task->s.block[i] : stone;
+        task->work->fault.block = i;
+        status = kern_block_check(b, none, &loaded);
+    }
+    if (status != KERN_OK)
+        return status;
+    if (stone->fixed)
+        return KERN_BAD_BLOCK;
+    if (stone->vertices < 3)
+        return KERN_FEW_VERTICES;
+    if (kern_block_is_stale(stone))
+        return KERN_STALE;
+    task->work->fault.block = KERN_OUT;
+    return KERN_OK;
+}
+
+KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
+                               kern_real x, kern_real turn, kern_vec *vertex,
+                               kern_pose *out)
+{
+    kern_settling r;
+    kern_pose pose;
+    kern_real below;
+    kern_status status = kern_task_check(task, KERN_R(0), out);
+    if (status == KERN_OK)
+        status = kern_rest_check(task, stone, vertex, kern_vec_make(x, turn));
+    if (status != KERN_OK)
+        return status;
+    pose.block = *stone;
+    pose.block.vertex = r.vertex = vertex;
+    pose.turn = kern_turn_of(turn);
+    pose.motions = r.props = 0;
+    pose.held = KERN_HELD;
+    kern_zero(pose.at, 4);
+    pose.on[0] = pose.on[1] = KERN_OUT;
+    r.task = task;
+    r.shape = stone;
+    r.pose = &pose;
+    r.down = kern_vec_unit(
+        kern_vec_scale(task->s.gravity, 1 / kern_vec_largest(task->s.gravity)));
+    below = kern_rest_lift(&r, x);
+
+    status = KERN_NO_SUPPORT;
+    while (below > -KERN_INFINITY && pose.motions < KERN_REST_MOTIONS) {
+        if (!kern_rest_move(&r, below) || !kern_rest_look(&r, NULL)) {
+            pose.held = KERN_WEDGED;
+            status = KERN_OK;
+            break;
+        }
+        if (kern_rest_holds(&r)) {
+            status = KERN_OK;
+            break;
+        }
+        if (kern_vec_dot(pose.block.centre, r.down) > below - r.near)
+            break;
+        if (pose.motions == KERN_REST_MOTIONS)
+            status = KERN_NO_REST;
+    }
+    status = kern_ended(task, status);
+    if (status == KERN_OK)
+        *out = pose;
+    return status;
 }
 
 /* ==== Part VII: Words ==================================================== */
