@@ -1127,7 +1127,7 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
    vertex[0..stone->vertices) receives the vertices there, in their order; it is
    another array than the stone's own. The structure's contacts are not read.
    KERN_OK: *out is written. KERN_NO_SUPPORT: the stone falls past the
-   structure. KERN_NO_REST: it still moves after 32 motions. KERN_BAD_OPTION: no
+   structure. KERN_NO_REST: it still moves after 48 motions. KERN_BAD_OPTION: no
    gravity; KERN_BAD_BLOCK: a fixed stone; KERN_NO_BLOCK, KERN_FEW_VERTICES,
    KERN_STALE: a stone that kern_block_init() refused, has no polygon or has
    moved; KERN_BAD_NUMBER also for x and turn. A bad stone is block B in the
@@ -8805,7 +8805,7 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
    edge of the other: along a line, or on an arc. */
 
 /* Most motions of a stone; most touches that are kept. */
-#define KERN_REST_MOTIONS 32
+#define KERN_REST_MOTIONS 48
 #define KERN_REST_TOUCHES 16
 /* Distance within which outlines touch, as a share of the stone's size. */
 #define KERN_REST_NEAR KERN_PICK(1e-7, 1e-4)
@@ -8815,6 +8815,10 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 #define KERN_REST_ALONG KERN_PICK(1e-6, 1e-3)
 /* Upward part of the normal from which a touch supports. */
 #define KERN_REST_UP KERN_R(0.05)
+/* Largest turn of one motion: what it may meet is looked for in a small box. */
+#define KERN_REST_COSINE KERN_R(0.96)
+#define KERN_REST_SINE KERN_R(0.28)
+#define KERN_REST_STEPS 5
 /* Largest turn that may be asked for [rad]; turn whose series is exact. */
 #define KERN_REST_TURN KERN_R(64)
 #define KERN_REST_SMALL KERN_R(0.06)
@@ -8828,15 +8832,17 @@ typedef struct kern_prop {
     int block; /* that is touched                           */
 } kern_prop;
 
-/* A motion of the stone: a slide, or a turn of up to a quarter. */
+/* A motion of the stone: a slide, or a turn. */
 typedef struct kern_course {
-    kern_vec along; /* slide: unit direction                              */
-    kern_vec about; /* turn: its centre                                   */
     int sense;      /* 0: slide; 1: counter-clockwise; -1: clockwise      */
     kern_real far;  /* end of the motion: way, or sine of the turn        */
-    kern_vec turn;  /* end of a turn: cosine, and sine in its sense       */
-    int on;         /* block that is met there, KERN_OUT: none            */
-    kern_real low, high; /* slide: what the stone covers across           */
+    kern_vec along; /* slide: unit direction                              */
+    kern_real low, high; /* what the stone covers across that             */
+    kern_real front;     /* how far it reaches along it                   */
+    kern_vec about;      /* turn: its centre                              */
+    kern_vec turn;       /* at its end: cosine, and sine in its sense     */
+    kern_real reach;     /* distance of the farthest vertex               */
+    kern_real ring[2];   /* of the distances of the edge in question      */
 } kern_course;
 
 typedef struct kern_settling {
@@ -8845,7 +8851,8 @@ typedef struct kern_settling {
     kern_pose *pose;         /* where it is now                    */
     kern_vec *vertex;        /* its vertices                       */
     kern_vec down;           /* unit direction of gravity          */
-    kern_real near, reach;   /* distance that touches; farthest vertex */
+    kern_real near;          /* distance that touches              */
+    kern_box swept;          /* what a motion covers at most       */
     kern_prop prop[KERN_REST_TOUCHES];
     int props;
 } kern_settling;
@@ -8854,6 +8861,12 @@ typedef struct kern_settling {
 static kern_vec kern_vec_turned(kern_vec a, kern_vec q)
 {
     return kern_vec_make(q.x * a.x - q.y * a.y, q.y * a.x + q.x * a.y);
+}
+
+/* Returns a turned about a point. */
+static kern_vec kern_vec_about(kern_vec a, kern_vec about, kern_vec q)
+{
+    return kern_vec_add(about, kern_vec_turned(kern_vec_sub(a, about), q));
 }
 
 /* Returns cosine and sine of an angle: of a small part of it, which doubles. */
@@ -8870,6 +8883,12 @@ static kern_vec kern_turn_of(kern_real angle)
     for (; doubles > 0; doubles--)
         q = kern_vec_unit(kern_vec_turned(q, q));
     return q;
+}
+
+/* Returns cosine and sine of the turn at the end of a motion. */
+static kern_vec kern_rest_turn(const kern_course *c)
+{
+    return kern_vec_make(c->turn.x, KERN_R(c->sense) * c->turn.y);
 }
 
 /* Moves the stone to a place of its centre, turned as the pose says. */
@@ -8890,16 +8909,14 @@ static void kern_rest_put(kern_settling *r, kern_vec centre)
     }
 }
 
-/* Sets edge i of a block: start, unit direction counter-clockwise, length. */
-static void kern_rest_edge(const kern_block *b, int i, kern_prop *e)
+/* Sets the ends of edge i of a block, counter-clockwise. */
+static void kern_rest_ends(const kern_block *b, int i, kern_vec *from,
+                           kern_vec *to)
 {
     const kern_vec p = b->vertex[i];
     const kern_vec q = b->vertex[i + 1 < b->vertices ? i + 1 : 0];
-    e->from = b->area < 0 ? q : p;
-    e->t = kern_vec_sub(b->area < 0 ? p : q, e->from);
-    e->length = kern_vec_length(e->t);
-    e->t = kern_vec_scale(e->t, 1 / e->length);
-    e->n = kern_vec_scale(kern_vec_turn(e->t), -KERN_R(e->back));
+    *from = b->area < 0 ? q : p;
+    *to = b->area < 0 ? p : q;
 }
 
 /* Returns 1 if a point `s` along the edge from its start lies on it. */
@@ -8923,22 +8940,17 @@ static void kern_rest_touch(kern_settling *r, const kern_prop *e, kern_vec p)
 
 /* Ends a slide where a point meets the edge from outside. */
 static void kern_rest_slide(const kern_settling *r, kern_course *c,
-                            const kern_prop *e, kern_real into, kern_vec p)
+                            const kern_prop *e, kern_vec p)
 {
     const kern_vec w = kern_vec_sub(p, e->from);
-    const kern_real gap = kern_vec_cross(w, e->t), back = KERN_R(e->back);
-    const kern_real across = kern_vec_cross(c->along, p);
-    kern_real way;
-    if (gap < -r->near || gap >= c->far * into
-        || (e->back < 0 && !(across > c->low && across < c->high)))
-        return;
-    way = gap / into;
-    if (!kern_rest_on(r, e,
-                      kern_vec_dot(e->t, w)
-                          + way * back * kern_vec_dot(e->t, c->along)))
-        return;
-    c->far = kern_max(way, 0);
-    c->on = e->block;
+    const kern_real into = -kern_vec_dot(e->n, c->along);
+    const kern_real gap = kern_vec_cross(w, e->t), way = gap / into;
+    if (into > KERN_NOISE && gap >= -r->near && way < c->far
+        && kern_rest_on(r, e,
+                        kern_vec_dot(e->t, w)
+                            + way * KERN_R(e->back)
+                                  * kern_vec_dot(e->t, c->along)))
+        c->far = kern_max(way, 0);
 }
 
 /* Ends a turn where a point meets the edge from outside. */
@@ -8965,7 +8977,72 @@ static void kern_rest_arc(const kern_settling *r, kern_course *c,
     c->far = kern_max(sine, 0);
     c->turn = sine > 0 ? kern_vec_unit(kern_vec_make(cosine, sine))
                        : kern_vec_make(KERN_R(1), KERN_R(0));
-    c->on = e->block;
+}
+
+/* Returns 1 if a vertex of the other outline may meet the edge in a slide. */
+static int kern_rest_slides(const kern_course *c, int back, kern_vec from,
+                            kern_vec to)
+{
+    const kern_real p = kern_vec_cross(c->along, from);
+    const kern_real q = kern_vec_cross(c->along, to);
+    return KERN_R(back) * (p - q) > 0
+        && (back < 0
+            || (kern_max(p, q) > c->low && kern_min(p, q) < c->high
+                && kern_min(kern_vec_dot(c->along, from),
+                            kern_vec_dot(c->along, to))
+                       < c->front + c->far));
+}
+
+/* Returns 1 if a vertex of the other outline may meet the edge in a turn, and
+   sets the squares of the distances between which its points lie. */
+static int kern_rest_turns(kern_course *c, kern_vec from, kern_vec to)
+{
+    const kern_vec p = kern_vec_sub(from, c->about);
+    const kern_vec q = kern_vec_sub(to, c->about), d = kern_vec_sub(to, from);
+    const kern_real pp = kern_vec_dot(p, p), qq = kern_vec_dot(q, q);
+    const kern_real off = kern_vec_cross(p, d);
+    c->ring[0] = kern_vec_dot(p, d) < 0 && kern_vec_dot(q, d) > 0
+                   ? off * off / kern_vec_dot(d, d)
+                   : kern_min(pp, qq);
+    c->ring[0] *= 1 - KERN_REST_ALONG;
+    c->ring[1] = kern_max(pp, qq) * (1 + KERN_REST_ALONG);
+    return c->ring[0] <= c->reach * c->reach;
+}
+
+/* Returns 1 if the box of an edge comes near another. */
+static int kern_rest_is_near(const kern_box *box, kern_vec from, kern_vec to,
+                             kern_real near)
+{
+    const kern_real left = box->low.x - near, right = box->high.x + near;
+    const kern_real low = box->low.y - near, high = box->high.y + near;
+    return (from.x >= left || to.x >= left)
+        && (from.x <= right || to.x <= right) && (from.y >= low || to.y >= low)
+        && (from.y <= high || to.y <= high);
+}
+
+/* Looks for the vertex p at an edge, in a motion or for touches. */
+static void kern_rest_meet(kern_settling *r, kern_course *c, const kern_prop *e,
+                           kern_vec p)
+{
+    if (!c)
+        kern_rest_touch(r, e, p);
+    else if (c->sense) {
+        const kern_vec arm = kern_vec_sub(p, c->about);
+        const kern_real square = kern_vec_dot(arm, arm);
+        if (square >= c->ring[0] && square <= c->ring[1])
+            kern_rest_arc(r, c, e, p);
+    } else {
+        const kern_real across = kern_vec_cross(c->along, p);
+        if (e->back > 0 || (across > c->low && across < c->high))
+            kern_rest_slide(r, c, e, p);
+    }
+}
+
+/* Returns 1 if the stone may come to a point in its motion. */
+static int kern_rest_sweeps(const kern_settling *r, kern_vec p)
+{
+    return p.y <= r->swept.high.y && p.y >= r->swept.low.y
+        && p.x >= r->swept.low.x && p.x <= r->swept.high.x;
 }
 
 /* Looks at each edge of a and each vertex of b, one of which is the stone: for
@@ -8973,68 +9050,82 @@ static void kern_rest_arc(const kern_settling *r, kern_course *c,
 static void kern_rest_pair(kern_settling *r, kern_course *c, kern_prop *e,
                            const kern_block *a, const kern_block *b)
 {
-    int i, k;
-    for (i = 0; i < a->vertices; i++) {
-        kern_real into = KERN_R(1);
-        kern_rest_edge(a, i, e);
+    const kern_box *const other = e->back > 0 ? &r->swept : &b->box;
+    int i, k, first = 0, last = b->vertices;
+    if (e->back < 0) {
+        while (first < last && !kern_rest_sweeps(r, b->vertex[first]))
+            first++;
+        while (first < last && !kern_rest_sweeps(r, b->vertex[last - 1]))
+            last--;
+    }
+    for (i = 0; i < a->vertices && first < last; i++) {
+        kern_vec to;
 
         /* pass by an edge that no vertex of b can meet */
-        if (c && c->sense == 0) {
-            const kern_real at = kern_vec_cross(c->along, e->from);
-            const kern_real to = at
-                               + e->length * kern_vec_cross(c->along, e->t);
-            into = KERN_R(e->back) * kern_vec_cross(e->t, c->along);
-            if (into <= KERN_NOISE || kern_max(at, to) <= c->low
-                || kern_min(at, to) >= c->high)
-                continue;
-        } else if (c) {
-            const kern_vec w = kern_vec_sub(c->about, e->from);
-            if (kern_abs(kern_vec_cross(e->t, w)) > r->reach)
-                continue;
-        }
+        kern_rest_ends(a, i, &e->from, &to);
+        if (((e->back > 0 || !c)
+             && !kern_rest_is_near(other, e->from, to, r->near))
+            || (c
+                && !(c->sense ? kern_rest_turns(c, e->from, to)
+                              : kern_rest_slides(c, e->back, e->from, to))))
+            continue;
 
-        for (k = 0; k < b->vertices; k++)
-            if (!c)
-                kern_rest_touch(r, e, b->vertex[k]);
-            else if (c->sense == 0)
-                kern_rest_slide(r, c, e, into, b->vertex[k]);
-            else
-                kern_rest_arc(r, c, e, b->vertex[k]);
+        e->t = kern_vec_sub(to, e->from);
+        e->length = kern_vec_length(e->t);
+        e->t = kern_vec_scale(e->t, 1 / e->length);
+        e->n = kern_vec_scale(kern_vec_turn(e->t), -KERN_R(e->back));
+        for (k = first; k < last; k++)
+            kern_rest_meet(r, c, e, b->vertex[k]);
     }
 }
 
-/* Sets what the stone may cover in a motion, or covers where c is NULL; of a
-   slide also what it covers across, of a turn how far it reaches. */
-static kern_box kern_rest_box(kern_settling *r, kern_course *c)
+/* Measures the stone for a motion: how far it reaches. */
+static void kern_rest_reach(kern_settling *r, kern_course *c)
 {
-    const kern_block *stone = &r->pose->block;
     const kern_real end = KERN_REST_END * r->near;
-    kern_box box = stone->box;
     int i;
-    if (c && c->sense == 0) {
-        const kern_vec way = kern_vec_scale(c->along, c->far);
-        kern_box_add(&box, kern_vec_add(box.low, way));
-        kern_box_add(&box, kern_vec_add(box.high, way));
-        c->low = KERN_INFINITY;
-        c->high = -c->low;
-        for (i = 0; i < stone->vertices; i++) {
-            const kern_real across = kern_vec_cross(c->along, r->vertex[i]);
+    c->low = KERN_INFINITY;
+    c->high = c->front = -c->low;
+    c->reach = KERN_R(0);
+    for (i = 0; i < r->shape->vertices; i++) {
+        const kern_vec p = r->vertex[i];
+        if (c->sense) {
+            const kern_vec arm = kern_vec_sub(p, c->about);
+            c->reach = kern_max(c->reach, kern_vec_dot(arm, arm));
+        } else {
+            const kern_real across = kern_vec_cross(c->along, p);
             c->low = kern_min(c->low, across + end);
             c->high = kern_max(c->high, across - end);
+            c->front = kern_max(c->front, kern_vec_dot(c->along, p));
         }
-    } else if (c) {
-        kern_real square = KERN_R(0);
-        kern_vec reach;
-        for (i = 0; i < stone->vertices; i++) {
-            const kern_vec arm = kern_vec_sub(r->vertex[i], c->about);
-            square = kern_max(square, kern_vec_dot(arm, arm));
-        }
-        r->reach = KERN_SQRT(square);
-        reach = kern_vec_make(r->reach, r->reach);
-        box.low = kern_vec_sub(c->about, reach);
-        box.high = kern_vec_add(c->about, reach);
     }
-    return box;
+    c->reach = KERN_SQRT(c->reach);
+}
+
+/* Sets what the stone covers at most in a motion; where c is NULL, covers. */
+static void kern_rest_box(kern_settling *r, const kern_course *c)
+{
+    const kern_vec near = kern_vec_make(r->near, r->near);
+    const kern_box stone = r->pose->block.box;
+    kern_box *const box = &r->swept;
+    *box = stone;
+    if (c && c->sense) {
+        /* an arc is beyond its ends by less than this */
+        const kern_real bulge = c->reach * (1 - c->turn.x);
+        const kern_vec turn = kern_rest_turn(c);
+        const kern_vec out = kern_vec_make(bulge, bulge);
+        int i;
+        for (i = 0; i < r->shape->vertices; i++)
+            kern_box_add(box, kern_vec_about(r->vertex[i], c->about, turn));
+        box->low = kern_vec_sub(box->low, out);
+        box->high = kern_vec_add(box->high, out);
+    } else if (c) {
+        const kern_vec way = kern_vec_scale(c->along, c->far);
+        kern_box_add(box, kern_vec_add(stone.low, way));
+        kern_box_add(box, kern_vec_add(stone.high, way));
+    }
+    box->low = kern_vec_sub(box->low, near);
+    box->high = kern_vec_add(box->high, near);
 }
 
 /* Returns the units of work of a look at a block. */
@@ -9044,30 +9135,42 @@ static int kern_rest_units(const kern_block *b, const kern_block *stone)
     return 1 + (int)kern_min(pairs / (KERN_UNIT / 2), KERN_R(KERN_WORK_MOST));
 }
 
+/* Returns 1 if the stone goes farther than it takes to touch. */
+static int kern_rest_goes(const kern_settling *r, const kern_course *c)
+{
+    return c->far * (c->sense ? c->reach : KERN_R(1)) > r->near;
+}
+
 /* Finds where a motion ends, or for NULL the touches. Returns 0 where the call
-   has no work left. */
+   has no work left, and where the motion ends at once. */
 static int kern_rest_look(kern_settling *r, kern_course *c)
 {
     const kern_structure *s = &r->task->s;
     const kern_block *stone = &r->pose->block;
     const int limit = r->task->options.limit;
-    const kern_box box = kern_rest_box(r, c);
     kern_prop edge;
-    int i;
     if (!kern_spend(r->task->work, limit, 1 + s->blocks / KERN_UNIT))
         return 0;
-    r->props = c ? r->props : 0;
-    for (i = 0; i < s->blocks; i++) {
-        const kern_block *b = &s->block[i];
-        if (!b->vertices || !kern_box_near(&box, &b->box, r->near))
+    if (c)
+        kern_rest_reach(r, c);
+    else
+        r->props = 0;
+    kern_rest_box(r, c);
+    /* the last are often the highest, and shorten the way */
+    for (edge.block = s->blocks - 1; edge.block >= 0; edge.block--) {
+        const kern_block *b = &s->block[edge.block];
+        if (!b->vertices || !kern_box_near(&r->swept, &b->box, KERN_R(0)))
             continue;
         if (!kern_spend(r->task->work, limit, kern_rest_units(b, stone)))
             return 0;
-        edge.block = i;
         edge.back = 1;
         kern_rest_pair(r, c, &edge, b, stone);
         edge.back = -1;
         kern_rest_pair(r, c, &edge, stone, b);
+        if (c && !kern_rest_goes(r, c))
+            return 0;
+        if (c)
+            kern_rest_box(r, c);
     }
     return 1;
 }
@@ -9136,43 +9239,48 @@ static int kern_rest_go(kern_settling *r, kern_course *c)
 {
     kern_block *b = &r->pose->block;
     kern_vec centre;
-    if (!kern_rest_look(r, c))
+    if (!kern_rest_look(r, c) || !kern_rest_goes(r, c))
         return 0;
     if (c->sense == 0) {
-        if (!(c->far > r->near))
-            return 0;
         centre = kern_vec_step(b->centre, c->far, c->along);
     } else {
-        const kern_vec turn = kern_vec_make(c->turn.x,
-                                            KERN_R(c->sense) * c->turn.y);
-        if (!(c->far * r->reach > r->near))
-            return 0;
+        const kern_vec turn = kern_rest_turn(c);
         r->pose->turn = kern_vec_unit(kern_vec_turned(r->pose->turn, turn));
-        centre = kern_vec_add(
-            c->about, kern_vec_turned(kern_vec_sub(b->centre, c->about), turn));
+        centre = kern_vec_about(b->centre, c->about, turn);
     }
     kern_rest_put(r, centre);
     r->pose->motions++;
     return 1;
 }
 
-/* Turns the stone about a touch, the way its weight turns it, by at most a
-   quarter and until the centre is lowest. Returns 1 if it moved. */
+/* Turns the stone about a touch, the way its weight turns it, until it meets
+   something, by at most a quarter and until the centre is lowest. Each step
+   looks only at what is near. Returns 1 if it moved. */
 static int kern_rest_tip(kern_settling *r, const kern_prop *e)
 {
-    const kern_vec arm = kern_vec_sub(r->pose->block.centre, e->p);
-    const kern_real lever = kern_vec_cross(arm, r->down);
-    const kern_real low = kern_vec_dot(arm, r->down);
+    const kern_vec about = e->p;
     kern_course c;
-    c.about = e->p;
-    c.sense = lever < 0 ? -1 : 1;
-    c.far = KERN_R(1);
-    c.turn = kern_vec_make(KERN_R(0), KERN_R(1));
-    if (low > 0) {
-        c.turn = kern_vec_unit(kern_vec_make(low, kern_abs(lever)));
-        c.far = c.turn.y;
+    int step;
+    c.sense = 0;
+    for (step = 0; step < KERN_REST_STEPS; step++) {
+        const kern_vec arm = kern_vec_sub(r->pose->block.centre, about);
+        const kern_real lever = kern_vec_cross(arm, r->down);
+        const kern_real low = kern_vec_dot(arm, r->down);
+        kern_real most = KERN_REST_SINE;
+        c.about = c.along = about;
+        c.sense = lever < 0 ? -1 : 1;
+        c.turn = kern_vec_make(KERN_REST_COSINE, KERN_REST_SINE);
+        if (low > 0 && kern_abs(lever) < low * KERN_REST_SINE) {
+            c.turn = kern_vec_unit(kern_vec_make(low, kern_abs(lever)));
+            most = c.turn.y;
+        }
+        c.far = most;
+        if (!kern_rest_go(r, &c))
+            break;
+        if (c.far < KERN_REST_SINE)
+            return 1;
     }
-    return kern_rest_go(r, &c);
+    return step > 0;
 }
 
 /* Slides the stone until it meets something, its centre is above the end of
@@ -9184,10 +9292,9 @@ static int kern_rest_run(kern_settling *r, kern_vec along, kern_real most)
     const kern_real pace = kern_vec_dot(along, level);
     kern_course c;
     int i;
-    c.along = along;
+    c.along = c.about = c.turn = along;
     c.sense = 0;
     c.far = most;
-    c.on = KERN_OUT;
     for (i = 0; i < r->props; i++) {
         const kern_prop *e = &r->prop[i];
         const kern_real way = KERN_R(e->back) * kern_vec_dot(e->t, along);
@@ -9286,67 +9393,68 @@ static kern_real kern_rest_half(const kern_box *box, kern_vec d)
          / 2;
 }
 
-/* Puts the stone above all blocks, with its centre at x. Returns how far down
-   its centre goes where it misses them; -infinity where there are none. */
-static kern_real kern_rest_lift(kern_settling *r, kern_real x)
+/* Puts the stone above all blocks, with its centre at x. Sets how far down its
+   centre goes where it misses them; -infinity where there are none. */
+static kern_status kern_rest_lift(kern_settling *r, kern_real x,
+                                  kern_real *below)
 {
     const kern_structure *s = &r->task->s;
     const kern_vec level = kern_vec_turn(r->down);
     const kern_real half = 2 * kern_box_half(r->shape);
-    kern_real top = KERN_INFINITY, bottom = -top, largest = KERN_R(0);
+    kern_real top = KERN_INFINITY, bottom = -top, largest = kern_abs(x);
     int i;
     for (i = 0; i < s->blocks; i++) {
         const kern_box *box = &s->block[i].box;
-        if (s->block[i].vertices) {
-            const kern_real at = kern_vec_dot(kern_vec_mid(box->low, box->high),
-                                              r->down);
-            const kern_real deep = kern_rest_half(box, r->down);
-            top = kern_min(top, at - deep);
-            bottom = kern_max(bottom, at + deep);
-            largest = kern_max(largest, kern_box_largest(box));
-        }
+        kern_real at, deep;
+        r->task->work->fault.block = i;
+        if (s->block[i].vertices < 0)
+            return KERN_NO_BLOCK;
+        if (!s->block[i].vertices)
+            continue;
+        at = kern_vec_dot(kern_vec_mid(box->low, box->high), r->down);
+        deep = kern_rest_half(box, r->down);
+        top = kern_min(top, at - deep);
+        bottom = kern_max(bottom, at + deep);
+        largest = kern_max(kern_box_largest(box), largest);
+        if (!(largest <= KERN_FAR))
+            return KERN_BAD_NUMBER;
     }
+    r->task->work->fault.block = KERN_OUT;
     r->near = kern_max(KERN_REST_NEAR * kern_block_size(r->shape),
-                       2 * KERN_ROUNDING * (largest + kern_abs(x)));
+                       2 * KERN_ROUNDING * largest);
     if (top <= bottom)
         kern_rest_put(
             r, kern_vec_step(kern_vec_scale(level, x), top - half, r->down));
-    return bottom + half;
+    *below = bottom + half;
+    return KERN_OK;
 }
 
-/* Checks what kern_rest() is given, but for the pointers of the task. */
+/* Checks what kern_rest() is given, but for the structure. */
 static kern_status kern_rest_check(const kern_task *task,
                                    const kern_block *stone,
                                    const kern_vec *vertex, kern_vec place)
 {
     const kern_vec none = {KERN_R(0), KERN_R(0)};
-    const kern_vec g = task->s.gravity;
-    kern_status status = KERN_OK;
-    int i, loaded = 0;
+    kern_status status;
+    int loaded = 0;
     if (!stone || !vertex || vertex == stone->vertex)
         return KERN_BAD_POINTER;
     if (!kern_vec_is_moderate(place) || !(kern_abs(place.y) <= KERN_REST_TURN))
         return KERN_BAD_NUMBER;
-    if (!(kern_vec_largest(g) > 0))
+    if (!(kern_vec_largest(task->s.gravity) > 0))
         return KERN_BAD_OPTION;
-    if (!kern_spend(task->work, task->options.limit,
-                    1 + task->s.blocks / (KERN_UNIT / 4)))
-        return KERN_LIMIT;
-    for (i = 0; i <= task->s.blocks && status == KERN_OK; i++) {
-        const kern_block *b = i < task->s.blocks ? &task->s.block[i] : stone;
-        task->work->fault.block = i;
-        status = kern_block_check(b, none, &loaded);
-    }
+    task->work->fault.block = task->s.blocks;
+    status = kern_block_check(stone, none, &loaded);
     if (status != KERN_OK)
         return status;
-    if (stone->fixed)
-        return KERN_BAD_BLOCK;
-    if (stone->vertices < 3)
-        return KERN_FEW_VERTICES;
-    if (kern_block_is_stale(stone))
-        return KERN_STALE;
-    task->work->fault.block = KERN_OUT;
-    return KERN_OK;
+    return stone->fixed               ? KERN_BAD_BLOCK
+         : stone->vertices < 3        ? KERN_FEW_VERTICES
+         : kern_block_is_stale(stone) ? KERN_STALE
+         : kern_spend(task->work, task->options.limit,
+                      2 + stone->vertices / KERN_UNIT
+                          + task->s.blocks / (KERN_UNIT / 2))
+             ? KERN_OK
+             : KERN_LIMIT;
 }
 
 KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
@@ -9373,7 +9481,9 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
     r.pose = &pose;
     r.down = kern_vec_unit(
         kern_vec_scale(task->s.gravity, 1 / kern_vec_largest(task->s.gravity)));
-    below = kern_rest_lift(&r, x);
+    status = kern_rest_lift(&r, x, &below);
+    if (status != KERN_OK)
+        return status;
 
     status = KERN_NO_SUPPORT;
     while (below > -KERN_INFINITY && pose.motions < KERN_REST_MOTIONS) {
