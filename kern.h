@@ -8870,6 +8870,8 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
 #define KERN_REST_NEAR KERN_PICK(1e-7, 1e-4)
 /* Share of that by which a vertex may lie beyond the end of an edge. */
 #define KERN_REST_END KERN_R(0.01)
+/* And the part of an edge, in these, that belongs to its end. */
+#define KERN_REST_FOOT KERN_R(10)
 /* Slope against its normal up to which a motion runs along an edge. */
 #define KERN_REST_ALONG KERN_PICK(1e-6, 1e-3)
 /* Upward part of the normal from which a touch supports. */
@@ -8890,8 +8892,9 @@ typedef struct kern_prop {
     kern_vec p, n;    /* place; unit normal into the stone */
     kern_vec from, t; /* the edge that is touched: its start, unit direction */
     kern_real length;
-    int back;  /* 1: an edge of the block; -1: of the stone */
-    int block; /* that is touched                           */
+    int back;   /* 1: an edge of the block; -1: of the stone */
+    int block;  /* that is touched                           */
+    int corner; /* 1: a convex end of it, which holds nothing */
 } kern_prop;
 
 /* A motion of the stone: a slide, or a turn. */
@@ -8981,23 +8984,53 @@ static void kern_rest_ends(const kern_block *b, int i, kern_vec *from,
     *to = b->area < 0 ? p : q;
 }
 
-/* Returns 1 if a point `s` along the edge from its start lies on it. */
-static int kern_rest_on(const kern_settling *r, const kern_prop *e, kern_real s)
+/* Returns 1 if a point `s` along the edge from its start lies on it, and does
+   not leave it at an end where it moves along the edge at that pace. */
+static int kern_rest_on(const kern_settling *r, const kern_prop *e, kern_real s,
+                        kern_real pace)
 {
     const kern_real end = KERN_REST_END * r->near;
-    return s > -end && s < e->length + end;
+    return s > (pace < -KERN_REST_ALONG ? end : -end)
+        && s < e->length + (pace > KERN_REST_ALONG ? -end : end);
 }
 
-/* Keeps the touch of a point with the edge, if it is one. */
-static void kern_rest_touch(kern_settling *r, const kern_prop *e, kern_vec p)
+/* Returns 1 if both edges of vertex k of b are on the outer side of the edge. */
+static int kern_rest_parts(const kern_settling *r, const kern_prop *e,
+                           const kern_block *b, int k)
 {
-    const kern_vec w = kern_vec_sub(p, e->from);
+    int back, parts = 1;
+    for (back = 0; back < 2; back++)
+        parts &= KERN_R(e->back)
+                   * kern_vec_dot(
+                       e->n,
+                       kern_vec_sub(b->vertex[kern_polygon_next(b, k, back)],
+                                    b->vertex[k]))
+              >= -r->near;
+    return parts;
+}
+
+/* Keeps the touch of vertex k of b with edge i of a, if it is one. */
+static void kern_rest_touch(kern_settling *r, const kern_prop *e,
+                            const kern_block *a, int i, const kern_block *b,
+                            int k)
+{
+    const kern_vec w = kern_vec_sub(b->vertex[k], e->from);
+    const kern_real s = kern_vec_dot(e->t, w);
+    const kern_real foot = KERN_REST_FOOT * r->near;
+    kern_prop *prop = &r->prop[r->props];
     if (kern_abs(kern_vec_cross(e->t, w)) > r->near
-        || !kern_rest_on(r, e, kern_vec_dot(e->t, w))
-        || r->props >= KERN_REST_TOUCHES)
+        || !kern_rest_on(r, e, s, KERN_R(0)) || r->props >= KERN_REST_TOUCHES)
         return;
-    r->prop[r->props] = *e;
-    r->prop[r->props++].p = p;
+    *prop = *e;
+    prop->p = b->vertex[k];
+    prop->corner = 0;
+    if (s < foot || s > e->length - foot) {
+        const int last = (s < foot) == (a->area < 0);
+        prop->corner = kern_polygon_turn(a,
+                                         last ? kern_polygon_next(a, i, 0) : i)
+                     > 0;
+    }
+    r->props += !prop->corner || kern_rest_parts(r, e, b, k);
 }
 
 /* Ends a slide where a point meets the edge from outside. */
@@ -9007,11 +9040,10 @@ static void kern_rest_slide(const kern_settling *r, kern_course *c,
     const kern_vec w = kern_vec_sub(p, e->from);
     const kern_real into = -kern_vec_dot(e->n, c->along);
     const kern_real gap = kern_vec_cross(w, e->t), way = gap / into;
+    const kern_real pace = KERN_R(e->back) * kern_vec_dot(e->t, c->along);
     if (into > KERN_NOISE && gap >= -r->near && way < c->far
-        && kern_rest_on(r, e,
-                        kern_vec_dot(e->t, w)
-                            + way * KERN_R(e->back)
-                                  * kern_vec_dot(e->t, c->along)))
+        && kern_rest_on(r, e, kern_vec_dot(e->t, w) + way * pace,
+                        gap > r->near ? KERN_R(0) : pace))
         c->far = kern_max(way, 0);
 }
 
@@ -9029,7 +9061,7 @@ static void kern_rest_arc(const kern_settling *r, kern_course *c,
     if (side < 0 || square < r->near * r->near)
         return;
     s = kern_vec_dot(e->t, w) + sense * KERN_SQRT(side);
-    if (!kern_rest_on(r, e, s))
+    if (!kern_rest_on(r, e, s, KERN_R(0)))
         return;
     to = kern_vec_sub(kern_vec_step(e->from, s, e->t), c->about);
     cosine = kern_vec_dot(arm, to) / square;
@@ -9082,13 +9114,11 @@ static int kern_rest_is_near(const kern_box *box, kern_vec from, kern_vec to,
         && (from.y <= high || to.y <= high);
 }
 
-/* Looks for the vertex p at an edge, in a motion or for touches. */
-static void kern_rest_meet(kern_settling *r, kern_course *c, const kern_prop *e,
-                           kern_vec p)
+/* Ends a motion where the vertex p meets the edge. */
+static void kern_rest_meet(const kern_settling *r, kern_course *c,
+                           const kern_prop *e, kern_vec p)
 {
-    if (!c)
-        kern_rest_touch(r, e, p);
-    else if (c->sense) {
+    if (c->sense) {
         const kern_vec arm = kern_vec_sub(p, c->about);
         const kern_real square = kern_vec_dot(arm, arm);
         if (square >= c->ring[0] && square <= c->ring[1])
@@ -9137,7 +9167,10 @@ static void kern_rest_pair(kern_settling *r, kern_course *c, kern_prop *e,
         e->t = kern_vec_scale(e->t, 1 / e->length);
         e->n = kern_vec_scale(kern_vec_turn(e->t), -KERN_R(e->back));
         for (k = first; k < last; k++)
-            kern_rest_meet(r, c, e, b->vertex[k]);
+            if (c)
+                kern_rest_meet(r, c, e, b->vertex[k]);
+            else
+                kern_rest_touch(r, e, a, i, b, k);
     }
 }
 
@@ -9286,7 +9319,8 @@ static int kern_rest_holds(kern_settling *r)
     int i, k;
     for (i = 0; i < r->props; i++)
         for (k = 0; k <= i; k++)
-            if (kern_rest_balances(r, &r->prop[k], &r->prop[i])) {
+            if (!r->prop[i].corner && !r->prop[k].corner
+                && kern_rest_balances(r, &r->prop[k], &r->prop[i])) {
                 r->pose->at[0] = r->prop[k].p;
                 r->pose->at[1] = r->prop[i].p;
                 r->pose->on[0] = r->prop[k].block;
@@ -9373,33 +9407,48 @@ static int kern_rest_run(kern_settling *r, kern_vec along, kern_real most)
     return kern_rest_go(r, &c);
 }
 
-/* Slides the stone along the steepest edge that is steeper than friction holds
-   and along which nothing is in the way. Returns 1 if it moved. */
+/* Returns 1 if a slide parts the stone from all that it touches. Past a corner
+   on a corner one of the edges there is enough. */
+static int kern_rest_open(const kern_settling *r, kern_vec along)
+{
+    int i, k, open = 1;
+    for (i = 0; i < r->props && open; i++) {
+        const kern_prop *e = &r->prop[i];
+        open = kern_vec_dot(e->n, along) >= -KERN_REST_ALONG;
+        for (k = 0; k < r->props && e->corner && !open; k++) {
+            const kern_prop *f = &r->prop[k];
+            open = f->corner
+                && kern_vec_largest(kern_vec_sub(e->p, f->p)) <= 2 * r->near
+                && kern_vec_dot(f->n, along) >= -KERN_REST_ALONG;
+        }
+    }
+    return open;
+}
+
+/* Slides the stone down freely, or along the steepest edge that is steeper than
+   friction holds and along which nothing is in the way. Returns 1 if it moved.
+ */
 static int kern_rest_slip(kern_settling *r, kern_real sticks)
 {
+    const kern_vec size = kern_vec_sub(r->pose->block.box.high,
+                                       r->pose->block.box.low);
     kern_vec best = r->down;
     kern_real steepest = KERN_R(0);
-    int i, k, side;
+    int i, side;
     for (i = -1; i < r->props; i++)
         for (side = -1; side <= 1; side += 2) {
-            const kern_vec u = i < 0
-                                 ? r->down
-                                 : kern_vec_scale(r->prop[i].t, KERN_R(side));
-            const kern_real down = kern_vec_dot(u, r->down);
-            int open = i < 0 || -kern_vec_dot(r->prop[i].n, r->down) < sticks;
-            for (k = 0; k < r->props && open; k++)
-                open = kern_vec_dot(r->prop[k].n, u) >= -KERN_REST_ALONG;
-            if (open && down > steepest) {
-                steepest = down;
+            const kern_prop *e = &r->prop[i < 0 ? 0 : i];
+            const kern_vec u = i < 0 ? r->down
+                                     : kern_vec_scale(e->t, KERN_R(side));
+            const kern_real steep = kern_vec_dot(u, r->down);
+            if (steep > steepest
+                && (i < 0 || -kern_vec_dot(e->n, r->down) < sticks)
+                && kern_rest_open(r, u)) {
+                steepest = steep;
                 best = u;
             }
         }
-    return steepest > 0
-        && kern_rest_run(
-               r, best,
-               2
-                   * kern_vec_length(kern_vec_sub(r->pose->block.box.high,
-                                                  r->pose->block.box.low)));
+    return steepest > 0 && kern_rest_run(r, best, 2 * kern_vec_length(size));
 }
 
 /* Returns the support beside which the centre lies, or NULL where it lies
