@@ -243,6 +243,8 @@
    stays       the chance that a stone stays where it is let go
    sensitivity how a stone should move, and how exactly lie (examples/nudge.c)
    push        the load factor of a force on one stone (examples/push.c)
+   rest        where a stone comes to rest, and which place is best: the chance
+               that it stays comes first (kern_place_compare(), examples/place.c)
 
    Kerns shrink to a point, and a point still carries: a stone one end of which
    rests on 2 micrometres has the margin of the other end. The bearing length
@@ -1146,7 +1148,7 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
    is exactly above a point that does not hold it.
    vertex[0..stone->vertices) receives the vertices there, in their order; it is
    another array than the stone's own. The structure's contacts are not read.
-   KERN_OK: *out is written. KERN_NO_SUPPORT: the stone falls past the
+   KERN_OK: *out is written; below 0 it means nothing. KERN_NO_SUPPORT: the stone falls past the
    structure. KERN_NO_REST: it still moves after 48 motions. KERN_BAD_OPTION: no
    gravity; KERN_BAD_BLOCK: a fixed stone; KERN_NO_BLOCK, KERN_FEW_VERTICES,
    KERN_STALE: a stone that kern_block_init() refused, has no polygon or has
@@ -7431,6 +7433,32 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
    time. And most triangles of a size that are tried for an inner point. */
 #define KERN_STRIDES 32
 
+/* ---- coming to rest ---- */
+
+/* Most motions of a stone; most touches that are kept. */
+#define KERN_REST_MOTIONS 48
+#define KERN_REST_TOUCHES 16
+/* Distance within which outlines touch, as a share of the stone's size. */
+#define KERN_REST_NEAR KERN_PICK(1e-7, 1e-4)
+/* Share of that by which a vertex may lie beyond the end of an edge. */
+#define KERN_REST_END KERN_R(0.01)
+/* And the part of an edge, in these, that belongs to its end. */
+#define KERN_REST_FOOT KERN_R(10)
+/* Slope against its normal up to which a motion runs along an edge. */
+#define KERN_REST_ALONG KERN_PICK(1e-6, 1e-3)
+/* Upward part of the normal from which a touch supports. */
+#define KERN_REST_UP KERN_R(0.05)
+/* Largest turn of one motion: what it may meet is looked for in a small box. */
+#define KERN_REST_COSINE KERN_R(0.8)
+#define KERN_REST_SINE KERN_R(0.6)
+#define KERN_REST_STEPS 3
+/* Chance from which a stone counts as staying; margins that count as equal. */
+#define KERN_PLACE_STAYS KERN_R(0.9)
+#define KERN_PLACE_SAME KERN_R(1e-5)
+/* Largest turn that may be asked for [rad]; turn whose series is exact. */
+#define KERN_REST_TURN KERN_R(64)
+#define KERN_REST_SMALL KERN_R(0.06)
+
 /* ---- Polygons ------------------------------------------------- >>polygon */
 /* Vertices are counted as written, which may be clockwise: the area is below 0
    then. Those that hardly turn are no corners. */
@@ -8834,25 +8862,30 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 
 KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
 {
-    kern_task task;
+    const kern_structure *s;
+    kern_known *known;
     int i;
     if (!kern_plan_is_whole(to) || !kern_plan_is_whole(from))
         return KERN_BAD_POINTER;
-    task = from->task;
-    if (task.s.blocks > to->block_room || task.s.contacts > to->contact_room)
+    s = &from->task.s;
+    if (s->blocks > to->block_room || s->contacts > to->contact_room)
         return KERN_NO_SPACE;
-    for (i = 0; i < task.s.blocks; i++)
-        to->block[i] = task.s.block[i];
-    for (i = 0; i < task.s.contacts; i++)
-        to->contact[i] = task.s.contact[i];
-    kern_copy(to->task.known.motion, task.known.motion, 3 * task.s.blocks);
-    kern_copy(to->task.known.force, task.known.force, 2 * task.s.contacts);
-    task.s.block = to->block;
-    task.s.contact = to->contact;
-    task.work = to->task.work;
-    task.known.motion = to->task.known.motion;
-    task.known.force = to->task.known.force;
-    to->task = task;
+    for (i = 0; i < s->blocks; i++)
+        to->block[i] = s->block[i];
+    for (i = 0; i < s->contacts; i++)
+        to->contact[i] = s->contact[i];
+    to->task.s.block = to->block;
+    to->task.s.blocks = s->blocks;
+    to->task.s.contact = to->contact;
+    to->task.s.contacts = s->contacts;
+    to->task.s.gravity = s->gravity;
+    to->task.options = from->task.options;
+    known = &to->task.known;
+    kern_copy(known->motion, from->task.known.motion, 3 * s->blocks);
+    kern_copy(known->force, from->task.known.force, 2 * s->contacts);
+    known->holds = from->task.known.holds;
+    known->margin = from->task.known.margin;
+    known->fails = from->task.known.fails;
     return KERN_OK;
 }
 
@@ -8862,30 +8895,6 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
    of these points can hold it against its weight. Each motion ends where the
    stone meets something, so nothing overlaps. A vertex of one outline meets an
    edge of the other: along a line, or on an arc. */
-
-/* Most motions of a stone; most touches that are kept. */
-#define KERN_REST_MOTIONS 48
-#define KERN_REST_TOUCHES 16
-/* Distance within which outlines touch, as a share of the stone's size. */
-#define KERN_REST_NEAR KERN_PICK(1e-7, 1e-4)
-/* Share of that by which a vertex may lie beyond the end of an edge. */
-#define KERN_REST_END KERN_R(0.01)
-/* And the part of an edge, in these, that belongs to its end. */
-#define KERN_REST_FOOT KERN_R(10)
-/* Slope against its normal up to which a motion runs along an edge. */
-#define KERN_REST_ALONG KERN_PICK(1e-6, 1e-3)
-/* Upward part of the normal from which a touch supports. */
-#define KERN_REST_UP KERN_R(0.05)
-/* Largest turn of one motion: what it may meet is looked for in a small box. */
-#define KERN_REST_COSINE KERN_R(0.8)
-#define KERN_REST_SINE KERN_R(0.6)
-#define KERN_REST_STEPS 3
-/* Chance from which a stone counts as staying; margins that count as equal. */
-#define KERN_PLACE_STAYS KERN_R(0.9)
-#define KERN_PLACE_SAME KERN_R(1e-5)
-/* Largest turn that may be asked for [rad]; turn whose series is exact. */
-#define KERN_REST_TURN KERN_R(64)
-#define KERN_REST_SMALL KERN_R(0.06)
 
 /* A point where the stone touches a block. */
 typedef struct kern_prop {
@@ -9417,7 +9426,7 @@ static int kern_rest_open(const kern_settling *r, kern_vec along)
         open = kern_vec_dot(e->n, along) >= -KERN_REST_ALONG;
         for (k = 0; k < r->props && e->corner && !open; k++) {
             const kern_prop *f = &r->prop[k];
-            open = f->corner
+            open = f->corner && f->block == e->block
                 && kern_vec_largest(kern_vec_sub(e->p, f->p)) <= 2 * r->near
                 && kern_vec_dot(f->n, along) >= -KERN_REST_ALONG;
         }
@@ -9573,49 +9582,41 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
                                kern_pose *out)
 {
     kern_settling r;
-    kern_pose pose;
     kern_real below;
     kern_status status = kern_task_check(task, KERN_R(0), out);
     if (status == KERN_OK)
         status = kern_rest_check(task, stone, vertex, kern_vec_make(x, turn));
     if (status != KERN_OK)
         return status;
-    pose.block = *stone;
-    pose.block.vertex = r.vertex = vertex;
-    pose.turn = kern_turn_of(turn);
-    pose.motions = r.props = 0;
-    pose.held = KERN_HELD;
-    kern_zero(pose.at, 4);
-    pose.on[0] = pose.on[1] = KERN_OUT;
+
+    out->block = *stone;
+    out->block.vertex = r.vertex = vertex;
+    out->turn = kern_turn_of(turn);
+    out->held = KERN_HELD;
+    out->on[0] = out->on[1] = KERN_OUT;
+    out->motions = r.props = 0;
+    kern_zero(out->at, 4);
     r.task = task;
     r.shape = stone;
-    r.pose = &pose;
+    r.pose = out;
     r.down = kern_vec_unit(
         kern_vec_scale(task->s.gravity, 1 / kern_vec_largest(task->s.gravity)));
     status = kern_rest_lift(&r, x, &below);
     if (status != KERN_OK)
         return status;
 
-    status = KERN_NO_SUPPORT;
-    while (below > -KERN_INFINITY && pose.motions < KERN_REST_MOTIONS) {
-        if (!kern_rest_move(&r, below) || !kern_rest_look(&r, NULL)) {
-            pose.held = KERN_WEDGED;
+    /* a stone that cannot move is wedged; one that is below all falls past */
+    status = below > -KERN_INFINITY ? KERN_NO_REST : KERN_NO_SUPPORT;
+    while (status == KERN_NO_REST && out->motions < KERN_REST_MOTIONS) {
+        const int moved = kern_rest_move(&r, below) && kern_rest_look(&r, NULL);
+        if (moved && kern_vec_dot(out->block.centre, r.down) > below - r.near)
+            status = KERN_NO_SUPPORT;
+        else if (!moved || kern_rest_holds(&r))
             status = KERN_OK;
-            break;
-        }
-        if (kern_rest_holds(&r)) {
-            status = KERN_OK;
-            break;
-        }
-        if (kern_vec_dot(pose.block.centre, r.down) > below - r.near)
-            break;
-        if (pose.motions == KERN_REST_MOTIONS)
-            status = KERN_NO_REST;
+        if (!moved)
+            out->held = KERN_WEDGED;
     }
-    status = kern_ended(task, status);
-    if (status == KERN_OK)
-        *out = pose;
-    return status;
+    return kern_ended(task, status);
 }
 
 /* ---- which place is best ---- */
