@@ -94,12 +94,9 @@ noise() { # what nearly stands is not said to stand for certain
     gcc $plain -o "$out/noise" tests/noise.c -lm && "$out/noise"
 }
 
-rest() { # where stones come to rest, in both precisions; wall.hpp
+rest() { # rest COMPILER FLAGS...: where stones come to rest
     # shellcheck disable=SC2086
-    gcc $plain -o "$out/rest" tests/rest_test.c -lm && "$out/rest" &&
-        gcc $plain -DKERN_SINGLE -o "$out/rest" tests/rest_test.c -lm &&
-        "$out/rest" && clang $sanitize -o "$out/rest" tests/rest_test.c -lm &&
-        "$out/rest"
+    "$@" -std=c99 $exact -o "$out/rest" tests/rest_test.c -lm && "$out/rest"
 }
 
 work() { # how much work each question takes, against tests/work.csv
