@@ -8909,7 +8909,7 @@ typedef struct kern_prop {
 /* A motion of the stone: a slide, or a turn. */
 typedef struct kern_course {
     int sense;      /* 0: slide; 1: counter-clockwise; -1: clockwise      */
-    kern_real far;  /* end of the motion: way, or sine of the turn        */
+    kern_real end;  /* end of the motion: way, or sine of the turn        */
     kern_vec along; /* slide: unit direction                              */
     kern_real low, high; /* what the stone covers across that             */
     kern_real front;     /* how far it reaches along it                   */
@@ -8925,7 +8925,7 @@ typedef struct kern_settling {
     kern_pose *pose;         /* where it is now                    */
     kern_vec *vertex;        /* its vertices                       */
     kern_vec down;           /* unit direction of gravity          */
-    kern_real near;          /* distance that touches              */
+    kern_real touch;         /* distance that touches              */
     kern_box swept;          /* what a motion covers at most       */
     kern_prop prop[KERN_REST_TOUCHES];
     int props;
@@ -8998,7 +8998,7 @@ static void kern_rest_ends(const kern_block *b, int i, kern_vec *from,
 static int kern_rest_on(const kern_settling *r, const kern_prop *e, kern_real s,
                         kern_real pace)
 {
-    const kern_real end = KERN_REST_END * r->near;
+    const kern_real end = KERN_REST_END * r->touch;
     return s > (pace < -KERN_REST_ALONG ? end : -end)
         && s < e->length + (pace > KERN_REST_ALONG ? -end : end);
 }
@@ -9014,7 +9014,7 @@ static int kern_rest_parts(const kern_settling *r, const kern_prop *e,
                        e->n,
                        kern_vec_sub(b->vertex[kern_polygon_next(b, k, back)],
                                     b->vertex[k]))
-              >= -r->near;
+              >= -r->touch;
     return parts;
 }
 
@@ -9025,9 +9025,9 @@ static void kern_rest_touch(kern_settling *r, const kern_prop *e,
 {
     const kern_vec w = kern_vec_sub(b->vertex[k], e->from);
     const kern_real s = kern_vec_dot(e->t, w);
-    const kern_real foot = KERN_REST_FOOT * r->near;
+    const kern_real foot = KERN_REST_FOOT * r->touch;
     kern_prop *prop = &r->prop[r->props];
-    if (kern_abs(kern_vec_cross(e->t, w)) > r->near
+    if (kern_abs(kern_vec_cross(e->t, w)) > r->touch
         || !kern_rest_on(r, e, s, KERN_R(0)) || r->props >= KERN_REST_TOUCHES)
         return;
     *prop = *e;
@@ -9050,10 +9050,10 @@ static void kern_rest_slide(const kern_settling *r, kern_course *c,
     const kern_real into = -kern_vec_dot(e->n, c->along);
     const kern_real gap = kern_vec_cross(w, e->t), way = gap / into;
     const kern_real pace = KERN_R(e->back) * kern_vec_dot(e->t, c->along);
-    if (into > KERN_NOISE && gap >= -r->near && way < c->far
+    if (into > KERN_NOISE && gap >= -r->touch && way < c->end
         && kern_rest_on(r, e, kern_vec_dot(e->t, w) + way * pace,
-                        gap > r->near ? KERN_R(0) : pace))
-        c->far = kern_max(way, 0);
+                        gap > r->touch ? KERN_R(0) : pace))
+        c->end = kern_max(way, 0);
 }
 
 /* Ends a turn where a point meets the edge from outside. */
@@ -9067,7 +9067,7 @@ static void kern_rest_arc(const kern_settling *r, kern_course *c,
     const kern_real sense = KERN_R(c->sense * e->back);
     kern_real s, sine, cosine;
     kern_vec to;
-    if (side < 0 || square < r->near * r->near)
+    if (side < 0 || square < r->touch * r->touch)
         return;
     s = kern_vec_dot(e->t, w) + sense * KERN_SQRT(side);
     if (!kern_rest_on(r, e, s, KERN_R(0)))
@@ -9075,9 +9075,9 @@ static void kern_rest_arc(const kern_settling *r, kern_course *c,
     to = kern_vec_sub(kern_vec_step(e->from, s, e->t), c->about);
     cosine = kern_vec_dot(arm, to) / square;
     sine = sense * kern_vec_cross(arm, to) / square;
-    if (!(cosine > 0) || sine >= c->far || -sine * KERN_SQRT(square) > r->near)
+    if (!(cosine > 0) || sine >= c->end || -sine * KERN_SQRT(square) > r->touch)
         return;
-    c->far = kern_max(sine, 0);
+    c->end = kern_max(sine, 0);
     c->turn = sine > 0 ? kern_vec_unit(kern_vec_make(cosine, sine))
                        : kern_vec_make(KERN_R(1), KERN_R(0));
 }
@@ -9093,7 +9093,7 @@ static int kern_rest_slides(const kern_course *c, int back, kern_vec from,
             || (kern_max(p, q) > c->low && kern_min(p, q) < c->high
                 && kern_min(kern_vec_dot(c->along, from),
                             kern_vec_dot(c->along, to))
-                       < c->front + c->far));
+                       < c->front + c->end));
 }
 
 /* Returns 1 if a vertex of the other outline may meet the edge in a turn, and
@@ -9114,10 +9114,10 @@ static int kern_rest_turns(kern_course *c, kern_vec from, kern_vec to)
 
 /* Returns 1 if the box of an edge comes near another. */
 static int kern_rest_is_near(const kern_box *box, kern_vec from, kern_vec to,
-                             kern_real near)
+                             kern_real touch)
 {
-    const kern_real left = box->low.x - near, right = box->high.x + near;
-    const kern_real low = box->low.y - near, high = box->high.y + near;
+    const kern_real left = box->low.x - touch, right = box->high.x + touch;
+    const kern_real low = box->low.y - touch, high = box->high.y + touch;
     return (from.x >= left || to.x >= left)
         && (from.x <= right || to.x <= right) && (from.y >= low || to.y >= low)
         && (from.y <= high || to.y <= high);
@@ -9139,6 +9139,18 @@ static void kern_rest_meet(const kern_settling *r, kern_course *c,
     }
 }
 
+/* Returns 1 if a vertex of b may meet the edge: is near it, where c is NULL. */
+static int kern_rest_may(const kern_settling *r, kern_course *c,
+                         const kern_prop *e, kern_vec to, const kern_block *b)
+{
+    const kern_box *const box = e->back > 0 ? &r->swept : &b->box;
+    if ((e->back > 0 || !c) && !kern_rest_is_near(box, e->from, to, r->touch))
+        return 0;
+    return !c
+        || (c->sense ? kern_rest_turns(c, e->from, to)
+                     : kern_rest_slides(c, e->back, e->from, to));
+}
+
 /* Returns 1 if the stone may come to a point in its motion. */
 static int kern_rest_sweeps(const kern_settling *r, kern_vec p)
 {
@@ -9151,7 +9163,6 @@ static int kern_rest_sweeps(const kern_settling *r, kern_vec p)
 static void kern_rest_pair(kern_settling *r, kern_course *c, kern_prop *e,
                            const kern_block *a, const kern_block *b)
 {
-    const kern_box *const other = e->back > 0 ? &r->swept : &b->box;
     int i, k, first = 0, last = b->vertices;
     if (e->back < 0) {
         while (first < last && !kern_rest_sweeps(r, b->vertex[first]))
@@ -9164,11 +9175,7 @@ static void kern_rest_pair(kern_settling *r, kern_course *c, kern_prop *e,
 
         /* pass by an edge that no vertex of b can meet */
         kern_rest_ends(a, i, &e->from, &to);
-        if (((e->back > 0 || !c)
-             && !kern_rest_is_near(other, e->from, to, r->near))
-            || (c
-                && !(c->sense ? kern_rest_turns(c, e->from, to)
-                              : kern_rest_slides(c, e->back, e->from, to))))
+        if (!kern_rest_may(r, c, e, to, b))
             continue;
 
         e->t = kern_vec_sub(to, e->from);
@@ -9186,7 +9193,7 @@ static void kern_rest_pair(kern_settling *r, kern_course *c, kern_prop *e,
 /* Measures the stone for a motion: how far it reaches. */
 static void kern_rest_reach(kern_settling *r, kern_course *c)
 {
-    const kern_real end = KERN_REST_END * r->near;
+    const kern_real end = KERN_REST_END * r->touch;
     int i;
     c->low = KERN_INFINITY;
     c->high = c->front = -c->low;
@@ -9209,7 +9216,7 @@ static void kern_rest_reach(kern_settling *r, kern_course *c)
 /* Sets what the stone covers at most in a motion; where c is NULL, covers. */
 static void kern_rest_box(kern_settling *r, const kern_course *c)
 {
-    const kern_vec near = kern_vec_make(r->near, r->near);
+    const kern_vec touch = kern_vec_make(r->touch, r->touch);
     const kern_box stone = r->pose->block.box;
     kern_box *const box = &r->swept;
     *box = stone;
@@ -9224,12 +9231,12 @@ static void kern_rest_box(kern_settling *r, const kern_course *c)
         box->low = kern_vec_sub(box->low, out);
         box->high = kern_vec_add(box->high, out);
     } else if (c) {
-        const kern_vec way = kern_vec_scale(c->along, c->far);
+        const kern_vec way = kern_vec_scale(c->along, c->end);
         kern_box_add(box, kern_vec_add(stone.low, way));
         kern_box_add(box, kern_vec_add(stone.high, way));
     }
-    box->low = kern_vec_sub(box->low, near);
-    box->high = kern_vec_add(box->high, near);
+    box->low = kern_vec_sub(box->low, touch);
+    box->high = kern_vec_add(box->high, touch);
 }
 
 /* Returns the units of work of a look at a block. */
@@ -9242,7 +9249,7 @@ static int kern_rest_units(const kern_block *b, const kern_block *stone)
 /* Returns 1 if the stone goes farther than it takes to touch. */
 static int kern_rest_goes(const kern_settling *r, const kern_course *c)
 {
-    return c->far * (c->sense ? c->reach : KERN_R(1)) > r->near;
+    return c->end * (c->sense ? c->reach : KERN_R(1)) > r->touch;
 }
 
 /* Finds where a motion ends, or for NULL the touches. Returns 0 where the call
@@ -9309,13 +9316,13 @@ static int kern_rest_balances(const kern_settling *r, const kern_prop *e,
     kern_real low = -KERN_BOUND, high = KERN_BOUND;
     kern_vec at = kern_vec_make(KERN_R(0), KERN_R(0)), slope = at;
     if (e != f) {
-        if (square < r->near * r->near)
+        if (square < r->touch * r->touch)
             return 0;
         /* the force at f, but for a share of d, from torques about e */
         at = kern_vec_scale(kern_vec_turn(d), lever / square);
         slope = kern_vec_scale(d, 1 / KERN_SQRT(square));
         kern_rest_cone(r, f, at, slope, &low, &high);
-    } else if (kern_abs(lever) > r->near)
+    } else if (kern_abs(lever) > r->touch)
         return 0;
     kern_rest_cone(r, e, kern_vec_sub(up, at),
                    kern_vec_scale(slope, KERN_R(-1)), &low, &high);
@@ -9347,7 +9354,7 @@ static int kern_rest_go(kern_settling *r, kern_course *c)
     if (!kern_rest_look(r, c) || !kern_rest_goes(r, c))
         return 0;
     if (c->sense == 0) {
-        centre = kern_vec_step(b->centre, c->far, c->along);
+        centre = kern_vec_step(b->centre, c->end, c->along);
     } else {
         const kern_vec turn = kern_rest_turn(c);
         r->pose->turn = kern_vec_unit(kern_vec_turned(r->pose->turn, turn));
@@ -9379,10 +9386,10 @@ static int kern_rest_tip(kern_settling *r, const kern_prop *e)
             c.turn = kern_vec_unit(kern_vec_make(low, kern_abs(lever)));
             most = c.turn.y;
         }
-        c.far = most;
+        c.end = most;
         if (!kern_rest_go(r, &c))
             break;
-        if (c.far < KERN_REST_SINE)
+        if (c.end < KERN_REST_SINE)
             return 1;
     }
     return step > 0;
@@ -9399,7 +9406,7 @@ static int kern_rest_run(kern_settling *r, kern_vec along, kern_real most)
     int i;
     c.along = c.about = c.turn = along;
     c.sense = 0;
-    c.far = most;
+    c.end = most;
     for (i = 0; i < r->props; i++) {
         const kern_prop *e = &r->prop[i];
         const kern_real way = KERN_R(e->back) * kern_vec_dot(e->t, along);
@@ -9408,10 +9415,10 @@ static int kern_rest_run(kern_settling *r, kern_vec along, kern_real most)
         const kern_real ahead = kern_vec_dot(kern_vec_sub(e->p, centre), level);
         if (kern_abs(kern_vec_dot(e->n, along)) > KERN_REST_ALONG)
             continue;
-        if (end > r->near)
-            c.far = kern_min(c.far, end);
-        if (e->back < 0 && ahead * pace > 0 && ahead / pace > r->near)
-            c.far = kern_min(c.far, ahead / pace);
+        if (end > r->touch)
+            c.end = kern_min(c.end, end);
+        if (e->back < 0 && ahead * pace > 0 && ahead / pace > r->touch)
+            c.end = kern_min(c.end, ahead / pace);
     }
     return kern_rest_go(r, &c);
 }
@@ -9427,7 +9434,7 @@ static int kern_rest_open(const kern_settling *r, kern_vec along)
         for (k = 0; k < r->props && e->corner && !open; k++) {
             const kern_prop *f = &r->prop[k];
             open = f->corner && f->block == e->block
-                && kern_vec_largest(kern_vec_sub(e->p, f->p)) <= 2 * r->near
+                && kern_vec_largest(kern_vec_sub(e->p, f->p)) <= 2 * r->touch
                 && kern_vec_dot(f->n, along) >= -KERN_REST_ALONG;
         }
     }
@@ -9540,8 +9547,8 @@ static kern_status kern_rest_lift(kern_settling *r, kern_real x,
         largest = kern_max(kern_box_largest(box), largest);
     }
     r->task->work->fault.block = KERN_OUT;
-    r->near = kern_max(KERN_REST_NEAR * kern_block_size(r->shape),
-                       2 * KERN_ROUNDING * largest);
+    r->touch = kern_max(KERN_REST_NEAR * kern_block_size(r->shape),
+                        2 * KERN_ROUNDING * largest);
     if (top <= bottom)
         kern_rest_put(
             r, kern_vec_step(kern_vec_scale(level, x), top - half, r->down));
@@ -9609,7 +9616,7 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
     status = below > -KERN_INFINITY ? KERN_NO_REST : KERN_NO_SUPPORT;
     while (status == KERN_NO_REST && out->motions < KERN_REST_MOTIONS) {
         const int moved = kern_rest_move(&r, below) && kern_rest_look(&r, NULL);
-        if (moved && kern_vec_dot(out->block.centre, r.down) > below - r.near)
+        if (moved && kern_vec_dot(out->block.centre, r.down) > below - r.touch)
             status = KERN_NO_SUPPORT;
         else if (!moved || kern_rest_holds(&r))
             status = KERN_OK;
@@ -9893,7 +9900,8 @@ KERN_API kern_options kern_near(const kern_options *options,
           kern_plan have fewer fields. options.limit is 10,000,000, was 0. More
           is refused (>>api). Steps in outlines carry as their chords. New:
           kern_stays(), kern_plan_stays(), kern_raised_load(), options.reserve,
-          .lone, KERN_NO_INTERIOR.
+          .lone, KERN_NO_INTERIOR, kern_rest(), kern_place_compare(),
+          kern_plan_copy().
    0.1.0  First version. */
 
 /*
