@@ -689,9 +689,11 @@ typedef struct kern_work {
     kern_end end;     /* of the last call that searched for raised forces */
 } kern_work;
 
-/* Warm start: what kern_measure() remembers for the next one of nearly the same
-   structure. Two arrays of the caller, both or none. Whatever stands there
-   changes the time of a measure and not its answer: it is verified first. */
+/* Warm start: what kern_measure() remembers of a structure for the next question
+   about nearly the same one. A measure uses the bracket and the motion; a plan's
+   questions and kern_stays() use the forces, too. Two arrays of the caller, both
+   or none. Whatever stands there changes the time of an answer and not the
+   answer: it is verified first. */
 typedef struct kern_known {
     kern_motion *motion; /* one a block: of the mechanism, at fails          */
     kern_force *force;   /* one a contact point: at holds                    */
@@ -1642,8 +1644,8 @@ extern "C" {
 #define KERN_PIVOTS_ROW 2
 /* Bland's rule begins after this multiple of these: it is safe, and slow. */
 #define KERN_PIVOTS_BLAND 5
-/* Pivots in all of a program of a structure, in budgets of these: only jams take
-   more than two, and the interior point answers these sooner. */
+/* Pivots in all of a program of a structure, in budgets of these and one for each
+   column: only jams take more than two budgets, and the interior point answers these sooner. */
 #define KERN_PIVOTS_JAM 3
 /* Pivots in all of other programs, to end what rounding might keep going. */
 #define KERN_PIVOTS_MOST 200
@@ -2208,7 +2210,7 @@ static kern_status kern_ended(const kern_task *task, kern_status status)
                                                                   : status;
 }
 
-/* ---- What is handed in ------------------------------------------ >>check */
+/* ---- Checks of arguments ---------------------------------------- >>check */
 /* All that the statics reads is checked once, before any memory is used:
    numbers are within bounds, indices exist, normals have length 1. */
 
@@ -2302,7 +2304,8 @@ static kern_status kern_structure_check(const kern_structure *s,
 }
 
 /* Checks all arguments except the contents of the arrays; `out` is where the
-   answer goes. Clears the counters and the fault of the work memory. */
+   answer goes; a verdict has no result, and passes the task. Clears the units
+   and the fault of the work memory; its other counters add up over calls. */
 static kern_status kern_task_check(const kern_task *task, kern_real shrink,
                                    const void *out)
 {
@@ -7312,7 +7315,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     if (status != KERN_OK)
         return status;
 
-    /* The path is not followed: its query at the start is the question. */
+    /* The path is not followed: its query is the task's at `shrink`, which is
+       the question. */
     status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
     kern_proof_out(&c.m, proof, status);
     return kern_ended(task, status);
@@ -8331,12 +8335,13 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
 
     /* A proof asks that contacts stick within KERN_STICKS; the law of a chance
        to stay asks for no proof. */
-    p->y = p->dual.step;
+    p->y = p->dual.step; /* no program is open: y is where a motion goes */
     p->dual.stiff = r->around < 0 ? KERN_R(1.1) / KERN_STICKS /* it proves */
                                   : KERN_STAYS_STIFF;
 
     /* Newton's matrix is not symmetric: its upper half has a room of its own.
-       The vectors of a search follow; prices lie behind u. */
+       The vectors of a search follow. Prices lie behind u in one array, so that
+       a search copies both at once. */
     for (g = 0; g < p->groups; g++)
         entries += 9 * (g - p->dual.matrix.first[g] + 1);
     r->up = p->dual.matrix;
@@ -8956,8 +8961,10 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
     kern_status status = kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
                                   side, factor ? &most : NULL, proof);
 
-    /* The load factor bounds it. Then the load grows from 0, in a model anew,
-       since the search left a part open. */
+    /* The load factor bounds it; its proof in the caller's arrays is overwritten
+       by that of the raised load. Then the load grows from 0, in a model that is
+       opened again, since the search left a part open. That cannot fail: it has
+       the same memory. */
     if (status == KERN_STANDS) {
         kern_query *q = &c.path.q;
         kern_raising hung;
