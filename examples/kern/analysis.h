@@ -109,6 +109,7 @@ static inline void free_analysis(struct analysis *a)
     if (a->contact != a->text.contact)
         free(a->contact);
     free(a->sequence);
+    free(a->laid);
     free(a->stays);
     free(a->swept);
     free(a->stress);
@@ -217,6 +218,7 @@ static inline int measure(struct analysis *a)
     kern_proof limit = {a->last_force, a->collapse};
     const kern_options near_too = kern_near(&a->task.options,
                                             (kern_real)mean_size(a));
+    show_stage(a, "  let go ...");
     if (find_what_is_asked(a))
         return -1;
     if (is_near(a) && decide(a, &near_too))
@@ -237,7 +239,8 @@ static inline int measure(struct analysis *a)
     find_stress(a);
     show_stage(a, "  load factors ...");
     find_loads(a);
-    find_live(a);
+    if (find_live(a))
+        return -1;
     if (a->set->sweep > 0 && find_sweep(a))
         return -1;
     show_stage(a, "  profile ...");

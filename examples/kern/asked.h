@@ -9,6 +9,7 @@
 #include "../../kern.h"
 
 #include "../parts/room.h"
+#include "let_go.h"
 #include "state.h"
 
 #include <math.h>
@@ -62,38 +63,47 @@ static inline int fail_blocks(struct analysis *a, kern_status status,
     return fail_overlaps(a, i > j ? i : j);
 }
 
-/* By what factor the live load may grow, and how it falls just beyond. */
-static inline void find_live(struct analysis *a)
+/* The largest factor of the live load, on top of its least one, and how it
+   falls just beyond. */
+static inline void find_live_most(struct analysis *a, kern_block *block)
 {
     const kern_proof proof = {NULL,
                               a->set->mechanism_live ? a->collapse : NULL};
+    const kern_wrench *live = a->text.live;
+    const kern_real least = (kern_real)a->live_least;
+    kern_task task = a->task;
     kern_real value = 0;
     kern_status status;
-    a->live = (double)NAN;
-    if (a->shown != KERN_STANDS || a->text.lives == 0)
-        return;
-    status = kern_load_factor_of(&a->task, shrinkage(a), a->text.live, &value,
-                                 &proof);
-    a->live = value_or_nan(status, value);
+    for (int i = 0; i < task.s.blocks; i++) {
+        block[i] = a->task.s.block[i];
+        if (block[i].fixed)
+            continue;
+        block[i].load.fx += least * live[i].fx;
+        block[i].load.fy += least * live[i].fy;
+        block[i].load.torque += least * live[i].torque;
+    }
+    task.s.block = block;
+    status = kern_load_factor_of(&task, shrinkage(a), live, &value, &proof);
+    a->live = a->live_least + value_or_nan(status, value);
 }
 
-/* The same for Coulomb friction, from rest. */
-static inline void find_raised_loads(struct analysis *a)
+/* Between which factors of the live load it stands. */
+static inline int find_live(struct analysis *a)
 {
-    static const kern_side side[3] = {KERN_LEFT, KERN_RIGHT, KERN_SHRINK};
-    for (int k = 0; k < 3; k++) {
-        const kern_wrench *pattern = k == LIVE ? a->text.live : NULL;
-        kern_real value = 0;
-        a->raised_load[k] = (double)NAN;
-        kern_status status;
-        if (a->raising != KERN_RAISED || a->raised != KERN_STANDS
-            || !(pattern ? a->text.lives > 0 : gravity_of(a) > 0))
-            continue;
-        status = kern_raised_load(&a->task, shrinkage(a), side[k], pattern,
-                                  &value, NULL);
-        a->raised_load[k] = value_or_nan(status, value);
-        a->cut[k] = status == KERN_LIMIT;
-    }
+    kern_real least = 0;
+    a->live_least = a->live = (double)NAN;
+    if (a->shown < 0 || a->text.lives == 0)
+        return 0;
+    a->lived = kern_least_load_of(&a->task, shrinkage(a), a->text.live, &least,
+                                  NULL);
+    if (a->lived != KERN_STANDS)
+        return 0;
+    kern_block *block = array(a->task.s.blocks, sizeof *block);
+    a->live_least = (double)least;
+    if (block)
+        find_live_most(a, block);
+    free(block);
+    return block ? 0 : fail_memory(a);
 }
 
 /* Margins first, then loads; without gravity there are none of those. */
@@ -163,18 +173,28 @@ static inline void grow_to(const struct analysis *a, struct grown *g, int last)
     falls_take(s, &g->part, &g->task.s);
 }
 
-/* The margin after each block, 0 where it falls, NAN where that is
-   undecided. */
+/* The chance that block i, laid last, stays; -1 where the structure falls. */
+static inline void find_chance(const kern_task *task, int i, double *chance)
+{
+    kern_real value = 0;
+    const kern_status status = kern_stays(task, i, &value);
+    *chance = status == KERN_FALLS ? -1 : value_or_nan(status, value);
+}
+
+/* The margin after each block, 0 where it falls, NAN where that is undecided,
+   and with gravity the chance that it stays on those before it. */
 static inline int find_sequence(struct analysis *a)
 {
     struct grown g = {0};
     int last, there = open_grown(a, &g);
     const int blocks = a->task.s.blocks;
     a->sequence = malloc(sizeof *a->sequence * (size_t)blocks);
-    for (last = 0; last < blocks && there && a->sequence; last++) {
+    a->laid = malloc(sizeof *a->laid * (size_t)blocks);
+    there = there && a->sequence && a->laid;
+    for (last = 0; last < blocks && there; last++) {
         kern_margin m;
         kern_status status;
-        a->sequence[last] = (double)NAN;
+        a->sequence[last] = a->laid[last] = (double)NAN;
         if (a->task.s.block[last].fixed)
             continue;
         grow_to(a, &g, last);
@@ -183,29 +203,23 @@ static inline int find_sequence(struct analysis *a)
             a->sequence[last] = (double)m.margin;
         if (status == KERN_FALLS)
             a->sequence[last] = 0;
+        if (gravity_of(a) > 0)
+            find_chance(&g.task, g.part.place[last], &a->laid[last]);
     }
     close_grown(&g);
     return last < blocks ? fail_memory(a) : 0;
 }
 
-/* The chance of the block of --stays, laid last, or of each in the order of the
-   file, that it stays; -1 where the structure falls. */
+/* The chance of the block of --stays, or of each, laid last on all others. */
 static inline int find_stays(struct analysis *a)
 {
-    struct grown g = {0};
-    const int all = is_all(a->set->stays), blocks = a->task.s.blocks;
-    const int there = open_grown(a, &g);
-    a->stays = malloc(sizeof *a->stays * (size_t)blocks);
-    for (int i = 0; i < blocks && there && a->stays; i++) {
+    a->stays = array(a->task.s.blocks, sizeof *a->stays);
+    for (int i = 0; i < a->task.s.blocks && a->stays; i++) {
         a->stays[i] = (double)NAN;
-        if (!is_asked(a, i))
-            continue;
-        grow_to(a, &g, all ? i : blocks);
-        if (kern_stays(&g.task, g.part.place[i], &a->stays[i]) == KERN_FALLS)
-            a->stays[i] = -1;
+        if (is_asked(a, i))
+            find_chance(&a->task, i, &a->stays[i]);
     }
-    close_grown(&g);
-    return there && a->stays ? 0 : fail_memory(a);
+    return a->stays ? 0 : fail_memory(a);
 }
 
 /* The interval of the margin of measured blocks, and whether the verdict holds
@@ -239,16 +253,14 @@ static inline int find_certain(struct analysis *a)
 }
 
 /* How many times the error of --error, a length in every mode, the structure
-   bears, and the least friction at which it stands: where cones narrow so fast
-   that kerns hardly shrink. 0 for what falls. */
+   bears, 0 for what falls; the least friction at which it stands and at which
+   it stays let go as a whole, and the tilts up to which it stays. */
 static inline void find_error(struct analysis *a)
 {
     const struct settings *set = a->set;
     const kern_options options = a->task.options;
-    const kern_real fast = 1000 / (kern_real)mean_size(a);
     kern_margin m;
-    double slope, mu = (double)options.mu;
-    a->bears = a->least_friction = (double)NAN;
+    a->bears = (double)NAN;
     a->task.options.relative = 0;
     a->task.options.epsilon = 0;
     a->task.options.narrow = set->own_turn > 0
@@ -260,21 +272,19 @@ static inline void find_error(struct analysis *a)
         a->bears = (double)(m.margin / (2 * set->own_error));
     if (a->borne == KERN_FALLS)
         a->bears = 0;
-    a->task.options.narrow = fast;
-    a->slid = kern_measure(&a->task, &m, NULL);
     a->task.options = options;
-    slope = (double)(fast * m.margin);
-    if (a->slid == KERN_STANDS)
-        a->least_friction = fmax(mu - slope, 0) / (1 + mu * slope);
+    a->least_friction = find_friction(a, OF_VERDICT, &a->slid);
+    a->least_friction_let_go = find_friction(a, OF_LET_GO, &a->slid_let_go);
+    a->tilt_let_go[LEFT] = find_tilt_let_go(a, LEFT);
+    a->tilt_let_go[RIGHT] = find_tilt_let_go(a, RIGHT);
 }
 
-/* What options ask for, of the real contacts. */
+/* What every report and what options ask for, of the real contacts. */
 static inline int find_what_is_asked(struct analysis *a)
 {
-    if (a->set->raised && find_raised(a))
+    if (find_let_go(a) || (a->set->raised && find_raised(a)))
         return -1;
-    if (a->set->raised)
-        find_raised_loads(a);
+    find_raised_loads(a);
     if (a->set->own_error > 0)
         find_error(a);
     if (a->set->sequence && find_sequence(a))

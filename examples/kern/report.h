@@ -7,6 +7,7 @@
 
 #include "../../kern.h"
 
+#include "let_go.h"
 #include "state.h"
 #include "sweep.h"
 
@@ -84,6 +85,11 @@ static inline void report_structure(const struct analysis *a)
            a->text.fixed);
     printf("%d line contact%s and %d point%s%s\n", lines, plural(lines), points,
            plural(points), a->text.given ? ", given by the file" : "");
+}
+
+static inline void report_let_go(const struct analysis *a)
+{
+    printf("  let go      %-9s %s\n", let_go_word(a), a->let_go_why);
 }
 
 static inline void report_level(const struct analysis *a)
@@ -282,21 +288,63 @@ static inline const char *factor_text(double value, double scale,
     return out;
 }
 
+/* Raised load k; where the limit did not end it, none that is raised exists or
+   none was found. */
+static inline const char *shown_text(const struct analysis *a, int k,
+                                     char out[32])
+{
+    return isnan(a->raised_load[k]) && !a->cut[k]
+             ? "not shown"
+             : factor_text(a->raised_load[k], 1, "", out);
+}
+
+/* The range of the live load. */
+static inline void report_live(const struct analysis *a)
+{
+    char low[32], high[32];
+    printf("  live        ");
+    if (a->lived == KERN_FALLS)
+        printf("none: it falls at every factor of the live load\n");
+    else if (a->lived != KERN_STANDS)
+        printf("undecided: factors of the live load\n");
+    else
+        printf("[%s, %s]: factors of the live load at which it stands\n",
+               factor_text(a->live_least, 1, "", low),
+               factor_text(a->live, 1, "", high));
+}
+
+/* The load factors: first those that friction bears, where these are lower. */
+static inline void report_load(const struct analysis *a, const char *stay)
+{
+    const int lower = is_lower(a, LEFT) || is_lower(a, RIGHT);
+    char left[32], right[32];
+    if (lower)
+        printf("  load        %s left, %s right: horizontal load, in g, that "
+               "Coulomb friction bears from rest%s\n",
+               shown_text(a, LEFT, left), shown_text(a, RIGHT, right), stay);
+    printf("  %-10s  %s left, %s right: ", lower ? "load limit" : "load",
+           factor_text(a->load[LEFT], 1, "", left),
+           factor_text(a->load[RIGHT], 1, "", right));
+    if (lower)
+        printf("limit analysis, dilatant sliding, too high here\n");
+    else
+        printf("horizontal load factor, in g%s%s\n",
+               asks_raised_loads(a) || is_near(a)
+                   ? ""
+                   : ", of limit analysis (--raised: of friction)",
+               stay);
+}
+
 static inline void report_loads(const struct analysis *a)
 {
     static const double degrees = 57.295779513082321;
     const char *stay = a->text.loads > 0 ? " (loads stay as they are)" : "";
     char left[32], right[32];
-    if (a->shown != KERN_STANDS)
+    if (a->shown >= 0 && a->text.lives > 0)
+        report_live(a);
+    if (a->shown != KERN_STANDS || !(gravity_of(a) > 0))
         return;
-    if (a->text.lives > 0)
-        printf("  live        %s: factor of the live load\n",
-               factor_text(a->live, 1, "", left));
-    if (!(gravity_of(a) > 0))
-        return;
-    printf("  load        %s left, %s right: horizontal load factor, in g%s\n",
-           factor_text(a->load[LEFT], 1, "", left),
-           factor_text(a->load[RIGHT], 1, "", right), stay);
+    report_load(a, stay);
     printf("  tilt        %s left, %s right, ",
            factor_text(a->tilt[LEFT], 1, "", left),
            factor_text(a->tilt[RIGHT], 1, "", right));
@@ -560,28 +608,20 @@ static inline void report_raised(const struct analysis *a)
     printf("\n");
 }
 
-/* Raised load k; where the limit did not end it, none that is raised exists or
-   none was found. */
-static inline const char *shown_text(const struct analysis *a, int k,
-                                     char out[32])
-{
-    return isnan(a->raised_load[k]) && !a->cut[k]
-             ? "not shown"
-             : factor_text(a->raised_load[k], 1, "", out);
-}
-
-/* Beside the load factor: what Coulomb friction bears, from rest. */
+/* Beside the range of the live load, and beside loads with near contacts: what
+   Coulomb friction bears, from rest. */
 static inline void report_raised_loads(const struct analysis *a)
 {
     char left[32], right[32];
     if (a->raised != KERN_STANDS)
         return;
-    if (gravity_of(a) > 0)
+    if (gravity_of(a) > 0 && is_near(a))
         printf("  raised load %s left, %s right: where stones slide without "
                "parting, from rest\n",
                shown_text(a, LEFT, left), shown_text(a, RIGHT, right));
     if (a->text.lives > 0)
-        printf("  raised live %s: the same for the live load\n",
+        printf("  raised live %s: the same where stones slide without parting, "
+               "from rest\n",
                shown_text(a, LIVE, left));
 }
 
@@ -598,23 +638,37 @@ static inline void report_error(const struct analysis *a)
         printf("\n");
     }
     if (!isnan(a->least_friction))
-        printf("  friction    %-8.4g  the least at which it stands\n",
+        printf("  friction    %-8.4g  the least of the verdict: it stands\n",
                a->least_friction);
+    if (!isnan(a->least_friction_let_go))
+        printf("  friction    %-8.4g  the least at which it stays let go\n",
+               a->least_friction_let_go);
+    if (!isnan(a->tilt_let_go[LEFT]) && !isnan(a->tilt_let_go[RIGHT]))
+        printf("  tilt let go %.4g left, %.4g right, in rad: up to these it "
+               "stays let go\n",
+               a->tilt_let_go[LEFT], a->tilt_let_go[RIGHT]);
 }
 
 static inline void report_sequence(const struct analysis *a)
 {
     int weakest = weakest_step(a);
     char shown[TEXT_SHOW_ROOM];
-    printf("  sequence    margin after each block\n");
+    printf("  sequence    margin after each block%s\n",
+           gravity_of(a) > 0 ? ", and the chance that it stays on those before"
+                             : "");
     for (int i = 0; i < a->task.s.blocks; i++)
         if (!a->task.s.block[i].fixed) {
             printf("    %-16s ", name_of(a, i, shown));
             if (isnan(a->sequence[i]))
                 printf("undecided\n");
             else
-                printf("%.4g%s\n", a->sequence[i],
-                       i == weakest ? "  weakest" : "");
+                printf("%-10.4g", a->sequence[i]);
+            if (!isnan(a->sequence[i]) && a->laid[i] >= 0)
+                printf(" %.3f", a->laid[i]);
+            else if (!isnan(a->sequence[i]))
+                printf(" %s", a->laid[i] < 0 ? "falls" : "-");
+            if (!isnan(a->sequence[i]))
+                printf("%s\n", i == weakest ? "  weakest" : "");
         }
 }
 
@@ -652,6 +706,7 @@ static inline void report_near(const struct analysis *a)
 static inline void report(const struct analysis *a)
 {
     report_structure(a);
+    report_let_go(a);
     if (is_near(a))
         report_near(a);
     if (shrinkage(a) > 0)

@@ -9,6 +9,7 @@
 #include "../../kern.h"
 
 #include "../parts/json.h"
+#include "let_go.h"
 #include "state.h"
 #include "sweep.h"
 
@@ -33,6 +34,16 @@ static inline void json_known(const char *key, double value, int known)
 static inline void json_flag(const char *key, int value, int known)
 {
     printf(", \"%s\": %s", key, !known ? "null" : value ? "true" : "false");
+}
+
+static inline void json_word(const char *key, const char *word)
+{
+    if (!word) {
+        printf(", \"%s\": null", key);
+        return;
+    }
+    printf(", ");
+    json_string(key, word);
 }
 
 /* Opens an object: two blocks, and a place between them. */
@@ -218,10 +229,14 @@ static inline void json_raised(const struct analysis *a, int good)
     } else
         printf(", \"raised\": null");
     json_known("reserve", a->reserve, known);
-    json_known("raised_load_left", a->raised_load[LEFT], known);
-    json_known("raised_load_right", a->raised_load[RIGHT], known);
     if (a->text.lives > 0)
         json_known("raised_live", a->raised_load[LIVE], known);
+}
+
+/* A chance, null where there is none. */
+static inline void json_chance(double chance)
+{
+    json_number("stays", chance >= 0 ? chance : (double)NAN);
 }
 
 static inline void json_sequence(const struct analysis *a, int good)
@@ -234,6 +249,7 @@ static inline void json_sequence(const struct analysis *a, int good)
         printf("%s{", first ? "" : ", ");
         json_string("block", a->text.name[i]);
         json_number("margin", a->sequence[i]);
+        json_chance(a->laid[i]);
         printf("}");
         first = 0;
     }
@@ -242,12 +258,6 @@ static inline void json_sequence(const struct analysis *a, int good)
         printf("\"weakest_step\": null");
     else
         json_string("weakest_step", a->text.name[weakest]);
-}
-
-/* A chance, null where there is none. */
-static inline void json_chance(double chance)
-{
-    json_number("stays", chance >= 0 ? chance : (double)NAN);
 }
 
 /* Of the block that was named. */
@@ -270,6 +280,36 @@ static inline void json_each(const struct analysis *a, int good)
         json_flag("fixed", a->task.s.block[i].fixed, 1);
         json_chance(a->stays[i]);
         printf("}");
+    }
+    printf("]");
+}
+
+/* The numbers that are null because they have no bound. */
+static inline void json_unbounded(const struct analysis *a, int good)
+{
+    const struct {
+        const char *name;
+        double value;
+        int asked;
+    } key[] = {
+        {"deficit", a->deficit, a->measured == KERN_FALLS},
+        {"bearing", a->bearing, a->measured == KERN_STANDS},
+        {"load_left", a->load[LEFT], 1},
+        {"load_right", a->load[RIGHT], 1},
+        {"tilt_left", a->tilt[LEFT], 1},
+        {"tilt_right", a->tilt[RIGHT], 1},
+        {"raised_load_left", a->raised_load[LEFT], 1},
+        {"raised_load_right", a->raised_load[RIGHT], 1},
+        {"raised_live", a->raised_load[LIVE], a->set->raised},
+        {"live", a->live, a->text.lives > 0},
+    };
+    const char *comma = "";
+    printf(", \"unbounded\": [");
+    for (size_t k = 0; good && k < sizeof key / sizeof *key; k++) {
+        if (!key[k].asked || !isinf(key[k].value))
+            continue;
+        printf("%s\"%s\"", comma, key[k].name);
+        comma = ", ";
     }
     printf("]");
 }
@@ -366,11 +406,36 @@ static inline void json_loads(const struct analysis *a, int asked)
     json_known("tilt_right", a->tilt[RIGHT], asked);
     if (a->text.loads > 0)
         json_flag("loads_stay", 1, 1);
-    if (a->text.lives > 0)
+    json_known("raised_load_left", a->raised_load[LEFT], asked);
+    json_known("raised_load_right", a->raised_load[RIGHT], asked);
+    json_word("raised_end_left", a->raised_end[LEFT]);
+    json_word("raised_end_right", a->raised_end[RIGHT]);
+    if (a->text.lives > 0) {
+        json_known("live_least", a->live_least, asked);
         json_known("live", a->live, asked);
+    }
     if (a->set->sweep > 0)
         json_sweep(a);
     json_open(asked ? open_questions(a) : 0);
+    json_unbounded(a, asked);
+}
+
+/* Null where it was not asked. */
+static inline void json_let_go(const struct analysis *a)
+{
+    const int known = a->let_go_why[0] != 0;
+    json_word("let_go", known ? let_go_word(a) : NULL);
+    json_word("let_go_why", known ? a->let_go_why : NULL);
+}
+
+/* What --error asks for. */
+static inline void json_borne(const struct analysis *a, int asked)
+{
+    json_known("bears", a->bears, asked);
+    json_known("least_friction", a->least_friction, asked);
+    json_known("least_friction_let_go", a->least_friction_let_go, asked);
+    json_known("tilt_let_go_left", a->tilt_let_go[LEFT], asked);
+    json_known("tilt_let_go_right", a->tilt_let_go[RIGHT], asked);
 }
 
 /* A file with an error has the same keys as any other. */
@@ -383,14 +448,13 @@ static inline void report_json(const struct analysis *a)
     json_string("status", status_word(a));
     json_drawing(a);
     json_structure(a, good);
+    json_let_go(a);
     json_measure(a, good, asked);
     json_limits(a, asked);
     if (a->set->raised)
         json_raised(a, asked);
-    if (a->set->own_error > 0) {
-        json_known("bears", a->bears, asked);
-        json_known("least_friction", a->least_friction, asked);
-    }
+    if (a->set->own_error > 0)
+        json_borne(a, asked);
     if (a->set->sequence)
         json_sequence(a, good && a->sequence);
     if (a->set->stays)

@@ -74,23 +74,31 @@ struct analysis {
     kern_motion *collapse;  /* just past the margin, or at 0; with
                                --mechanism live past its factor  */
     kern_critical critical; /* what limits the margin            */
-    double deficit, bearing, load[2], tilt[2], live;
-    double raised_load[3]; /* left, right, live; NAN: none is shown */
-    int cut[3];            /* of these: the limit of work ended it  */
-    double *stress;        /* of a line contact at the margin; 0: none   */
+    double deficit, bearing, load[2], tilt[2];
+    kern_status lived;         /* whether a factor of the live load holds it */
+    double live_least, live;   /* the range of these factors                 */
+    double raised_load[3];     /* left, right, live; NAN: none is shown      */
+    const char *raised_end[3]; /* of these: why the path ended; NULL: none */
+    int cut[3];                /* of these: the limit of work ended it       */
+    double *stress;            /* of a line contact at the margin; 0: none   */
 
     struct swept *swept; /* the live load at each place       */
     int sweeps;
 
-    kern_status raised; /* real contacts, if asked for       */
+    kern_status let_go;   /* all blocks at once, of real contacts */
+    char let_go_why[160]; /* "" where it was not asked            */
+    kern_status raised;   /* real contacts, if asked for          */
     kern_raising raising;
     double reserve;
     kern_status borne, slid; /* of the measures behind these two: */
-    double bears, least_friction;
+    kern_status slid_let_go;
+    double bears, least_friction, least_friction_let_go;
+    double tilt_let_go[2];
     double *sequence; /* the margin after each block       */
-    double *stays;    /* of a block: its chance; below 0 where it falls,
-                               NAN where it was not asked for, or is
-                               undecided                         */
+    double *laid;     /* the chance of each, laid last on those before */
+    double *stays;    /* of a block of the whole: its chance; of both:
+                         below 0 where it falls, NAN where it was not
+                         asked for, or is undecided                    */
 
     kern_status profiled; /* both profiles, if asked for       */
     kern_real *fate[3];   /* of each block: its margin, and its load
@@ -226,6 +234,14 @@ static inline int weakest_step(const struct analysis *a)
     return weakest;
 }
 
+/* Let go as a whole: known once it was asked. */
+static inline const char *let_go_word(const struct analysis *a)
+{
+    return a->let_go == KERN_STANDS ? "stays"
+         : a->let_go == KERN_FALLS  ? "moves"
+                                    : "not shown";
+}
+
 static inline const char *status_word(const struct analysis *a)
 {
     if (a->error[0])
@@ -243,7 +259,8 @@ static const char *const open_name[] = {
     "level", "margin", "deficit", "bearing", "load_left", "load_right",
     "tilt_left", "tilt_right", "profile", "live", "certain", "raised", "bears",
     "least_friction", "sequence", "stays", "sweep", "raised_load_left",
-    "raised_load_right", "raised_live"
+    "raised_load_right", "raised_live", "live_least",
+    "least_friction_let_go"
 };
 /* clang-format on */
 enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
@@ -282,6 +299,11 @@ static inline int is_open_certain(const struct analysis *a)
         && a->certain < 0;
 }
 
+static inline int is_open_live(const struct analysis *a)
+{
+    return a->lived < 0 || (a->lived == KERN_STANDS && isnan(a->live));
+}
+
 static inline unsigned open_questions(const struct analysis *a)
 {
     int loaded = a->shown == KERN_STANDS && gravity_of(a) > 0;
@@ -294,18 +316,19 @@ static inline unsigned open_questions(const struct analysis *a)
                             loaded && isnan(a->tilt[LEFT]),
                             loaded && isnan(a->tilt[RIGHT]),
                             a->set->profile && a->profiled < 0,
-                            a->shown == KERN_STANDS && a->text.lives > 0
-                                && isnan(a->live),
+                            is_open_live(a),
                             is_open_certain(a),
                             a->raised < 0,
                             a->borne < 0,
-                            a->slid < 0,
+                            a->slid == KERN_LIMIT,
                             is_open_list(a, a->sequence, 0),
                             is_open_list(a, a->stays, 1),
                             is_open_sweep(a),
-                            a->cut[LEFT],
-                            a->cut[RIGHT],
-                            a->cut[LIVE]};
+                            a->set->raised && a->cut[LEFT],
+                            a->set->raised && a->cut[RIGHT],
+                            a->set->raised && a->cut[LIVE],
+                            a->lived < 0,
+                            a->slid_let_go == KERN_LIMIT};
     unsigned bits = 0;
     for (int k = 0; k < OPENS_MOST; k++)
         bits |= open[k] ? 1u << k : 0;

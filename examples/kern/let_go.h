@@ -1,0 +1,228 @@
+/* let_go.h - whether it stays when all blocks are let go at once, the least
+   friction and the tilt of that answer, and the loads that friction bears.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef PROGRAM_LET_GO_H
+#define PROGRAM_LET_GO_H
+
+#include "../../kern.h"
+
+#include "state.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The block that moves fastest, by its name. */
+static inline const char *fastest_name(const struct analysis *a,
+                                       const kern_motion *motion,
+                                       char shown[TEXT_SHOW_ROOM])
+{
+    double most = -1;
+    int fastest = 0;
+    for (int i = 0; i < a->task.s.blocks; i++) {
+        const double size = sqrt(fabs((double)a->task.s.block[i].area));
+        const double speed = hypot(motion[i].vx, motion[i].vy)
+                           + fabs((double)motion[i].spin) * size / 2;
+        if (!a->task.s.block[i].fixed && speed > most * (1 + 1e-9)) {
+            most = speed;
+            fastest = i;
+        }
+    }
+    return text_show(shown, a->text.name[fastest]);
+}
+
+/* Why neither is shown. */
+static inline const char *not_shown_why(const struct analysis *a, kern_end end)
+{
+    if (a->let_go == KERN_LIMIT)
+        return "--limit ended the search (--limit 0 goes on)";
+    if (a->let_go != KERN_UNDECIDED)
+        return kern_status_text(a->let_go);
+    return end == KERN_END_LOST ? "no equilibrium was found from rest"
+         : end == KERN_END_WORK ? "a limit of work ended the search"
+                                : "the verdict is undecided";
+}
+
+/* The answer for all blocks at once, on contacts as they are. */
+static inline int find_let_go(struct analysis *a)
+{
+    kern_motion *motion = array(a->task.s.blocks, sizeof *motion);
+    const kern_proof proof = {NULL, motion};
+    kern_raising how = KERN_NOT_SHOWN;
+    char shown[TEXT_SHOW_ROOM];
+    if (!motion)
+        return fail_memory(a);
+    a->work.end = KERN_END_NONE;
+    a->let_go = kern_let_go(&a->task, &how, &proof);
+    if (a->let_go == KERN_STANDS)
+        snprintf(a->let_go_why, sizeof a->let_go_why,
+                 "its load raises the forces that hold it");
+    else if (a->let_go == KERN_FALLS)
+        snprintf(a->let_go_why, sizeof a->let_go_why, "%s; %s moves fastest",
+                 how == KERN_HANGS ? "some blocks rest on nothing"
+                                   : "no forces hold it",
+                 fastest_name(a, motion, shown));
+    else
+        snprintf(a->let_go_why, sizeof a->let_go_why, "%s",
+                 not_shown_why(a, a->work.end));
+    free(motion);
+    return 0;
+}
+
+/* What a bisection asks: the verdict, or let go as a whole. */
+enum answer { OF_VERDICT, OF_LET_GO };
+
+static inline kern_status answer_of(const kern_task *task, enum answer which)
+{
+    return which == OF_VERDICT ? kern_verdict(task, 0, NULL)
+                               : kern_let_go(task, NULL, NULL);
+}
+
+/* Does contact k take the friction of the file or of --mu? */
+static inline int takes_friction(const struct analysis *a, int k)
+{
+    return !a->text.given || !a->text.own_mu[k];
+}
+
+/* The answer where contacts without a value of their own have this friction. */
+static inline kern_status answer_at(const struct analysis *a,
+                                    kern_contact *contact, double mu,
+                                    enum answer which)
+{
+    kern_task task = a->task;
+    for (int k = 0; k < task.s.contacts; k++) {
+        contact[k] = a->contact[k];
+        if (takes_friction(a, k))
+            contact[k].mu = (kern_real)mu;
+    }
+    task.s.contact = contact;
+    task.options.mu = (kern_real)mu;
+    return answer_of(&task, which);
+}
+
+/* The least friction of an answer, by bisection to 1e-5 of it; NAN where no
+   contact takes it, none up to 8 times that of the file is enough, or the limit
+   of work ends a question, of which *status tells. */
+static inline double find_friction(const struct analysis *a, enum answer which,
+                                   kern_status *status)
+{
+    kern_contact *contact = array(a->task.s.contacts, sizeof *contact);
+    double low = 0, high = fmax((double)a->task.options.mu, 0.01);
+    const double most = 8 * high;
+    int taken = 0;
+    for (int k = 0; k < a->task.s.contacts; k++)
+        taken |= takes_friction(a, k);
+    *status = KERN_OK;
+    if (!contact || !taken) {
+        free(contact);
+        return (double)NAN;
+    }
+
+    /* Frictionless first, then up to one that is enough. */
+    *status = answer_at(a, contact, 0, which);
+    if (*status == KERN_STANDS)
+        high = 0;
+    while (*status != KERN_STANDS && *status != KERN_LIMIT && high <= most) {
+        *status = answer_at(a, contact, high, which);
+        if (*status != KERN_STANDS) {
+            low = high;
+            high *= 2;
+        }
+    }
+    const int enough = *status == KERN_STANDS;
+    while (enough && *status != KERN_LIMIT && high - low > 1e-5 * high) {
+        const double middle = (low + high) / 2;
+        *status = answer_at(a, contact, middle, which);
+        *(*status == KERN_STANDS ? &high : &low) = middle;
+    }
+    free(contact);
+    return enough && *status != KERN_LIMIT ? high : (double)NAN;
+}
+
+/* Whether it stays when gravity turns by this angle to a side. */
+static inline kern_status stays_tilted(const struct analysis *a, int side,
+                                       double angle)
+{
+    kern_task task = a->task;
+    const double s = side == LEFT ? -sin(angle) : sin(angle);
+    const double x = (double)task.s.gravity.x, y = (double)task.s.gravity.y;
+    task.s.gravity.x = (kern_real)(x * cos(angle) - y * s);
+    task.s.gravity.y = (kern_real)(y * cos(angle) + x * s);
+    return kern_let_go(&task, NULL, NULL);
+}
+
+/* The tilt up to which it stays, by bisection to 1e-5 below that of the
+   verdict; NAN where it does not stay as it is, or that is not known. */
+static inline double find_tilt_let_go(const struct analysis *a, int side)
+{
+    kern_real most = 0;
+    double low = 0, high;
+    if (a->let_go != KERN_STANDS || !(gravity_of(a) > 0)
+        || kern_tilt(&a->task, 0, side == LEFT ? KERN_LEFT : KERN_RIGHT, &most,
+                     NULL)
+               != KERN_STANDS)
+        return (double)NAN;
+    high = isfinite((double)most) ? (double)most : 1.5;
+    if (stays_tilted(a, side, high * (1 - 1e-5)) == KERN_STANDS)
+        return (double)most;
+    while (high - low > 1e-5) {
+        const double middle = (low + high) / 2;
+        *(stays_tilted(a, side, middle) == KERN_STANDS ? &low : &high) = middle;
+    }
+    return low;
+}
+
+/* Blocks up to which the raised loads are part of every report. */
+enum { RAISED_MOST = 200 };
+
+/* Are raised loads looked for? Near contacts carry nothing at rest. */
+static inline int asks_raised_loads(const struct analysis *a)
+{
+    return a->set->raised || (!is_near(a) && a->task.s.blocks <= RAISED_MOST);
+}
+
+static inline const char *end_word(kern_status status, kern_end end)
+{
+    if (status == KERN_LIMIT || end == KERN_END_WORK)
+        return "work";
+    return end == KERN_END_SHOWN ? "load factor"
+         : end == KERN_END_LOST  ? "no equilibrium"
+                                 : NULL;
+}
+
+/* Loads with Coulomb friction, from rest, and why each path ended. */
+static inline void find_raised_loads(struct analysis *a)
+{
+    static const kern_side side[3] = {KERN_LEFT, KERN_RIGHT, KERN_SHRINK};
+    for (int k = 0; k < 3; k++) {
+        const kern_wrench *pattern = k == LIVE ? a->text.live : NULL;
+        kern_real value = 0;
+        a->raised_load[k] = (double)NAN;
+        kern_status status;
+        if (a->verdict != KERN_STANDS || !asks_raised_loads(a)
+            || !(pattern ? a->set->raised && a->text.lives > 0
+                         : k != LIVE && gravity_of(a) > 0))
+            continue;
+        a->work.end = KERN_END_NONE;
+        status = kern_raised_load(&a->task, shrinkage(a), side[k], pattern,
+                                  &value, NULL);
+        a->raised_load[k] = value_or_nan(status, value);
+        a->raised_end[k] = end_word(status, a->work.end);
+        a->cut[k] = status == KERN_LIMIT;
+    }
+}
+
+/* Is the raised load to a side more than 2 % below the load factor, or not
+   shown? Of loads of the same contacts. */
+static inline int is_lower(const struct analysis *a, int side)
+{
+    const double raised = a->raised_load[side], plain = a->load[side];
+    if (is_near(a) || !asks_raised_loads(a) || isnan(plain) || isinf(raised))
+        return 0;
+    return isnan(raised) || raised < 0.98 * plain;
+}
+
+#endif /* PROGRAM_LET_GO_H */
