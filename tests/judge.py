@@ -1,6 +1,6 @@
 """python3 tests/judge.py WHAT FILE...    what the example programs wrote
 
-structures, profiles, each_block: JSON of examples/kern.c; pushes: of
+structures, profiles, each_block, let_go: JSON of examples/kern.c; pushes: of
 examples/push.c, of the structure that is built in; figures, walls: the folder that
 figures.c and walls.c of examples/laboratory wrote into; svg: pictures;
 functions: C sources, whose functions must be short and simple; tokens: how
@@ -38,7 +38,7 @@ def structures(name):
     assert len(found) >= 10
     assert all(r['status'] in ('stands', 'falls') for r in found), found
     assert [r['file'] for r in found if r['status'] == 'falls'] == [
-        'examples/structures/falls.kern']
+        'examples/structures/falls.kern', 'examples/structures/ladder.kern']
     for r in found:
         resultants(r)
     arch, = (r for r in found if r['file'].endswith('/arch.kern'))
@@ -105,7 +105,7 @@ def keys(name, text):
 
 
 def each_block(name, last, path):
-    """The blocks of the file; null where it falls when the block is laid."""
+    """The blocks of the file, each with a chance; the fixed ones with null."""
     (found,), (one,) = objects(name), objects(last)
     with open(path, encoding='utf-8') as file:
         words = [line.split() for line in file]
@@ -124,6 +124,77 @@ def undecided(key, value, name):
     told = found[key]
     assert key in found['undecided'] and (told is None or None in [
         row[value] for row in told if not row.get('fixed')]), found
+
+
+def wall_of_bricks(width, rows, mu, gap):
+    """A running bond of square bricks with half bricks at its ends."""
+    lines = ['friction %g' % mu, 'gravity 0 -1',
+             'fixed ground -2 -2 %g -2 %g 0 -2 0' % (width + 2, width + 2)]
+    for row in range(rows):
+        cuts = ([0.0, *(k + 0.5 for k in range(width)), float(width)]
+                if row % 2 else [float(k) for k in range(width + 1)])
+        for k, (x, end) in enumerate(zip(cuts, cuts[1:])):
+            end -= gap if end < width else 0
+            lines.append('block b%d_%d * %r %d %r %d %r %d %r %d' % (
+                row, k, x, row, end, row, end, row + 1, x, row + 1))
+    return lines
+
+
+def let_go_files(slope, folder):
+    """Writes bricks at some frictions, and the slope with its blocks in another
+    order, mirrored, and at a friction just below and above its least one."""
+    def write(name, lines):
+        with open(os.path.join(folder, name), 'w', encoding='utf-8') as file:
+            file.write('\n'.join(lines) + '\n')
+
+    with open(slope, encoding='utf-8') as file:
+        lines = file.read().splitlines()
+    head = [x for x in lines if x.split()[0] not in ('fixed', 'block')]
+    rest = [x for x in lines if x.split()[0] in ('fixed', 'block')]
+    write('slope-order.kern', head + rest[::2] + rest[::-2])
+    mirrored = []
+    for words in (x.split() for x in lines):
+        first = {'fixed': 2, 'block': 3, 'gravity': 1}.get(words[0])
+        if first:
+            words[first::2] = ['%r' % -float(x) for x in words[first::2]]
+        mirrored.append(' '.join(words))
+    write('slope-mirror.kern', mirrored)
+    for word, mu in ('below', .99 * .785544), ('above', 1.02 * .785544):
+        write('slope-%s.kern' % word, [
+            'friction %r' % mu if x.startswith('friction') else x
+            for x in lines])
+    for mu in .3, .9, 1.5:
+        for gap in 0, .01:
+            write('bond-%g-%g.kern' % (mu, gap),
+                  wall_of_bricks(6, 6, mu, gap))
+
+
+def let_go(name):
+    """Textbook answers, in any order and mirrored; plain walls are no jam."""
+    found = {os.path.basename(r['file'])[:-5]: r for r in objects(name)}
+    slope = found['toppling-slope']
+    assert slope['status'] == 'stands' and slope['let_go'] == 'not shown'
+    assert 'no equilibrium' in slope['let_go_why'], slope['let_go_why']
+    assert abs(slope['least_friction'] - .6596) < 1e-4, slope
+    for word in 'toppling-slope', 'slope-order', 'slope-mirror':
+        r = found[word]
+        assert abs(r['least_friction_let_go'] - .785544) < .02 * .785544, r
+    assert found['slope-below']['let_go'] == 'not shown'
+    above = found['slope-above']
+    assert above['let_go'] == 'stays' and above['tilt_let_go_right'] > 0
+    assert 0 < above['raised_load_right'] < .9 * above['load_right'], above
+    assert above['raised_end_right'] == 'no equilibrium', above
+    assert above['raised_end_left'] in ('load factor', 'no equilibrium'), above
+    ladder = found['ladder']
+    assert ladder['let_go'] == 'moves' and 'ladder' in ladder['let_go_why']
+    assert abs(ladder['live_least'] - 61.752) < 1e-3, ladder
+    assert ladder['live'] > 10 * ladder['live_least'], ladder
+    bonds = [r for word, r in found.items() if word.startswith('bond')]
+    assert len(bonds) == 6
+    for r in bonds:
+        assert r['let_go'] == 'stays' and r['reserve'] >= .0055, r
+        assert 'reserve' not in r['let_go_why'], r
+        assert min(b['stays'] for b in r['stays'] if not b['fixed']) > .8, r
 
 
 def profiles(name):
@@ -260,6 +331,6 @@ def walls(folder):
 
 
 if __name__ == '__main__':
-    checks = (svg, structures, axles, keys, each_block, undecided, profiles,
-              pushes, figures, functions, tokens, rules, walls)
+    checks = (svg, structures, axles, keys, each_block, let_go_files, let_go,
+              undecided, profiles, pushes, figures, functions, tokens, rules, walls)
     {f.__name__: f for f in checks}[sys.argv[1]](*sys.argv[2:])

@@ -287,6 +287,23 @@ live() { # live loads, weight that is no stone, and loads that stay
     "$kern" "$out/live.kern" 2>&1 | grep -q 'live.kern:6: live: a block that is'
 }
 
+let_go() { # the whole structure let go, by textbook answers and by laws
+    local kern slope=examples/structures/toppling-slope.kern
+    kern=$(program kern examples/kern.c) || return 1
+    mkdir -p "$out/let-go" && $judge let_go_files $slope "$out/let-go" &&
+        "$kern" --json --error .01 --raised --stays all $slope \
+            examples/structures/ladder.kern "$out"/let-go/*.kern \
+            >"$out/let-go.json"
+    [ $? -le 1 ] && $judge let_go "$out/let-go.json" || return 1
+    "$kern" "$out/let-go/slope-above.kern" >"$out/o" &&
+        grep -q '^  let go      stays ' "$out/o" &&
+        grep -q '^  load  .* Coulomb friction bears from rest$' "$out/o" &&
+        grep -q '^  load limit .* too high' "$out/o" || return 1
+    "$kern" --stays all examples/structures/falls.kern >"$out/o"
+    [ "$(grep -c '^  stays ' "$out/o")" -eq 1 ] &&
+        grep -q '^  stays       no: the whole structure falls' "$out/o"
+}
+
 sweep() { # as an ordinary load at its place and on its block, what --sweep says
     # stands when it is smaller by 1e-6, and falls when it is larger
     local kern arch=examples/structures/arch.kern

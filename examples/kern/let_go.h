@@ -15,6 +15,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Blocks up to which raised loads and a reserve are part of every report. */
+enum { RAISED_MOST = 200 };
+
+/* The reserve, as a share of gravity, from which on stones that are let go stay
+   as a rule (tests/TRUST.md). */
+#define ENOUGH_RESERVE ((kern_real)0.0055)
+
 /* The block that moves fastest, by its name. */
 static inline const char *fastest_name(const struct analysis *a,
                                        const kern_motion *motion,
@@ -46,6 +53,27 @@ static inline const char *not_shown_why(const struct analysis *a, kern_end end)
                                 : "the verdict is undecided";
 }
 
+/* How it stays: where gravity acts, the reserve up to what is enough for stones
+   that are let go tells a firm structure from one on the edge. */
+static inline void explain_staying(struct analysis *a)
+{
+    kern_task task = a->task;
+    kern_raising how;
+    kern_real reserve = 0;
+    kern_status status = KERN_UNDECIDED;
+    task.options.reserve = ENOUGH_RESERVE;
+    if (gravity_of(a) > 0 && task.s.blocks <= RAISED_MOST)
+        status = kern_raised(&task, 0, &how, &reserve, NULL);
+    snprintf(a->let_go_why, sizeof a->let_go_why,
+             "its load raises the forces that hold it");
+    if (status == KERN_STANDS && reserve < ENOUGH_RESERVE) {
+        const size_t used = strlen(a->let_go_why);
+        snprintf(a->let_go_why + used, sizeof a->let_go_why - used,
+                 ", with a reserve of %.4g g: %g is enough as a rule",
+                 (double)reserve, (double)ENOUGH_RESERVE);
+    }
+}
+
 /* The answer for all blocks at once, on contacts as they are. */
 static inline int find_let_go(struct analysis *a)
 {
@@ -58,8 +86,7 @@ static inline int find_let_go(struct analysis *a)
     a->work.end = KERN_END_NONE;
     a->let_go = kern_let_go(&a->task, &how, &proof);
     if (a->let_go == KERN_STANDS)
-        snprintf(a->let_go_why, sizeof a->let_go_why,
-                 "its load raises the forces that hold it");
+        explain_staying(a);
     else if (a->let_go == KERN_FALLS)
         snprintf(a->let_go_why, sizeof a->let_go_why, "%s; %s moves fastest",
                  how == KERN_HANGS ? "some blocks rest on nothing"
@@ -103,15 +130,16 @@ static inline kern_status answer_at(const struct analysis *a,
     return answer_of(&task, which);
 }
 
-/* The least friction of an answer, by bisection to 1e-5 of it; NAN where no
-   contact takes it, none up to 8 times that of the file is enough, or the limit
-   of work ends a question, of which *status tells. */
+/* The least friction of an answer: at all values that were asked from there up
+   to that of the file it stands, or stays. To 1e-5 of it; NAN where no contact
+   takes it, none up to 8 times that of the file is enough, or the limit of work
+   ends a question, of which *status tells. */
 static inline double find_friction(const struct analysis *a, enum answer which,
                                    kern_status *status)
 {
     kern_contact *contact = array(a->task.s.contacts, sizeof *contact);
     double low = 0, high = fmax((double)a->task.options.mu, 0.01);
-    const double most = 8 * high;
+    const double most = 8 * high, least = 1e-3 * high;
     int taken = 0;
     for (int k = 0; k < a->task.s.contacts; k++)
         taken |= takes_friction(a, k);
@@ -121,18 +149,26 @@ static inline double find_friction(const struct analysis *a, enum answer which,
         return (double)NAN;
     }
 
-    /* Frictionless first, then up to one that is enough. */
-    *status = answer_at(a, contact, 0, which);
-    if (*status == KERN_STANDS)
-        high = 0;
-    while (*status != KERN_STANDS && *status != KERN_LIMIT && high <= most) {
+    /* Double the friction up to one that is enough. */
+    *status = answer_at(a, contact, high, which);
+    while (*status != KERN_STANDS && *status != KERN_LIMIT
+           && 2 * high <= most) {
+        low = high;
+        high *= 2;
         *status = answer_at(a, contact, high, which);
-        if (*status != KERN_STANDS) {
-            low = high;
-            high *= 2;
-        }
     }
+
+    /* Walk down by fifths to one that is not: let go is not monotone in
+       friction, and a bisection alone might pass over a gap. */
     const int enough = *status == KERN_STANDS;
+    while (enough && *status == KERN_STANDS && !(low > 0) && high > 0) {
+        const double next = high > least ? 0.8 * high : 0;
+        *status = answer_at(a, contact, next, which);
+        *(*status == KERN_STANDS ? &high : &low) = next;
+        if (!(next > 0))
+            break;
+    }
+
     while (enough && *status != KERN_LIMIT && high - low > 1e-5 * high) {
         const double middle = (low + high) / 2;
         *status = answer_at(a, contact, middle, which);
@@ -154,19 +190,27 @@ static inline kern_status stays_tilted(const struct analysis *a, int side,
     return kern_let_go(&task, NULL, NULL);
 }
 
-/* The tilt up to which it stays, by bisection to 1e-5 below that of the
-   verdict; NAN where it does not stay as it is, or that is not known. */
+/* The tilt up to which it stays, at all angles that were asked, to 1e-5 and no
+   more than that of the verdict; NAN where it does not stay as it is, or that is
+   not known. */
 static inline double find_tilt_let_go(const struct analysis *a, int side)
 {
+    enum { STEPS = 8 };
     kern_real most = 0;
-    double low = 0, high;
+    double low = 0, high = 0;
     if (a->let_go != KERN_STANDS || !(gravity_of(a) > 0)
         || kern_tilt(&a->task, 0, side == LEFT ? KERN_LEFT : KERN_RIGHT, &most,
                      NULL)
                != KERN_STANDS)
         return (double)NAN;
-    high = isfinite((double)most) ? (double)most : 1.5;
-    if (stays_tilted(a, side, high * (1 - 1e-5)) == KERN_STANDS)
+    const double last = isfinite((double)most) ? (double)most : 1.5;
+
+    /* Walk up to the first angle at which it does not stay. */
+    for (int k = 1; k <= STEPS && !(high > 0); k++) {
+        const double angle = last * (1 - 1e-5) * k / STEPS;
+        *(stays_tilted(a, side, angle) == KERN_STANDS ? &low : &high) = angle;
+    }
+    if (!(high > 0))
         return (double)most;
     while (high - low > 1e-5) {
         const double middle = (low + high) / 2;
@@ -174,9 +218,6 @@ static inline double find_tilt_let_go(const struct analysis *a, int side)
     }
     return low;
 }
-
-/* Blocks up to which the raised loads are part of every report. */
-enum { RAISED_MOST = 200 };
 
 /* Are raised loads looked for? Near contacts carry nothing at rest. */
 static inline int asks_raised_loads(const struct analysis *a)
@@ -216,7 +257,7 @@ static inline void find_raised_loads(struct analysis *a)
 }
 
 /* Is the raised load to a side more than 2 % below the load factor, or not
-   shown? Of loads of the same contacts. */
+   shown? Asked of loads of the same contacts. */
 static inline int is_lower(const struct analysis *a, int side)
 {
     const double raised = a->raised_load[side], plain = a->load[side];

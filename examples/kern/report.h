@@ -316,7 +316,8 @@ static inline void report_live(const struct analysis *a)
 /* The load factors: first those that friction bears, where these are lower. */
 static inline void report_load(const struct analysis *a, const char *stay)
 {
-    const int lower = is_lower(a, LEFT) || is_lower(a, RIGHT);
+    const int lower_left = is_lower(a, LEFT), lower_right = is_lower(a, RIGHT);
+    const int lower = lower_left || lower_right;
     char left[32], right[32];
     if (lower)
         printf("  load        %s left, %s right: horizontal load, in g, that "
@@ -326,12 +327,15 @@ static inline void report_load(const struct analysis *a, const char *stay)
            factor_text(a->load[LEFT], 1, "", left),
            factor_text(a->load[RIGHT], 1, "", right));
     if (lower)
-        printf("limit analysis, dilatant sliding, too high here\n");
+        printf("limit analysis, dilatant sliding, too high %s\n",
+               lower_left && lower_right ? "here"
+               : lower_left              ? "to the left"
+                                         : "to the right");
     else
         printf("horizontal load factor, in g%s%s\n",
-               asks_raised_loads(a) || is_near(a)
-                   ? ""
-                   : ", of limit analysis (--raised: of friction)",
+               asks_raised_loads(a) ? ""
+                                    : ", of limit analysis (--raised: of "
+                                      "friction)",
                stay);
 }
 
@@ -672,21 +676,24 @@ static inline void report_sequence(const struct analysis *a)
         }
 }
 
-/* Of all blocks, or of the one that was named. */
+/* Of all blocks, or of the one that was named. What falls has no such chance,
+   whichever of its blocks was laid last. */
 static inline void report_stays(const struct analysis *a)
 {
     char shown[TEXT_SHOW_ROOM];
+    if (a->verdict == KERN_FALLS) {
+        printf("  stays       no: the whole structure falls, whichever block "
+               "was laid last\n");
+        return;
+    }
     for (int i = 0; i < a->task.s.blocks; i++) {
         if (!is_asked(a, i))
             continue;
         if (isnan(a->stays[i]))
             printf("  stays       undecided whether");
-        else if (a->stays[i] < 0)
-            printf("  stays       no: it falls with");
         else
             printf("  stays       %-8.3f  chance that", a->stays[i]);
-        printf(a->stays[i] < 0 ? " %s, laid last\n"
-                               : " %s, laid last, stays where it is let go\n",
+        printf(" %s, laid last, stays where it is let go\n",
                name_of(a, i, shown));
     }
 }

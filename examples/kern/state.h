@@ -324,9 +324,9 @@ static inline unsigned open_questions(const struct analysis *a)
                             is_open_list(a, a->sequence, 0),
                             is_open_list(a, a->stays, 1),
                             is_open_sweep(a),
-                            a->set->raised && a->cut[LEFT],
-                            a->set->raised && a->cut[RIGHT],
-                            a->set->raised && a->cut[LIVE],
+                            a->cut[LEFT],
+                            a->cut[RIGHT],
+                            a->cut[LIVE],
                             a->lived < 0,
                             a->slid_let_go == KERN_LIMIT};
     unsigned bits = 0;
