@@ -168,6 +168,16 @@ static double raised_load(const struct frame *f, kern_side side)
              : 0;
 }
 
+/* Returns the load factor of limit analysis to the right; 0 where it falls. */
+static double load_factor(const struct frame *f)
+{
+    kern_real factor = 0;
+    return kern_load_factor(ask_in(f), 0, KERN_RIGHT, &factor, NULL)
+                == KERN_STANDS
+             ? (double)factor
+             : 0;
+}
+
 /* ---- Toppling slopes (Goodman and Bray 1976) ----------------------------- */
 
 /* Columns on a stepped base that dips by psi, the first at the toe; x runs down
@@ -317,7 +327,8 @@ static void slopes(void)
     report("  at 1.1", raised[3], 60, 60);
 }
 
-/* Long rows: raised load over limit equilibrium, the least of three. */
+/* Long rows: raised load over limit equilibrium, the least of three, and the
+   load factor of limit analysis over it, which lets sliding columns part. */
 static void rows(void)
 {
     static const struct {
@@ -326,7 +337,7 @@ static void rows(void)
     } row[] = {{20, 0.97}, {30, 0.97}, {40, 0.97}, {60, 0.96}, {90, 0.87}};
     uint64_t state = random_from(90);
     for (int k = 0; k < 5; k++) {
-        double least = 2, most = 0;
+        double least = 2, most = 0, dilatant = 0;
         char what[60];
         for (int many = 0; many < 3;) {
             struct slope s;
@@ -347,12 +358,14 @@ static void rows(void)
             ratio = raised_load(&as_drawn, KERN_RIGHT) / limit;
             least = fmin(least, ratio);
             most = fmax(most, ratio);
+            dilatant = fmax(dilatant, load_factor(&as_drawn) / limit);
             many++;
         }
         snprintf(what, sizeof what, "rows of %d columns: least load / limit",
                  row[k].columns);
         report(what, least, row[k].least, 1.001);
         report("  most", most, 0, 1.001);
+        report("  load factor of limit analysis / limit, most", dilatant, 1, 9);
     }
 }
 

@@ -422,6 +422,51 @@ static void slope(void)
         "dilatant", .13, "sliding parts: columns hold each other");
 }
 
+/* Two round logs on the ground carry a third: nothing but friction keeps the
+   two from rolling apart. */
+static void three_logs(double mu)
+{
+    say("friction %.15g\ngravity 0 -1\n", mu);
+    box("fixed ground", -5, -1, 10, 1);
+    box("block left 1", -.5, .5, 1, 1);
+    box("block right 1", 1.5, .5, 1, 1);
+    box("block top 1", .5, .5 + sqrt(3), 1, 1);
+    say("contact ground left 0 1 0 0\ncontact ground right 0 1 2 0\n"
+        "contact left right 1 0 1 1\n"
+        "contact left top .5 %.15g .5 %.15g\n"
+        "contact right top -.5 %.15g 1.5 %.15g\n",
+        sqrt(.75), 1 + sqrt(.75), sqrt(.75), 1 + sqrt(.75));
+}
+
+static void logs(void)
+{
+    section("Two logs that carry a third (statics)");
+    row("least friction: tan 15 deg", digits(tan(pi / 12), 6),
+        threshold(three_logs, 0, 1), "any", 0, NULL);
+    row("the same, let go", digits(tan(pi / 12), 6),
+        threshold_of(LET_GO, three_logs, 0, 1), "any", 0, NULL);
+}
+
+/* A wedge of 10 degrees without weight lifts 400 between a floor and a wall:
+   the load is held by the reaction of the wedge and that of the wall, each at
+   the angle of friction from its normal. */
+static void wedge(void)
+{
+    const double mu = .25, up = tan(pi / 18), angle = pi / 18 + atan(mu);
+    const double reaction = 400 / (cos(angle) - mu * sin(angle));
+    section("A wedge that lifts (statics)");
+    begin();
+    say("friction %.15g\ngravity 0 -1\n", mu);
+    box("fixed floor", -9, -1, 18, 1);
+    box("fixed wall", 2, -1, 1, 10);
+    say("block low 1e-9 -2 0 1 0 1 .2 -2 %.15g\n"
+        "block load 400 0 %.15g 2 %.15g 2 2 0 2\nlive low 1 0 -2 .1\n",
+        .2 + 3 * up, .2 + up, .2 - up);
+    row("push that lifts it",
+        digits(reaction * (sin(angle) + mu * cos(angle)), 3),
+        ask(NULL, LIVE, -1), "any", 0, NULL);
+}
+
 /* ---- Overhangs ----------------------------------------------------------- */
 
 static int bricks;
@@ -720,6 +765,8 @@ int main(int argc, char **argv)
     rods();
     held_ladder();
     slope();
+    logs();
+    wedge();
     overhangs();
     arches();
     walls();
