@@ -2640,7 +2640,7 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
 
 /* Keeps in the set (value >= 0) only free, unloaded blocks that nothing outside
    of it presses against gravity. Returns how many are left. */
-static int kern_hang(const kern_structure *s, kern_real *value)
+static int kern_unsupported(const kern_structure *s, kern_real *value)
 {
     const kern_real pull = kern_vec_length(s->gravity);
     int k, left = 0, held = 1;
@@ -2721,7 +2721,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
         value[i] = falls ? 1 : -1;
         n += falls;
     }
-    if (n == 0 || kern_hang(s, value) != n)
+    if (n == 0 || kern_unsupported(s, value) != n)
         return KERN_INFINITY;
     q.fallen = value;
     return kern_prove_forces(s, &q, proof->force, sum);
@@ -6250,9 +6250,9 @@ typedef enum kern_asked {
 
 /* Farthest place where the whole is proven to stand, nearest where it is proven
    to fall; -1, infinity: none. */
-typedef struct kern_proven {
+typedef struct kern_range {
     kern_real low, high;
-} kern_proven;
+} kern_range;
 
 typedef struct kern_path {
     kern_path_kind kind;
@@ -6262,7 +6262,7 @@ typedef struct kern_path {
     kern_real holds, fails;  /* the bracket: >>search                        */
     kern_real critical;      /* value of the mechanism; none: <= holds       */
     kern_real predicted;     /* value of the mechanism after that one        */
-    kern_proven proven;      /* of the whole                                 */
+    kern_range proven;       /* of the whole                                 */
     int never;               /* nonzero: it stands to the end                */
     kern_part *part;         /* that fell last                               */
     const kern_known *known; /* of a structure like it, or NULL              */
@@ -6590,7 +6590,7 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 /* Returns the place that halves the wider end of the bracket outside of the
    places that were undecided; infinity if these are most of it. The first place
    is near the lower end, where forces are small. */
-static kern_real kern_path_cut(const kern_path *path, const kern_proven *dark)
+static kern_real kern_path_cut(const kern_path *path, const kern_range *dark)
 {
     const kern_real lo = path->holds, hi = path->fails;
     const kern_real below = dark->low - lo, above = hi - dark->high;
@@ -6608,7 +6608,7 @@ static kern_real kern_path_cut(const kern_path *path, const kern_proven *dark)
    place in the bracket that was undecided. */
 KERN_SHARED static kern_real kern_path_next(const kern_path *path,
                                             kern_real offset,
-                                            const kern_proven *dark)
+                                            const kern_range *dark)
 {
     const kern_real lo = path->holds, hi = path->fails;
     const kern_real critical = path->critical, predicted = path->predicted;
@@ -6646,7 +6646,7 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
     kern_real offset = kern_half_width(path);
-    kern_proven dark = {KERN_INFINITY, -KERN_INFINITY};
+    kern_range dark = {KERN_INFINITY, -KERN_INFINITY};
     int round;
     for (round = 0; round < KERN_BRACKET_ROUNDS; round++) {
         const kern_real lo = path->holds, value = path->critical;
@@ -8759,7 +8759,7 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
        one block to stay, needs it. */
     for (i = 0; i < m->s->blocks; i++)
         value[i] = KERN_R(1);
-    left = kern_hang(m->s, value);
+    left = kern_unsupported(m->s, value);
     if (left > 0 || r->around >= 0) {
         kern_known_begin(m, q->shrink);
         status = kern_model_evaluate(m, r->p, q);

@@ -8,7 +8,8 @@
        state.h        settings, and what was found of one file
        analysis.h     reads, finds contacts, decides, measures
        asked.h, sweep.h    what options and statements ask for beyond that
-       report.h, report_json.h, picture.h, c_arrays.h, help.h    what is written
+       report.h, report_json.h, picture.h, c_arrays.h    what is written
+       help.h, usage.h    what --help prints
 
        cc -O2 -o kern examples/kern.c -lm
        ./kern --svg wall.svg examples/structures/wall-60.kern
@@ -26,12 +27,12 @@
 
 #include "kern/analysis.h"
 #include "kern/c_arrays.h"
-#include "kern/help.h"
 #include "kern/picture.h"
 #include "kern/report.h"
 #include "kern/report_json.h"
 #include "kern/state.h"
 #include "kern/statements_file.h"
+#include "kern/usage.h"
 #include "parts/args.h"
 #include "parts/text.h"
 
@@ -237,10 +238,11 @@ static int output_option(const char *name, const char *file, const char *end)
         return 0;
     if (!file || !file[0])
         return bad_use("a file name is missing after", name);
-    fprintf(stderr,
-            "kern: %s takes a name that ends in %s, read %s; try kern "
-            "--help\n",
-            name, end, file);
+    fprintf(stderr, "kern: %s takes a name that ends in %s, read %s; %s\n",
+            name, end, file,
+            args_ends(file, ".png")
+                ? "a browser or rsvg-convert makes a PNG of an SVG"
+                : "try kern --help");
     return -1;
 }
 
@@ -300,6 +302,17 @@ static int drawing_option(struct settings *set, char **argv, int *i)
     return 1;
 }
 
+static int unknown_option(const char *word)
+{
+    char meant[USAGE_WORD + 1];
+    usage_nearest(word, meant);
+    if (!meant[0])
+        return bad_use("unknown option", word);
+    fprintf(stderr, "kern: unknown option %s; %s? try kern --help\n", word,
+            meant);
+    return -1;
+}
+
 /* An option with a name behind it. */
 static int name_option(struct settings *set, char **argv, int *i)
 {
@@ -314,7 +327,7 @@ static int name_option(struct settings *set, char **argv, int *i)
         return output_option("--kern", set->kern_file, ".kern");
     if (args_value(argv, i, "--svg", &set->svg))
         return output_option("--svg", set->svg, ".svg");
-    return bad_use("unknown option", word);
+    return unknown_option(word);
 }
 
 /* Reads argv[*i], with what belongs to it; 0 where it is fine. */
@@ -404,10 +417,7 @@ int main(int argc, char **argv)
     if (set.files == ARGS_BAD)
         return EXIT_BAD;
     if (set.files == ARGS_HELP)
-        return fputs(help, stdout) < 0 || fputs(help_format, stdout) < 0
-                    || fputs(help_json, stdout) < 0
-                 ? EXIT_BAD
-                 : EXIT_STANDS;
+        return usage_print(argv[0], argv[1]) ? EXIT_BAD : EXIT_STANDS;
     if (set.files == ARGS_VERSION)
         return puts("kern " KERN_VERSION) < 0 ? EXIT_BAD : EXIT_STANDS;
     if (set.files == 0) {

@@ -91,7 +91,9 @@ static const char help[] =
 "      --mechanism  list how every block moves as it falls; where it stands,\n"
 "                   just past the margin\n"
 "      --mechanism live   just past the factor of the live load\n"
-"  -h, --help, --version\n";
+"  -h           these options on one page; --help TOPIC: asks, drawing, taken,\n"
+"               written, format, json\n"
+"  -V, --version\n";
 
 static const char help_format[] =
 "\n"
@@ -124,6 +126,7 @@ static const char help_json[] =
 "lists undecided and unbounded say which are null for these reasons.\n"
 "  status              stands, falls, undecided, limit, error\n"
 "  file, error         its name; what is wrong with it, else null\n"
+"  version             of kern\n"
 "  units               of lengths: m, px or what the file says; null: not known\n"
 "  skipped             what of a drawing became no block: list of kind, name (its\n"
 "                      layer or label), line, count\n"

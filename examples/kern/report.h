@@ -87,6 +87,17 @@ static inline void report_structure(const struct analysis *a)
            plural(points), a->text.given ? ", given by the file" : "");
 }
 
+/* Why there is no answer: of a status below 0, or of a number that is missing
+   beside one that is not. */
+static inline const char *undecided_why(kern_status status)
+{
+    return status == KERN_LIMIT ? "the limit of work ended it (--limit 0 goes "
+                                  "on)"
+                                : "no proof either way was found: it is "
+                                  "critical within rounding, or sizes and "
+                                  "weights differ by much";
+}
+
 static inline void report_let_go(const struct analysis *a)
 {
     printf("  let go      %-9s %s\n", let_go_word(a), a->let_go_why);
@@ -98,7 +109,7 @@ static inline void report_level(const struct analysis *a)
     char length[TEXT_SHOW_ROOM];
     length_text(a, (double)a->m.epsilon, length);
     if (a->measured < 0 || a->m.level < 0) {
-        printf("  level       undecided\n");
+        printf("  level       undecided: %s\n", undecided_why(a->measured));
         return;
     }
     printf("  level       %-8d", a->m.level);
@@ -136,7 +147,7 @@ static inline void report_margin(const struct analysis *a)
         return;
     }
     if (a->measured < 0 || isnan(value)) {
-        printf("undecided\n");
+        printf("undecided: %s\n", undecided_why(a->measured));
         return;
     }
     if (isinf(value)) {
@@ -164,7 +175,7 @@ static inline void report_bearing(const struct analysis *a)
     char length[TEXT_SHOW_ROOM];
     printf("  bearing     ");
     if (isnan(a->bearing))
-        printf("undecided\n");
+        printf("undecided: %s\n", undecided_why(KERN_UNDECIDED));
     else if (isinf(a->bearing))
         printf("none      it needs points alone\n");
     else
@@ -586,6 +597,8 @@ static inline void report_verdict(const struct analysis *a)
                           : ", not for certain: within the "
                             "error it may be otherwise");
     printf("\n");
+    if (is_open(a->verdict))
+        printf("  undecided   %s\n", undecided_why(a->verdict));
     if (a->certain >= 0 && a->interval.high < KERN_INFINITY)
         printf("  within the error  margin from %.4g to %.4g\n",
                (double)a->interval.low, (double)a->interval.high);

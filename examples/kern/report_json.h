@@ -444,6 +444,7 @@ static inline void report_json(const struct analysis *a)
     int good = !a->error[0], asked = good && !a->set->verdict_only;
     printf("{");
     json_string("file", a->file);
+    json_word("version", KERN_VERSION);
     printf(", ");
     json_string("status", status_word(a));
     json_drawing(a);

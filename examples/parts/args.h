@@ -88,7 +88,9 @@ enum { ARGS_HELP = -1, ARGS_VERSION = -2, ARGS_BAD = -3 };
 
 /* Reads the options: option() takes the one at argv[*i] with what belongs to it,
    and returns 0 where it is fine. What is no option, and all behind --, moves to
-   the front of argv. Returns how many these are, or one of the above. */
+   the front of argv. Returns how many these are, or one of the above; with
+   ARGS_HELP argv[0] is the word that asks for help, argv[1] what follows it, or
+   NULL. */
 static inline int args_read(int argc, char **argv,
                             int (*option)(void *set, char **argv, int *i),
                             void *set)
@@ -100,9 +102,11 @@ static inline int args_read(int argc, char **argv,
             argv[files++] = argv[i]; /* over arguments read already */
         else if (strcmp(word, "--") == 0)
             options = 0;
-        else if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0)
+        else if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
+            argv[0] = argv[i];
+            argv[1] = argv[i + 1];
             return ARGS_HELP;
-        else if (strcmp(word, "--version") == 0)
+        } else if (strcmp(word, "--version") == 0 || strcmp(word, "-V") == 0)
             return ARGS_VERSION;
         else if (option(set, argv, &i))
             return ARGS_BAD;
