@@ -77,11 +77,15 @@ class Program(unittest.TestCase):
                     tuple(row[key] for key in ("level", "margin", "epsilon",
                                                "saturated")))
                 if not v:
-                    self.assertEqual(s.deficit(), row["deficit"])
+                    self.assertEqual(finite(s.deficit()), row["deficit"])
                 for side, word in ((kern.LEFT, "left"), (kern.RIGHT, "right")):
                     self.assertEqual(finite(s.load_factor(side)),
                                      row["load_" + word])
-                    self.assertEqual(finite(s.tilt(side)), row["tilt_" + word])
+                    tilt = finite(s.tilt(side))  # there atan of the load
+                    self.assertEqual(tilt is None, row["tilt_" + word] is None)
+                    if tilt is not None:
+                        self.assertAlmostEqual(tilt, row["tilt_" + word],
+                                               delta=1e-15)
                 self.same_forces(s, v and s.forces(), row)
                 self.same_motion(s, m.motion if v else v.motion, row)
 
@@ -126,6 +130,8 @@ class Program(unittest.TestCase):
         """They are those of the program, but for the caption."""
         for path in FILES:
             s = kern.read(path)
+            if s.lives:
+                continue  # the program alone draws a live load
             with tempfile.TemporaryDirectory() as folder:
                 program = pathlib.Path(folder, "p.svg")
                 subprocess.run([PROGRAM, "--svg", program, path],

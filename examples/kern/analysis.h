@@ -154,19 +154,51 @@ static inline void find_stress(struct analysis *a)
     free(least);
 }
 
-/* Load factors and tilts; without gravity there are neither. */
+/* Does anything but weight act? */
+static inline int has_loads(const struct analysis *a)
+{
+    int loads = 0;
+    for (int i = 0; i < a->task.s.blocks; i++) {
+        const kern_wrench *w = &a->task.s.block[i].load;
+        loads += fabs((double)w->fx) > 0 || fabs((double)w->fy) > 0
+              || fabs((double)w->torque) > 0;
+    }
+    return loads > 0;
+}
+
+/* The load factor to a side. A raised load of the same contacts that ended
+   there is this factor. */
+static inline double find_load(const struct analysis *a, int side)
+{
+    kern_real value = 0;
+    if (!is_near(a) && a->raised_end[side]
+        && strcmp(a->raised_end[side], end_word(KERN_OK, KERN_END_SHOWN)) == 0)
+        return a->raised_load[side];
+    const kern_status status = kern_load_factor(
+        &a->task, shrinkage(a), side == LEFT ? KERN_LEFT : KERN_RIGHT, &value,
+        NULL);
+    return value_or_nan(status, value);
+}
+
+/* The load factor and the tilt to each side. Where weight alone acts, weight
+   with a load sideways is a larger weight at a slant, which the same forces
+   hold, made as much larger: the tilt is atan(load). */
 static inline void find_loads(struct analysis *a)
 {
+    const int loads = has_loads(a);
     for (int side = LEFT; side <= RIGHT; side++) {
         a->load[side] = a->tilt[side] = (double)NAN;
         if (a->shown != KERN_STANDS || !(gravity_of(a) > 0))
             continue;
+        a->load[side] = find_load(a, side);
+        if (!loads && isfinite(a->load[side])) {
+            a->tilt[side] = atan(a->load[side]);
+            continue;
+        }
         kern_real value = 0;
-        kern_side sign = side == LEFT ? KERN_LEFT : KERN_RIGHT;
-        kern_status status;
-        status = kern_load_factor(&a->task, shrinkage(a), sign, &value, NULL);
-        a->load[side] = value_or_nan(status, value);
-        status = kern_tilt(&a->task, shrinkage(a), sign, &value, NULL);
+        const kern_status status = kern_tilt(
+            &a->task, shrinkage(a), side == LEFT ? KERN_LEFT : KERN_RIGHT,
+            &value, NULL);
         a->tilt[side] = value_or_nan(status, value);
     }
 }

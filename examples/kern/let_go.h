@@ -130,6 +130,42 @@ static inline kern_status answer_at(const struct analysis *a,
     return answer_of(&task, which);
 }
 
+/* A friction at which an answer holds, and one below it at which it does not,
+   0 where none is known. */
+struct friction {
+    const struct analysis *a;
+    enum answer which;
+    kern_contact *contact;
+    kern_status status; /* of the last question */
+    double low, high;
+};
+
+static inline int holds_at(struct friction *f, double mu)
+{
+    f->status = answer_at(f->a, f->contact, mu, f->which);
+    if (f->status != KERN_LIMIT)
+        *(f->status == KERN_STANDS ? &f->high : &f->low) = mu;
+    return f->status == KERN_STANDS;
+}
+
+/* Finds one: doubles the friction from `mu` on, up to 8 times that, or walks
+   down from there by fifths. Let go is not monotone in friction, and a bisection
+   alone might pass over a gap. Returns 0 where none holds. */
+static inline int bracket_friction(struct friction *f, double mu)
+{
+    const double least = 1e-3 * mu, most = 8 * mu;
+    double next = mu;
+    while (!holds_at(f, next)) {
+        next *= 2;
+        if (f->status == KERN_LIMIT || next > most)
+            return 0;
+    }
+    while (!(f->low > 0) && f->high > 0
+           && holds_at(f, f->high > least ? 0.8 * f->high : 0))
+        continue;
+    return f->status != KERN_LIMIT;
+}
+
 /* The least friction of an answer: at all values that were asked from there up
    to that of the file it stands, or stays. To 1e-5 of it; NAN where no contact
    takes it, none up to 8 times that of the file is enough, or the limit of work
@@ -137,45 +173,18 @@ static inline kern_status answer_at(const struct analysis *a,
 static inline double find_friction(const struct analysis *a, enum answer which,
                                    kern_status *status)
 {
-    kern_contact *contact = array(a->task.s.contacts, sizeof *contact);
-    double low = 0, high = fmax((double)a->task.options.mu, 0.01);
-    const double most = 8 * high, least = 1e-3 * high;
-    int taken = 0;
+    struct friction f = {
+        a, which, array(a->task.s.contacts, sizeof *f.contact), KERN_OK, 0, 0};
+    int taken = 0, found;
     for (int k = 0; k < a->task.s.contacts; k++)
         taken |= takes_friction(a, k);
-    *status = KERN_OK;
-    if (!contact || !taken) {
-        free(contact);
-        return (double)NAN;
-    }
-
-    /* Double the friction up to one that is enough. */
-    *status = answer_at(a, contact, high, which);
-    while (*status != KERN_STANDS && *status != KERN_LIMIT
-           && 2 * high <= most) {
-        low = high;
-        high *= 2;
-        *status = answer_at(a, contact, high, which);
-    }
-
-    /* Walk down by fifths to one that is not: let go is not monotone in
-       friction, and a bisection alone might pass over a gap. */
-    const int enough = *status == KERN_STANDS;
-    while (enough && *status == KERN_STANDS && !(low > 0) && high > 0) {
-        const double next = high > least ? 0.8 * high : 0;
-        *status = answer_at(a, contact, next, which);
-        *(*status == KERN_STANDS ? &high : &low) = next;
-        if (!(next > 0))
-            break;
-    }
-
-    while (enough && *status != KERN_LIMIT && high - low > 1e-5 * high) {
-        const double middle = (low + high) / 2;
-        *status = answer_at(a, contact, middle, which);
-        *(*status == KERN_STANDS ? &high : &low) = middle;
-    }
-    free(contact);
-    return enough && *status != KERN_LIMIT ? high : (double)NAN;
+    found = f.contact && taken
+         && bracket_friction(&f, fmax((double)a->task.options.mu, 0.01));
+    while (found && f.status != KERN_LIMIT && f.high - f.low > 1e-5 * f.high)
+        holds_at(&f, (f.low + f.high) / 2);
+    free(f.contact);
+    *status = f.status;
+    return found && f.status != KERN_LIMIT ? f.high : (double)NAN;
 }
 
 /* Whether it stays when gravity turns by this angle to a side. */
