@@ -982,6 +982,9 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
        s = how far the block goes until forces are raised, at least 1, where the
            mean weight is 1 and the stiffness of a contact point .1 and its
            travel in mean sizes; a turn counts by half the size
+   It is a chance among placements like those of that set, of which 630 stay and
+   205 move (tests/TRUST.md): near the edge. Of places that a planner draws at
+   random and that stand, more stay than it says.
    KERN_STANDS: *chance, from .05 to 1; 0 where something hangs. KERN_FALLS: as
    it was. KERN_BAD_BLOCK: no free block i; KERN_BAD_OPTION: no gravity. Time:
    that of 3 kern_plan_try() in the median, by a plan's known forces. */
@@ -4149,11 +4152,16 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
     }
 #endif
     (void)solver;
+
+    /* Charge the start: reading the columns for a crash basis, or solving with
+       the factors of the last one. */
     sx->least = KERN_VALUE_TOL * kern_largest(lp->rhs, lp->rows);
     if (sx->state != KERN_BASIS_READY
         && !kern_lp_spend(lp, lp->ends ? (lp->rows + lp->cols) / 2
                                        : lp->rows * (lp->cols / KERN_UNIT)))
         return KERN_LIMIT;
+
+    /* Begin with the last basis, or make one, and pivot from there. */
     if (sx->state == KERN_BASIS_NONE)
         kern_simplex_crash(sx);
     kern_basis_renew(sx);
@@ -6794,6 +6802,9 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
     kern_real place, crit, other;
     if (!(normal > 0))
         return KERN_INFINITY;
+
+    /* Each end moves toward the load at its rate; the one that meets it first
+       is the hinge. */
     place = (b[2] - along * row.turn) / normal; /* of the load, as an arm */
     crit = (place - row.n[2]) / rate;
     other = (last.n[2] - place) / rate;
@@ -6801,6 +6812,8 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
         crit = other;
         *e += 2;
     }
+
+    /* A kern closes at `most`: a line that is met later stands there. */
     return crit + offset <= most ? crit : KERN_INFINITY;
 }
 
@@ -7092,12 +7105,17 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     const kern_query q = kern_path_at(path, path->holds);
     const int many = m->graph.groups > KERN_SMALL;
     kern_status status = KERN_UNDECIDED;
+
+    /* Many groups: the interior point first. */
     if (many && !m->whole)
         status = kern_path_interior(
             m, path, &q, path->kind == KERN_PATH_SHRINK ? first / 2 : first,
             step);
     if (status != KERN_UNDECIDED)
         return status;
+
+    /* The program; of few groups, in double, the interior point takes over where
+       a place stays without a proof. */
     if (!many && KERN_PICK(1, 0) > 0)
         path->asked = KERN_ASKED_PROGRAM;
     status = kern_path_program(m, path, &q, first, step);
@@ -8300,11 +8318,15 @@ typedef struct kern_settling {
     int since;       /* rounds since then                                     */
 } kern_settling;
 
-/* Marks all but the n groups near block i, and the ground, as place n. */
+/* Leaves the n groups within KERN_STAYS_NEAR contacts of block i unmarked, for
+   kern_norm_open(); marks all others, and the ground, with n: they are held. */
 static void kern_raise_near(kern_model *m, int i)
 {
     const int *ends = m->graph.ends, groups = m->graph.groups;
     int *local = m->graph.local, g, e, at, n = 1;
+
+    /* Number the groups by their distance from the block, from 1 on; 0: not
+       reached yet. Paths do not lead through the ground: it counts as reached. */
     for (g = 0; g < groups; g++)
         local[g] = 0;
     local[groups] = local[m->graph.group[i]] = 1;
@@ -8316,6 +8338,8 @@ static void kern_raise_near(kern_model *m, int i)
                     local[ends[e ^ 1]] = at + 1;
                     n++;
                 }
+
+    /* Turn the numbers into marks. */
     for (g = 0; g < groups; g++)
         local[g] = local[g] > 0 ? KERN_OUT : n;
     local[groups] = n;
@@ -8399,11 +8423,17 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
         const kern_real approach = wn + price;
         const kern_real slip = kern_raise_slip(p, k, approach);
         kern_real to = kern_model_mu(p->m, p->contact[k]) * kern_max(slip, 0);
+
+        /* A loaded contact must approach; how far it slides is compared with how
+           far the softest of them approaches. */
         if (p->m->answer.force[p->contact[k]].normal > least) {
             pressed &= approach > 0;
             slid = kern_max(slid, slip);
             most = kern_max(most, approach);
         }
+
+        /* A contact that parts keeps its price, and gets more where it presses;
+           other prices fall by a share of the way. */
         if (found && !(approach > 0))
             to = kern_max(to, price)
                + 2 * kern_max(wn + kern_max(to, price), 0);
