@@ -46,7 +46,7 @@ firmware() { # its commands; ticks, stack and flash are not compared. The page
     awk '/^\/\* Output,/ { on = 1; next } /^\*\// { on = 0 } on' \
         examples/firmware/main.c >"$out/firmware.want"
     diff "$out/firmware.want" \
-        <(grep -A 7 '^wall of 30 stones:' examples/firmware/README.md) &&
+        <(grep -A 15 '^wall of 30 stones:' examples/firmware/README.md) &&
         diff <(sed 's/[0-9]* ticks/N ticks/; /variables/d' \
             "$out/firmware.want") \
             <(sed 's/[0-9]* ticks/N ticks/; /variables/d' "$out/firmware.out")
