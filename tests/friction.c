@@ -1,12 +1,14 @@
 /* friction - where blocks slide and topple: what kern_raised() and its kin find
 
-       cc -O2 -ffp-contract=off -o friction tests/friction.c -lm && ./friction
+       cc -O2 -ffp-contract=off -o friction tests/friction.c -lm
+       ./friction [SEED]
 
    Answers that a search may lose without a sign, since "not shown" is no error:
    toppling slopes against the recursion of Goodman and Bray, brick walls with
    openings against the load at which a simulator's collapses, plain walls in
    running bond, heaps of logs, and the same structures in other frames. Each
-   line is a count or a ratio, its limit, and ok where it keeps to it.
+   line is a count or a ratio, its limit, and ok where it keeps to it. SEED draws
+   other slopes and rows, which no limit was chosen by: nothing is wrong then.
 
    SPDX-License-Identifier: MIT */
 
@@ -20,6 +22,7 @@
 #include <stdlib.h>
 
 static const double pi = 3.14159265358979323846;
+static uint64_t seed; /* of the command line; 0: the structures with limits */
 static int wrong;
 
 /* Prints a figure, and whether it is within [least, most]. */
@@ -27,8 +30,10 @@ static void report(const char *what, double figure, double least, double most)
 {
     const int good = figure >= least && figure <= most;
     printf("%-58s %9.4f  in [%g, %g]  %s\n", what, figure, least, most,
-           good ? "ok" : "WRONG");
-    wrong += !good;
+           good   ? "ok"
+           : seed ? "missed"
+                  : "WRONG");
+    wrong += !good && !seed;
 }
 
 /* ---- Structures ---------------------------------------------------------- */
@@ -298,7 +303,7 @@ static void benchmark(void)
 static void slopes(void)
 {
     static const double share[] = {0.9, 0.99, 1.02, 1.1};
-    uint64_t state = random_from(54);
+    uint64_t state = random_from(54 + 1000 * seed);
     int raised[4] = {0, 0, 0, 0}, many = 0;
     while (many < 60) {
         struct slope s;
@@ -335,7 +340,8 @@ static void rows(void)
         int columns;
         double least;
     } row[] = {{20, 0.97}, {30, 0.97}, {40, 0.97}, {60, 0.96}, {90, 0.87}};
-    uint64_t state = random_from(90);
+    uint64_t state = random_from(90 + 1000 * seed);
+    int reach = 0;
     for (int k = 0; k < 5; k++) {
         double least = 2, most = 0, dilatant = 0;
         char what[60];
@@ -359,6 +365,7 @@ static void rows(void)
             least = fmin(least, ratio);
             most = fmax(most, ratio);
             dilatant = fmax(dilatant, load_factor(&as_drawn) / limit);
+            reach += ratio >= 0.97;
             many++;
         }
         snprintf(what, sizeof what, "rows of %d columns: least load / limit",
@@ -367,6 +374,7 @@ static void rows(void)
         report("  most", most, 0, 1.001);
         report("  load factor of limit analysis / limit, most", dilatant, 1, 9);
     }
+    report("rows of 15 that reach 97 % of limit equilibrium", reach, 13, 15);
 }
 
 /* ---- Brick walls --------------------------------------------------------- */
@@ -618,8 +626,9 @@ static void frames(void)
            0.02);
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 0;
     drawn.work = room_work(BLOCKS, CONTACTS);
     if (!drawn.work.real || !drawn.work.index)
         return 2;
