@@ -128,11 +128,16 @@ class Browser:
 STATE = """(() => { const t = s.stones[%d]; return JSON.stringify({
     x: t.x, y: t.y, turn: t.turn, margin: shown.margin, level: shown.level,
     stands: shown.stands, overlap: shown.overlap && shown.overlap.depth,
-    loads: shown.loads, word: $("verdict").textContent }) })()"""
+    loads: shown.loads, word: $("verdict").textContent,
+    held: held >= 0 }) })()"""
 
 
 def native(wall, home, state):
-    """What the library says of the wall with its stone in that place."""
+    """What the library says of the wall with its stone in that place, or without
+    the stone while it is held in the air."""
+    if state["held"]:
+        return kern.Structure([b for k, b in enumerate(wall.blocks)
+                               if k != state["stone"]], options=wall.options)
     for k, (x, y) in enumerate(home):
         wall.blocks[state["stone"]].vertices[k, 0] = x + state["x"]
         wall.blocks[state["stone"]].vertices[k, 1] = y + state["y"]
@@ -174,6 +179,7 @@ def same(wall, home, state):
         assert state.get("margin") is None, state
         return "overlaps"
     assert isinstance(said, kern.Structure), said
+    assert ("without" in state["word"]) == state["held"], state
     m = said.measure()
     assert (m.stands, m.margin, m.level) == (
         state["stands"], state["margin"], state["level"]), (m, state)
@@ -185,14 +191,15 @@ def same(wall, home, state):
 
 def test_drag(browser):
     wall = kern.read(ROOT / "examples" / "structures" / "wall-30.kern")
-    counts = {"stands": 0, "falls": 0, "overlaps": 0}
+    counts = {"stands": 0, "falls": 0, "overlaps": 0, "held": 0}
     aside = [(2 * k, 0) for k in range(80)]
     about = [(k % 11 * 9 - 45, k // 11 * 12 - 60) for k in range(120)]
     for i, places in ((30, aside), (27, about)):
         assert wall.blocks[i].name == "s%d" % i
         home = wall.blocks[i].vertices.tolist()
         for state in drag(browser, i, places):
-            counts[same(wall, home, state)] += 1
+            kind = same(wall, home, state)
+            counts["held" if state["held"] else kind] += 1
         browser.ask("choose(%d), press('Home')" % i)
         browser.frame()
         for k, (x, y) in enumerate(home):
@@ -200,6 +207,24 @@ def test_drag(browser):
             wall.blocks[i].vertices[k, 1] = y
     print("200 places, all as native:", counts)
     assert sum(counts.values()) == 200 and min(counts.values()) >= 20
+    landing(browser)
+
+
+def landing(browser):
+    """A stone in the air shows where it lands, and comes to rest there."""
+    chance = None
+    for state in drag(browser, 30, [(40, -60)]):
+        assert state["held"], state
+        browser.wait("$('landing').style.display === '' && "
+                     "$('landing').getAttribute('d')")
+        chance = browser.ask("$('chance').textContent")
+        assert browser.ask("kern.find(held) > 0 && kern.measure() === STANDS")
+    assert chance == "does not stay" or chance.startswith("stays: "), chance
+    assert not browser.ask("held >= 0")
+    assert browser.ask("$('landing').style.display") == "none"
+    assert browser.ask("kern.rests(30)") > 0, "it was let down"
+    browser.ask("choose(30), press('Home')")
+    browser.frame()
 
 
 def test_keys(browser):
@@ -440,7 +465,7 @@ def test_drawings(browser):
 
 
 def test_phone(browser):
-    """On a phone the verdict is in sight above the whole picture."""
+    """On a phone verdict and picture are the first that is in sight."""
     browser.send("Emulation.setDeviceMetricsOverride", width=390, height=844,
                  deviceScaleFactor=2, mobile=True)
     browser.ask("show(texts.get('wall-30'), 'wall-30')")
@@ -483,11 +508,23 @@ def test_asked(browser):
     assert browser.ask("shown.raisedLoads") == [
         wall.raised_load(side) for side in (kern.LEFT, kern.RIGHT)]
     assert browser.ask("shown.live") == [
-        wall.live(lives), wall.live(lives, raised=True)]
+        0, wall.live(lives), wall.live(lives, raised=True)]
+    assert browser.ask("$('let-go').textContent") == "stays"
+    assert wall.let_go().stays
     assert 0.1 < wall.live(lives) < 100 and wall.stays(1) > 0.5
     browser.ask("moveStone(3, 0, 3, 0, false), change()")
     browser.wait("$('why').textContent.includes('Nothing touches beam.')")
+    browser.wait("$('let-go').textContent.startsWith('moves')")
     print("live load %.4f, as native" % wall.live(lives))
+    path = ROOT / "examples" / "structures"
+    browser.ask("show(texts.get('toppling-slope'), 'toppling-slope')")
+    browser.wait("$('let-go').textContent.startsWith('not shown: no equ')")
+    assert browser.ask("shown.verdict === STANDS")
+    assert "not shown" in browser.ask("$('loads').textContent")
+    assert "not shown" not in browser.ask("$('limits').textContent")
+    browser.ask("show(%s, 'ladder')" % json.dumps(
+        (path / "ladder.kern").read_text()))
+    browser.wait("$('live-load').textContent.startsWith('61.8 to 620')")
 
 
 def shots(browser, folder):
@@ -501,6 +538,9 @@ def shots(browser, folder):
     browser.frame()
     time.sleep(0.8)
     browser.shot(folder / "falls.png")
+    for _ in drag(browser, 30, [(30, -50)]):
+        time.sleep(0.5)
+        browser.shot(folder / "held.png")
     browser.ask("choose(30), press('Home')")
     list(drag(browser, 27, [(20, 30)]))
     browser.shot(folder / "overlap.png")
@@ -517,6 +557,11 @@ def shots(browser, folder):
                  deviceScaleFactor=2, mobile=True)
     browser.frame()
     browser.shot(folder / "phone.png")
+    browser.send("Emulation.clearDeviceMetricsOverride")
+    browser.send("Emulation.setEmulatedMedia", features=[
+        {"name": "prefers-color-scheme", "value": "dark"}])
+    browser.frame()
+    browser.shot(folder / "dark.png")
 
 
 def main():

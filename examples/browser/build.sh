@@ -25,7 +25,7 @@ clang --target=wasm32 -std=c99 -Oz -mbulk-memory \
     while IFS= read -r line; do
         case $line in
         "<!-- structures -->")
-            for name in wall-30 irregular-wall arch tower falls; do
+            for name in wall-30 irregular-wall arch tower toppling-slope falls; do
                 printf '%s' "<script type=\"text/plain\" data-structure " \
                     "id=\"$name\">"
                 sed 's/ *#.*//; /^$/d' "../structures/$name.kern" | tr '\n' '|'

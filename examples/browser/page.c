@@ -38,8 +38,9 @@ double centre[BLOCKS][2];
 double point[CONTACTS][8];  /* a, b, line, x, y, normal, travel           */
 double overlap[PAIRS][3];   /* a, b, depth                                */
 double fault[4], answer[6]; /* answer: of the last call                   */
-const int constant[7] = {BLOCKS,       VERTICES,    KERN_STANDS, KERN_FALLS,
-                         KERN_OVERLAP, KERN_RAISED, KERN_HANGS};
+const int constant[9] = {BLOCKS,       VERTICES,    KERN_STANDS, KERN_FALLS,
+                         KERN_OVERLAP, KERN_RAISED, KERN_HANGS, KERN_END_LOST,
+                         KERN_END_WORK};
 
 static kern_block block[BLOCKS];
 static kern_wrench live[BLOCKS]; /* the live load, about the centres          */
@@ -228,11 +229,27 @@ static int put_contacts(int contacts)
     return contacts;
 }
 
-/* Finds the contacts: how many points, or a status below zero. */
-PAGE(find) int page_find(void)
+/* The number of a block among all, from that among those that are not held. */
+static int among_all(int i, int held) { return i + (held >= 0 && i >= held); }
+
+/* Finds the contacts: how many points, or a status below zero. A block that is
+   held (-1: none is) touches nothing and rests. */
+PAGE(find) int page_find(int held)
 {
-    int found = kern_contacts(block, task.s.blocks, &task.options, contact,
-                              CONTACTS, &work);
+    static kern_block rest[BLOCKS];
+    int found, i, n = 0;
+    for (i = 0; i < task.s.blocks; i++)
+        if (i != held)
+            rest[n++] = block[i];
+    found = kern_contacts(rest, n, &task.options, contact, CONTACTS, &work);
+    work.fault.block = among_all(work.fault.block, held);
+    work.fault.other = among_all(work.fault.other, held);
+    for (i = 0; i < found; i++) {
+        contact[i].a = among_all(contact[i].a, held);
+        contact[i].b = among_all(contact[i].b, held);
+    }
+    if (held >= 0)
+        block[held].fixed = 1;
     return report(found < 0 ? found : put_contacts(found), &work.fault);
 }
 
@@ -384,11 +401,39 @@ PAGE(load_factor) int page_load_factor(int side)
                   &work.fault);
 }
 
-/* Answer: the factor of the live load. */
-PAGE(live_factor) int page_live_factor(void)
+/* Answer: how the structure stays when all blocks are let go (kern_raising), and
+   why the search ended (kern_end). */
+PAGE(let_go) int page_let_go(void)
 {
-    return report(kern_load_factor_of(&task, 0, live, &answer[0], NULL),
-                  &work.fault);
+    kern_raising how = KERN_NOT_SHOWN;
+    int status;
+    work.end = KERN_END_NONE;
+    status = kern_let_go(&task, &how, NULL);
+    answer[0] = how;
+    answer[1] = work.end;
+    return report(status, &work.fault);
+}
+
+/* Answer: the least and the largest factor of the live load at which it stands;
+   the largest is asked for on top of the least. */
+PAGE(live_range) int page_live_range(void)
+{
+    static kern_block loaded[BLOCKS];
+    kern_task with = task;
+    kern_real least = 0, more = 0;
+    int i, status = kern_least_load_of(&task, 0, live, &least, NULL);
+    for (i = 0; i < task.s.blocks && status == KERN_STANDS; i++) {
+        loaded[i] = block[i];
+        loaded[i].load.fx += least * live[i].fx;
+        loaded[i].load.fy += least * live[i].fy;
+        loaded[i].load.torque += least * live[i].torque;
+    }
+    with.s.block = loaded;
+    if (status == KERN_STANDS)
+        status = kern_load_factor_of(&with, 0, live, &more, NULL);
+    answer[0] = least;
+    answer[1] = least + more;
+    return report(status, &work.fault);
 }
 
 /* Answer: the factor of Coulomb friction, from rest, of a horizontal load to a
