@@ -1246,8 +1246,9 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
                                kern_pose *out);
 
 /* Compares two places for a stone. Returns 1 if a is better, -1 if b is, 0 if
-   no number differs. `alone` is the margin of the structure without the stone,
-   which most places leave as it is. The first of these that differs decides:
+   no number differs. NULL is worse than any place. `alone` is the margin of the
+   structure without the stone, which most places leave as it is. The first of
+   these that differs decides:
        stays   from 0.9 on all are one class; below, the larger chance
        margin  the larger; within 1e-5 of `alone` all are one class
        own     the larger
