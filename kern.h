@@ -19,6 +19,7 @@
      V    Measures         >>kern (Algorithm 1) >>search >>measure >>profile
                            >>critical >>sensitivity >>raised
      VI   Geometry         >>tol (tolerances) >>polygon >>contact, and >>plan
+                           >>rest
      VII  Words            >>words
      VIII Sources          >>references >>changes, and the licence
 
@@ -241,6 +242,8 @@
                their mean, that of the weaker half, and the expected drop
    raised      whether its load raises its forces, with what reserve for a push
    stays       the chance that a stone stays where it is let go
+   rest        where a stone comes to rest, and which place is best
+               (kern_rest(), kern_place_compare(), examples/place.c)
    sensitivity how a stone should move, and how exactly lie (examples/nudge.c)
    push        the load factor of a force on one stone (examples/push.c)
 
@@ -420,8 +423,10 @@ typedef float kern_real;
 #define kern_certain kern_certain_f32
 #define kern_overlaps kern_overlaps_f32
 #define kern_outline_simplify kern_outline_simplify_f32
+#define kern_place_compare kern_place_compare_f32
 #define kern_plan_add kern_plan_add_f32
 #define kern_plan_bears kern_plan_bears_f32
+#define kern_plan_copy kern_plan_copy_f32
 #define kern_plan_of kern_plan_of_f32
 #define kern_plan_raised kern_plan_raised_f32
 #define kern_plan_stays kern_plan_stays_f32
@@ -430,6 +435,7 @@ typedef float kern_real;
 #define kern_profile kern_profile_f32
 #define kern_raised kern_raised_f32
 #define kern_raised_load kern_raised_load_f32
+#define kern_rest kern_rest_f32
 #define kern_sensitivity kern_sensitivity_f32
 #define kern_status_text kern_status_text_f32
 #define kern_stays kern_stays_f32
@@ -498,13 +504,15 @@ typedef struct kern_box {
     X(KERN_STALE, -20, "vertices have moved since kern_block_init()")        \
     X(KERN_NO_LOAD, -21, "no gravity or load acts on a free block")          \
     X(KERN_BAD_SHARE, -22, "relative: a shrinkage is above 1")               \
-    X(KERN_NO_BLOCK, -23, "a block was refused when it was made")
+    X(KERN_NO_BLOCK, -23, "a block was refused when it was made")            \
+    X(KERN_NO_SUPPORT, -24, "nothing is below the stone: it falls past")     \
+    X(KERN_NO_REST, -25, "the stone still moves after the most motions")
 
 typedef enum kern_status {
 #define KERN_STATUS_NAME(name, value, text) name = value,
     KERN_STATUS_LIST(KERN_STATUS_NAME)
 #undef KERN_STATUS_NAME
-        KERN_STATUS_LEAST = -23 /* the same number */
+        KERN_STATUS_LEAST = -25 /* the same number */
 } kern_status;
 
 /* Where the fault of a status below zero lies. */
@@ -719,6 +727,23 @@ typedef struct kern_plan {
     int contact_room;
 } kern_plan;
 
+/* Where a stone comes to rest: kern_rest(). */
+typedef struct kern_pose {
+    kern_block block; /* the stone there, with its own vertices        */
+    kern_vec turn;    /* by which it was turned: cosine, sine          */
+    int motions;      /* on the way, the first of which is downward    */
+} kern_pose;
+
+/* A place for a stone, with what kern_place_compare() ranks it by. A number
+   that was not asked for is the same in all places, such as 0. */
+typedef struct kern_place {
+    kern_real stays;   /* chance that it stays: kern_plan_stays()         */
+    kern_real margin;  /* of the structure with it: kern_plan_try()       */
+    kern_real own;     /* the stone's value in a profile: kern_profile()  */
+    kern_real load;    /* the least load factor: kern_load_factor()       */
+    kern_real x, turn; /* the place itself, in any units                  */
+} kern_place;
+
 /* Sides of a horizontal load or tilt: right is +x for gravity (0, -9.81). */
 typedef enum kern_side {
     KERN_LEFT = -1,
@@ -735,8 +760,10 @@ typedef struct kern_lp {
     int limit;             /* most units of work, as in kern_options          */
 } kern_lp;
 /* Infinity: outside of gcc and clang a product that overflows when compiled. */
-#if defined(__GNUC__)
-#define KERN_INFINITY ((kern_real)__builtin_inff())
+#if defined(__GNUC__) && defined(KERN_SINGLE)
+#define KERN_INFINITY __builtin_inff()
+#elif defined(__GNUC__)
+#define KERN_INFINITY __builtin_inf()
 #else
 #define KERN_INFINITY ((kern_real)(1e300 * 1e300))
 #endif
@@ -780,8 +807,8 @@ typedef struct kern_lp {
    or travel above F [m], an area above F^2, pattern or weight with load of a
    block above F [N], or the latter below 1 / F and not 0. */
 
-/* What a status means, in words. */
-KERN_API const char *kern_status_text(kern_status status);
+/* Returns what a status means, in words; also of a count that is below 0. */
+KERN_API const char *kern_status_text(int status);
 
 /* The defaults that stand beside each field of kern_options. */
 KERN_API kern_options kern_defaults(void);
@@ -1189,6 +1216,52 @@ KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
                                       kern_raising *out, kern_real *reserve,
                                       const kern_proof *proof);
+
+/* Copies a plan into `to`, which kern_plan_of() made with arrays and work
+   memory of its own: one plan for each thread. Vertices are not copied, so both
+   plans read the same. KERN_OK: the two give the same answers, to the last bit.
+   KERN_NO_SPACE: an array of `to` is too short, and `to` is as it was. */
+KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
+
+/* Finds where a stone comes to rest on a structure, such as plan.task, when it
+   is let down with its centre at x, turned by an angle with this cosine and
+   sine. x is measured along gravity turned by +90 degrees, which is the x of
+   the plane for gravity (0, -9.81). How high the stone is does not matter: it
+   begins above all blocks.
+   The stone goes down without turning to the first touch. Then, from touch to
+   touch, its centre takes the steepest way down that is free: a turn about a
+   point where the stone touches, by at most 28 degrees at a time, or a slide
+   along an edge that is steeper than options.mu holds. It is at rest where no
+   way leads down; whether it stands there is a question for kern_plan_bears().
+   Blocks of the structure stay. Each motion ends where the stone meets a block,
+   so it overlaps none by more than 1e-6 of its size. A mirrored stone and
+   structure have the mirrored pose, and the order of blocks does not matter.
+   vertex[0..stone->vertices) receives the vertices there, in their order; it is
+   another array than the stone's own. The structure's contacts are not read.
+   KERN_OK: *out is written; below 0 it means nothing. KERN_NO_SUPPORT: the
+   stone falls past the structure. KERN_NO_REST: it still moves after 64
+   motions. KERN_NO_LOAD: no gravity. KERN_BAD_NUMBER also for x, and a turn
+   whose length is not 1. Blocks and stone are checked as by kern_touch(); in
+   the fault the stone is block B. Time: O(B) for each motion, and the edges
+   near it: 51,000 instructions in all on a wall of 30 stones. */
+KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
+                               kern_real x, kern_vec turn, kern_vec *vertex,
+                               kern_pose *out);
+
+/* Compares two places for a stone. Returns 1 if a is better, -1 if b is, 0 if
+   no number differs. NULL is worse than any place. `alone` is the margin of the
+   structure without the stone, which most places leave as it is. The first of
+   these that differs decides:
+       stays   from 0.9 on all are one class; below, the larger chance
+       margin  the larger; within 1e-5 of `alone` all are one class
+       own     the larger
+       load    the larger
+       x turn  the smaller, so that any order of places gives the same best
+   In 77 states of walls with places of which some stay in a simulator and some
+   move, the stone stays in the place of the largest margin in 0.78 and 0.68 of
+   two halves; of those with a chance of at least 0.9, in 0.91 and 0.90. */
+KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
+                                kern_real alone);
 
 /* -- proofs -- */
 
@@ -9081,6 +9154,26 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
    cross. After that it is 0. */
 #define KERN_HALVINGS 8
 
+/* ---- coming to rest ---- */
+
+/* Most motions of a stone; most touches that are kept. More than 64 motions
+   take stones that roll. */
+#define KERN_REST_MOTIONS 64
+#define KERN_REST_TOUCHES 12
+/* Distance within which outlines touch, as a share of the stone's size; in
+   that, how far beyond its end an edge is still met. */
+#define KERN_REST_TOUCH KERN_PICK(1e-7, 1e-4)
+#define KERN_REST_END KERN_R(0.01)
+/* Sine of an angle below which an edge is parallel to a motion, a motion does
+   not press a touch, and a way is level. */
+#define KERN_REST_LEVEL KERN_PICK(1e-10, 1e-5)
+/* Tangent of half the largest turn of one motion. With shorter turns the stone
+   finds better places, and a motion meets fewer edges. */
+#define KERN_REST_TURN KERN_R(0.25)
+/* Chance from which a stone counts as staying; margins that count as equal. */
+#define KERN_PLACE_STAYS KERN_R(0.9)
+#define KERN_PLACE_SAME KERN_R(1e-5)
+
 /* ---- Polygons ------------------------------------------------- >>polygon */
 /* Vertices are counted as written, which may be clockwise: the area is below 0
    then. Those that hardly turn are no corners. */
@@ -10510,11 +10603,472 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
                   : kern_raised(&plan->task, KERN_R(0), out, reserve, proof));
 }
 
+KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
+{
+    const kern_structure *s;
+    kern_known known;
+    int i;
+    if (!kern_plan_is_whole(to) || !kern_plan_is_whole(from))
+        return KERN_BAD_POINTER;
+    s = &from->task.s;
+    if (s->blocks > to->block_room || s->contacts > to->contact_room)
+        return KERN_NO_SPACE;
+    known = from->task.known;
+    known.motion = to->task.known.motion;
+    known.force = to->task.known.force;
+    for (i = 0; i < s->blocks; i++) {
+        to->block[i] = from->block[i];
+        known.motion[i] = from->task.known.motion[i];
+    }
+    for (i = 0; i < s->contacts; i++) {
+        to->contact[i] = from->contact[i];
+        known.force[i] = from->task.known.force[i];
+    }
+    to->task.s = *s;
+    to->task.s.block = to->block;
+    to->task.s.contact = to->contact;
+    to->task.options = from->task.options;
+    to->task.known = known;
+    return KERN_OK;
+}
+
+/* ---- Coming to rest ---------------------------------------------- >>rest */
+/* A stone goes down to the first touch, and then from touch to touch. Of all
+   motions that are free (a turn about a touch, a slide along an edge too steep
+   for friction) it takes the one on which its centre goes down most steeply,
+   until there is none. A motion ends where a vertex of one outline meets an
+   edge of the other, along a line or on an arc: so nothing overlaps. The way is
+   always down, so no pose comes twice. */
+
+/* A point where the stone touches a block. */
+typedef struct kern_footing {
+    kern_vec p, n;  /* place; unit normal into the stone */
+    kern_edge edge; /* of the block, or of the stone     */
+    int side;       /* 1: of the block; -1: of the stone */
+} kern_footing;
+
+/* What is sought along a way. */
+typedef enum kern_course_kind {
+    KERN_COURSE_TOUCHES, /* what the stone touches: it stays              */
+    KERN_COURSE_SLIDE,
+    KERN_COURSE_TURN
+} kern_course_kind;
+
+/* A motion of the stone, or its search for touches. */
+typedef struct kern_course {
+    kern_course_kind kind;
+    kern_vec way;    /* unit direction of a slide, centre of a turn        */
+    kern_real spin;  /* of a turn: 1 counter-clockwise, -1 clockwise       */
+    kern_real end;   /* length, or tangent of half the angle               */
+    kern_real steep; /* how steeply the stone's centre begins to go down   */
+    kern_real low,
+        high; /* what the stone covers across a slide               */
+} kern_course;
+
+/* A stone on its way. */
+typedef struct kern_descent {
+    const kern_task *task;
+    const kern_block *shape; /* the stone as it was given            */
+    kern_pose *pose;         /* where it is now                      */
+    kern_vec *vertex;        /* its vertices                         */
+    kern_vec down;           /* unit direction of gravity            */
+    kern_real touch;         /* distance that touches                */
+    kern_real graze;         /* beyond its ends an edge is met as far */
+    kern_real bottom;        /* how far down the stone has missed all */
+    kern_box swept;          /* what it covers at most on its course */
+    int side;                /* whose edges are met, as of a footing */
+    kern_footing footing[KERN_REST_TOUCHES];
+    int footings;
+} kern_descent;
+
+/* Returns a turned by the angle whose cosine and sine are q. */
+static kern_vec kern_vec_turned(kern_vec a, kern_vec q)
+{
+    return kern_vec_make(q.x * a.x - q.y * a.y, q.y * a.x + q.x * a.y);
+}
+
+/* Moves the stone to a place of its centre, turned as the pose says. */
+static void kern_descent_put(kern_descent *r, kern_vec centre)
+{
+    kern_block *b = &r->pose->block;
+    int i;
+    b->centre = centre;
+    for (i = 0; i < b->vertices; i++) {
+        const kern_vec arm = kern_vec_sub(r->shape->vertex[i],
+                                          r->shape->centre);
+        r->vertex[i] = kern_vec_add(centre,
+                                    kern_vec_turned(arm, r->pose->turn));
+        if (i == 0)
+            b->box.low = b->box.high = r->vertex[0];
+        kern_box_add(&b->box, r->vertex[i]);
+    }
+}
+
+/* Returns a box around the way of a point: of the stone where r->side is 1, of
+   a block as the stone sees it where it is -1. */
+static kern_box kern_descent_way(const kern_descent *r, const kern_course *c,
+                                 kern_vec p)
+{
+    kern_box box;
+    kern_real out = r->touch;
+    kern_vec d;
+    if (c->kind == KERN_COURSE_TURN)
+        out += 2 * c->end * kern_vec_length(kern_vec_sub(p, c->way));
+    d = kern_vec_make(out, out);
+    box.low = kern_vec_sub(p, d);
+    box.high = kern_vec_add(p, d);
+    if (c->kind == KERN_COURSE_SLIDE)
+        kern_box_add(&box, kern_vec_step(p, KERN_R(r->side) * c->end, c->way));
+    return box;
+}
+
+/* Returns 1 if a point `s` along an edge from its start lies on it. */
+static int kern_descent_on(const kern_descent *r, const kern_edge *e,
+                           kern_real s)
+{
+    return s >= -r->graze && s <= e->length + r->graze;
+}
+
+/* Ends a slide where a point meets the edge from outside. What the stone's
+   flanks only graze it passes by: it fits where it just fits. */
+static void kern_descent_slide(const kern_descent *r, kern_course *c,
+                               const kern_edge *e, kern_vec p)
+{
+    const kern_real side = KERN_R(r->side);
+    const kern_real from = kern_vec_cross(c->way, side > 0 ? e->p : p);
+    const kern_real to = kern_vec_cross(c->way, side > 0 ? e->q : p);
+    const kern_real into = side * kern_vec_cross(e->d, c->way);
+    const kern_real out = kern_vec_cross(kern_vec_sub(p, e->p), e->d);
+    const kern_real way = out / into;
+    if (into > KERN_REST_LEVEL && out >= -r->touch && way < c->end
+        && kern_max(from, to) > c->low && kern_min(from, to) < c->high
+        && kern_descent_on(r, e,
+                           kern_edge_foot(e, p)
+                               + way * side * kern_vec_dot(e->d, c->way)))
+        c->end = kern_max(way, KERN_R(0));
+}
+
+/* Ends a turn where a point meets the edge from outside. Places are measured
+   along the edge and out of it. */
+static void kern_descent_arc(const kern_descent *r, kern_course *c,
+                             const kern_edge *e, kern_vec p)
+{
+    const kern_vec arm = kern_vec_sub(p, c->way);
+    const kern_real along = kern_vec_dot(arm, e->d);
+    const kern_real out = kern_vec_cross(arm, e->d);
+    const kern_real off = kern_vec_cross(kern_vec_sub(c->way, e->p), e->d);
+    const kern_real square = kern_vec_dot(arm, arm), side = square - off * off;
+    const kern_real sense = c->spin * KERN_R(r->side);
+    kern_real to, cosine, q;
+    if (side < 0 || square < r->touch * r->touch)
+        return;
+
+    /* of the two places on the line the one where the arc goes in; no turn is
+       as large as a right angle */
+    to = sense * KERN_SQRT(side);
+    cosine = along * to - out * off;
+    if (cosine <= 0 || !kern_descent_on(r, e, kern_edge_foot(e, c->way) + to))
+        return;
+    q = sense * (along * off + out * to) / (square + cosine);
+    if (q < c->end && (q >= 0 || 4 * q * q * square <= r->touch * r->touch))
+        c->end = kern_max(q, KERN_R(0));
+}
+
+/* Keeps the place where a vertex touches an edge, if it does. An end of the
+   edge is no support: it holds nothing that leans on it from beside. */
+static void kern_descent_keep(kern_descent *r, const kern_edge *e, kern_vec p)
+{
+    const kern_real foot = kern_edge_foot(e, p);
+    kern_footing *f = &r->footing[r->footings];
+    if (r->footings >= KERN_REST_TOUCHES || foot < r->touch
+        || foot > e->length - r->touch
+        || kern_abs(kern_vec_cross(kern_vec_sub(p, e->p), e->d)) > r->touch)
+        return;
+    f->p = p;
+    f->n = kern_vec_scale(kern_vec_turn(e->d), -KERN_R(r->side));
+    f->edge = *e;
+    f->side = r->side;
+    r->footings++;
+}
+
+/* Looks at each vertex of b and each edge of a, one of which is the stone. Does
+   not where the call has no work left. */
+static void kern_descent_pair(kern_descent *r, kern_course *c,
+                              const kern_block *a, const kern_block *b)
+{
+    kern_outline o;
+    kern_edge e;
+    int k;
+    o.block = a;
+    o.straight = 0; /* from vertex to vertex, in one run */
+    o.each = a->vertices;
+    for (k = 0; k < b->vertices; k++) {
+        const kern_vec p = b->vertex[k];
+        kern_box box = {p, p};
+        if (r->side < 0 && !kern_box_near(&box, &r->swept, KERN_R(0)))
+            continue;
+        box = kern_descent_way(r, c, p);
+        if (!kern_box_near(&box, &a->box, KERN_R(0)))
+            continue;
+        if (!kern_spend(r->task->work, r->task->options.limit,
+                        1 + a->vertices / KERN_UNIT))
+            return;
+        e.at = -1;
+        while (kern_edge_next(&e, &o, &box, KERN_R(0)))
+            if (c->kind == KERN_COURSE_TURN)
+                kern_descent_arc(r, c, &e, p);
+            else if (c->kind == KERN_COURSE_SLIDE)
+                kern_descent_slide(r, c, &e, p);
+            else
+                kern_descent_keep(r, &e, p);
+    }
+}
+
+/* Sets what the stone covers at most on its course, and across it. */
+static void kern_descent_sweep(kern_descent *r, kern_course *c)
+{
+    int i;
+    r->side = 1;
+    c->low = KERN_INFINITY;
+    c->high = -c->low;
+    for (i = 0; i < r->shape->vertices; i++) {
+        const kern_real across = kern_vec_cross(c->way, r->vertex[i]);
+        const kern_box box = kern_descent_way(r, c, r->vertex[i]);
+        if (i == 0)
+            r->swept = box;
+        kern_box_add(&r->swept, box.low);
+        kern_box_add(&r->swept, box.high);
+        c->low = kern_min(c->low, across + r->graze);
+        c->high = kern_max(c->high, across - r->graze);
+    }
+}
+
+/* Finds where a motion ends, or the touches. */
+static void kern_descent_look(kern_descent *r, kern_course *c)
+{
+    const kern_structure *s = &r->task->s;
+    const kern_block *stone = &r->pose->block;
+    int i;
+    kern_descent_sweep(r, c);
+    /* the last are often the highest, and shorten the way */
+    for (i = s->blocks - 1; i >= 0; i--) {
+        const kern_block *b = &s->block[i];
+        const kern_real end = c->end;
+        if (!b->vertices || !kern_box_near(&r->swept, &b->box, KERN_R(0)))
+            continue;
+        kern_descent_pair(r, c, b, stone);
+        r->side = -1;
+        kern_descent_pair(r, c, stone, b);
+        r->side = 1;
+        if (c->end < end)
+            kern_descent_sweep(r, c);
+    }
+}
+
+/* Moves the stone to the end of its course and finds what it touches there.
+   Returns 1 if it moved. */
+static int kern_descent_go(kern_descent *r, kern_course *c)
+{
+    const kern_vec centre = r->pose->block.centre;
+    kern_real size = KERN_R(1);
+    kern_descent_look(r, c);
+    if (c->kind == KERN_COURSE_TURN) {
+        const kern_real q = c->end, whole = 1 + q * q;
+        const kern_vec turn = kern_vec_make((1 - q * q) / whole,
+                                            2 * q * c->spin / whole);
+        r->pose->turn = kern_vec_unit(kern_vec_turned(r->pose->turn, turn));
+        kern_descent_put(
+            r, kern_vec_add(c->way, kern_vec_turned(
+                                        kern_vec_sub(centre, c->way), turn)));
+        size = kern_block_size(r->shape);
+    } else {
+        kern_descent_put(r, kern_vec_step(centre, c->end, c->way));
+    }
+    if (!(c->end * size > r->touch))
+        return 0;
+    r->pose->motions++;
+    r->footings = 0;
+    c->kind = KERN_COURSE_TOUCHES;
+    kern_descent_look(r, c);
+    return 1;
+}
+
+/* Makes *best the motion c if that is steeper, or as steep and shorter, and
+   presses no footing. The stone's centre begins to move by m, whose speed is 1. */
+static void kern_descent_prefer(const kern_descent *r, kern_course *best,
+                                kern_course *c, kern_motion m)
+{
+    const kern_vec centre = r->pose->block.centre;
+    int i;
+    c->steep = m.vx * r->down.x + m.vy * r->down.y;
+    if (c->steep < best->steep - KERN_REST_LEVEL
+        || (c->steep <= best->steep + KERN_REST_LEVEL && c->end >= best->end))
+        return;
+    for (i = 0; i < r->footings; i++) {
+        const kern_footing *f = &r->footing[i];
+        const kern_vec v = kern_velocity(&m, kern_vec_sub(f->p, centre));
+        if (kern_vec_dot(v, f->n) < -KERN_REST_LEVEL)
+            return;
+    }
+    *best = *c;
+}
+
+/* Prefers a slide down the edge of a footing. It ends where a vertex runs off
+   an edge that it slides along. */
+static void kern_descent_slope(const kern_descent *r, const kern_footing *f,
+                               kern_course *best)
+{
+    kern_course c;
+    kern_motion m;
+    const kern_real foot = kern_edge_foot(&f->edge, f->p);
+    const int along = kern_vec_dot(f->edge.d, r->down) > 0 ? 1 : -1;
+    c.kind = KERN_COURSE_SLIDE;
+    c.way = kern_vec_scale(f->edge.d, KERN_R(along));
+    c.end = 2 * r->touch + (along == f->side ? f->edge.length - foot : foot);
+    m.vx = c.way.x;
+    m.vy = c.way.y;
+    m.spin = KERN_R(0);
+    kern_descent_prefer(r, best, &c, m);
+}
+
+/* Prefers a turn about a footing, the way the weight turns the stone, until its
+   centre is lowest. */
+static void kern_descent_tip(const kern_descent *r, const kern_footing *f,
+                             kern_course *best)
+{
+    const kern_vec arm = kern_vec_sub(r->pose->block.centre, f->p);
+    const kern_real length = kern_vec_length(arm);
+    const kern_real lever = kern_vec_cross(arm, r->down);
+    kern_course c;
+    kern_motion m;
+    c.kind = KERN_COURSE_TURN;
+    c.way = f->p;
+    c.spin = KERN_R(lever < 0 ? -1 : 1);
+    c.end = kern_abs(lever) / (length + kern_vec_dot(arm, r->down));
+    c.end = kern_min(c.end, KERN_REST_TURN);
+    m.spin = c.spin / length;
+    m.vx = -m.spin * arm.y;
+    m.vy = m.spin * arm.x;
+    kern_descent_prefer(r, best, &c, m);
+}
+
+/* Moves the stone to its next touch. Returns 1 if it moved. */
+static int kern_descent_move(kern_descent *r)
+{
+    const kern_real mu = r->task->options.mu;
+    kern_course best;
+    int i;
+    best.kind = KERN_COURSE_SLIDE;
+    best.way = r->down;
+    best.end = r->bottom - kern_vec_dot(r->pose->block.centre, r->down);
+    best.steep = r->footings ? KERN_REST_LEVEL : KERN_R(1);
+    for (i = 0; i < r->footings; i++) {
+        const kern_footing *f = &r->footing[i];
+        const kern_real up = -kern_vec_dot(f->n, r->down);
+        if (up > KERN_REST_LEVEL)
+            kern_descent_tip(r, f, &best);
+        if (up * KERN_SQRT(1 + mu * mu) < 1)
+            kern_descent_slope(r, f, &best);
+    }
+    return best.steep > KERN_REST_LEVEL && kern_descent_go(r, &best);
+}
+
+/* Checks what kern_rest() is given, and sets what depends on it. */
+static kern_status kern_descent_begin(kern_descent *r, kern_real x)
+{
+    const kern_structure *s = &r->task->s;
+    const kern_real weight = kern_vec_length(s->gravity);
+    kern_search of;
+    kern_status status;
+    if (!(weight > 0))
+        return KERN_NO_LOAD;
+    of.pair.options = &r->task->options;
+    of.fault = &r->task->work->fault;
+    of.block = r->shape;
+    of.blocks = 1;
+    of.from = 0;
+    status = kern_search_survey(&of);
+    of.fault->block = s->blocks;
+    if (status != KERN_OK || !r->shape->vertices)
+        return status != KERN_OK ? status : KERN_FEW_VERTICES;
+    of.block = s->block;
+    of.blocks = of.from = s->blocks;
+    status = kern_search_survey(&of);
+    if (status != KERN_OK)
+        return status;
+
+    /* all blocks are within `floor` / (2 KERN_ROUNDING) of the origin */
+    r->down = kern_vec_scale(s->gravity, 1 / weight);
+    r->touch = kern_max(KERN_REST_TOUCH * kern_block_size(r->shape), of.floor);
+    r->graze = KERN_REST_END * r->touch;
+    r->bottom = of.floor / KERN_ROUNDING + 2 * kern_box_half(r->shape);
+    r->footings = 0;
+    kern_descent_put(r, kern_vec_step(kern_vec_scale(kern_vec_turn(r->down), x),
+                                      -r->bottom, r->down));
+    return s->blocks ? KERN_NO_REST : KERN_NO_SUPPORT;
+}
+
+KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
+                               kern_real x, kern_vec turn, kern_vec *vertex,
+                               kern_pose *out)
+{
+    kern_descent r;
+    kern_status status = kern_task_check(task, KERN_R(0), out);
+    if (status != KERN_OK)
+        return status;
+    if (!stone || !vertex || vertex == stone->vertex)
+        return KERN_BAD_POINTER;
+    if (!(kern_abs(x) <= KERN_FAR)
+        || !(kern_abs(kern_vec_dot(turn, turn) - 1) <= KERN_NORMAL_TOL))
+        return KERN_BAD_NUMBER;
+    out->block = *stone;
+    out->block.vertex = r.vertex = vertex;
+    out->turn = turn;
+    out->motions = 0;
+    r.task = task;
+    r.shape = stone;
+    r.pose = out;
+    status = kern_descent_begin(&r, x);
+
+    /* from touch to touch; below all blocks the stone falls past */
+    while (status == KERN_NO_REST && out->motions < KERN_REST_MOTIONS)
+        if (!kern_descent_move(&r))
+            status = KERN_OK;
+        else if (kern_vec_dot(out->block.centre, r.down) > r.bottom - r.touch)
+            status = KERN_NO_SUPPORT;
+    return kern_ended(task, status);
+}
+
+/* ---- which place is best ---- */
+
+/* Returns number i of those that rank a place; the larger is better. */
+static kern_real kern_place_number(const kern_place *place, int i,
+                                   kern_real alone)
+{
+    const kern_real v = ((const kern_real *)place)[i];
+    return i == 0 ? kern_min(v, KERN_PLACE_STAYS)
+         : i == 1 && kern_abs(v - alone) <= KERN_PLACE_SAME * alone ? alone
+         : i < 4                                                    ? v
+                                                                    : -v;
+}
+
+KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
+                                kern_real alone)
+{
+    int i, order = (a != NULL) - (b != NULL);
+    for (i = 0; a && b && i < 6 && !order; i++) {
+        const kern_real p = kern_place_number(a, i, alone);
+        const kern_real q = kern_place_number(b, i, alone);
+        order = (p > q) - (p < q);
+    }
+    return order;
+}
+
 /* ==== Part VII: Words ==================================================== */
 
 /* ---- Words and defaults ------------------------------------------ >>words */
 
-KERN_API const char *kern_status_text(kern_status status)
+KERN_API const char *kern_status_text(int status)
 {
     switch (status) {
 #define KERN_STATUS_TEXT(name, value, text) \
@@ -10761,7 +11315,8 @@ KERN_API kern_options kern_near(const kern_options *options,
           kern_plan have fewer fields. options.limit is 10,000,000, was 0. More
           is refused (>>api). New: kern_outline_simplify(), kern_stays(),
           kern_plan_stays(), kern_raised_load(), options.reserve, .lone,
-          KERN_NO_INTERIOR.
+          KERN_NO_INTERIOR, kern_rest(), kern_place_compare(), kern_plan_copy().
+          kern_status_text() takes an int.
    0.1.0  First version. */
 
 /*

@@ -7,7 +7,8 @@
 
        state.h        settings, and what was found of one file
        analysis.h     reads, finds contacts, decides, measures
-       asked.h, sweep.h    what options and statements ask for beyond that
+       asked.h, sweep.h, place.h   what options and statements ask for beyond
+                           that
        report.h, report_json.h, picture.h, c_arrays.h    what is written
        help.h, usage.h    what --help prints
 
@@ -200,7 +201,7 @@ static int number_option(const char *name, const char *value, enum kind kind,
         "positive number",
         "number not below zero",
         "angle in radians from 0 to below 0.5",
-        "whole number of places from 1 to 10,000",
+        "whole number from 1 to 10,000",
         "whole number from 1 to 2,000,000,000, or 0",
         "number"};
     if (!value)
@@ -321,6 +322,10 @@ static int name_option(struct settings *set, char **argv, int *i)
         return set->stays && set->stays[0]
                  ? 0
                  : bad_use("a block, or all, is missing after", "--stays");
+    if (args_value(argv, i, "--place", &set->place))
+        return set->place && set->place[0]
+                 ? 0
+                 : bad_use("the file of a stone is missing after", "--place");
     if (args_value(argv, i, "--c", &set->c_file))
         return output_option("--c", set->c_file, ".h");
     if (args_value(argv, i, "--kern", &set->kern_file))
@@ -345,7 +350,9 @@ static int read_option(void *settings, char **argv, int *i)
                   {"--at", NOT_NEGATIVE, &set->at},
                   {"--limit", UNITS, &set->limit},
                   {"--overlap", POSITIVE, &set->overlap},
-                  {"--sweep", PLACES, &set->sweep}};
+                  {"--sweep", PLACES, &set->sweep},
+                  {"--turns", PLACES, &set->turns},
+                  {"--most", PLACES, &set->most}};
     struct {
         const char *name;
         int *out;
@@ -412,6 +419,7 @@ int main(int argc, char **argv)
     struct settings set = {0};
     set.epsilon = set.mu = set.gap = set.at = set.limit = set.overlap = -1;
     set.error = set.turn = set.own_error = set.own_turn = -1;
+    set.turns = set.most = -1;
     set.file = argv;
     set.files = args_read(argc, argv, read_option, &set);
     if (set.files == ARGS_BAD)

@@ -3,15 +3,16 @@
        cc -O2 -o place examples/place.c -lm
        ./place place.svg examples/structures/wall-60.kern
 
-   A stone is let down at many places, from left to right, and turns until it
-   rests. kern_plan_try() gives the margin of the wall with the stone there; the
-   plan of the wall stays as it is. The best place is the one that is good also a
-   little beside it, since a hand is not exact; kern_plan_stays() gives the
-   chance that the stone stays there when it is let go. Without arguments the wall is the
-   one below: a slab reaches out far to the left, and the stone holds it down or
-   tips it, or lies elsewhere and makes no difference. The first argument is a
-   file for a picture (- for none), the second a wall made of polygons. Times
-   go to stderr. */
+   A stone is let down at many places, from left to right: kern_rest() finds
+   where it comes to rest there, kern_plan_try() the margin of the wall with it,
+   and kern_plan_stays() the chance that it stays when it is let go; the plan of
+   the wall stays as it is. kern_place_compare() ranks the places, each by the
+   worst of what is within an error to both sides, since a hand is not exact.
+   Without arguments the wall is the one below: a slab reaches out far to the
+   left, and the stone holds it down or tips it, or lies elsewhere and makes no
+   difference. The first argument is a file for a picture (- for none), the
+   second a wall made of polygons, the third a file with one block: the stone.
+   Times go to stderr. */
 
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
@@ -28,10 +29,9 @@
 #include <string.h>
 #include <time.h>
 
-enum { CORNERS = 5, PLACES = 240, ROWS = 24 };
+enum { CORNERS = 5, MOST = 64, PLACES = 240, ROWS = 24 };
 
-#define LEANING 0.6 /* most a stone turns, rad */
-#define ERROR 0.1   /* of a place, in sizes of the stone */
+#define ERROR 0.1 /* of a place, in sizes of the stone */
 
 static const char built_in[] =
     "density 2400\n"
@@ -57,113 +57,26 @@ static const double outline[CORNERS][2] = {
 };
 
 struct place {
-    double x, y, turn; /* of the centre of mass                          */
-    kern_status status;
+    kern_status rests;  /* what kern_rest() said                      */
+    kern_vec at, turn;  /* there: centre of mass; cosine, sine        */
+    kern_status status; /* of the wall with the stone                 */
     kern_margin m;
+    kern_place rank; /* x where it is let down; what it is worth   */
 };
 
 struct wall {
-    struct text_file file;
+    struct text_file file, stone_file;
     kern_plan plan;
     kern_work work;
-    kern_vec shape[CORNERS]; /* of the stone, about its centre                */
-    kern_vec corner[CORNERS]; /* where it is                                  */
-    kern_block stone;
-    double density;
+    kern_vec outline[CORNERS]; /* of the stone, if no file has it    */
+    kern_block stone;          /* as it was given                    */
+    kern_vec corner[MOST];     /* of the stone at rest               */
+    kern_pose pose;
     kern_margin alone;
     struct place place[PLACES];
     double error; /* of a place                                    */
     int best;     /* place, -1: none                               */
-    double stays; /* the chance that it stays there, NAN: unknown  */
 };
-
-/* ---- where a stone rests ------------------------------------------------ */
-
-/* The height of edge pq at x, if it is that far; else far below. */
-static double height_at(kern_vec p, kern_vec q, double x)
-{
-    if ((p.x < x) == (q.x < x))
-        return -HUGE_VAL;
-    return p.y + (q.y - p.y) * (x - p.x) / (q.x - p.x);
-}
-
-static void turn_stone(struct wall *w, double turn)
-{
-    double c = cos(turn), s = sin(turn);
-    int i;
-
-    for (i = 0; i < CORNERS; i++) {
-        w->corner[i].x = c * w->shape[i].x - s * w->shape[i].y;
-        w->corner[i].y = s * w->shape[i].x + c * w->shape[i].y;
-    }
-}
-
-/* How high the centre of the stone is where it comes down at x: a corner of
-   it meets an edge, or an edge of it a corner. */
-static double rest_height(struct wall *w, double x, double turn)
-{
-    const kern_structure *s = &w->plan.task.s;
-    double top = -HUGE_VAL;
-    int b, i, k;
-
-    turn_stone(w, turn);
-    for (b = 0; b < s->blocks; b++) {
-        const kern_block *block = &s->block[b];
-
-        if (block->box.low.x > x + 1.5 * sqrt(fabs(w->stone.area))
-            || block->box.high.x < x - 1.5 * sqrt(fabs(w->stone.area)))
-            continue;
-        for (k = 0; k < block->vertices; k++) {
-            kern_vec p = block->vertex[k];
-            kern_vec q = block->vertex[k + 1 < block->vertices ? k + 1 : 0];
-
-            for (i = 0; i < CORNERS; i++) {
-                kern_vec u = w->corner[i], v = w->corner[(i + 1) % CORNERS];
-                double under = height_at(u, v, p.x - x);
-
-                top = fmax(top, height_at(p, q, x + u.x) - u.y);
-                if (under > -HUGE_VAL)
-                    top = fmax(top, p.y - under);
-            }
-        }
-    }
-    return top;
-}
-
-/* The stone turns, its centre always above x, until that is as low as it gets:
-   then something supports it on either side. */
-static void lower_stone(struct wall *w, struct place *place)
-{
-    const double ratio = 0.6180339887498949;
-    double step = 0.01, at = 0, y = rest_height(w, place->x, 0), low, high;
-
-    if (rest_height(w, place->x, -step) < y)
-        step = -step;
-    while (fabs(at) < LEANING && rest_height(w, place->x, at + step) < y)
-        y = rest_height(w, place->x, at += step);
-    for (low = at - fabs(step), high = at + fabs(step); high - low > 1e-10;) {
-        double a = high - ratio * (high - low), b = low + ratio * (high - low);
-
-        if (rest_height(w, place->x, a) < rest_height(w, place->x, b))
-            high = b;
-        else
-            low = a;
-    }
-    place->turn = (low + high) / 2;
-    place->y = rest_height(w, place->x, place->turn);
-}
-
-static void put_stone(struct wall *w, const struct place *place)
-{
-    int i;
-
-    turn_stone(w, place->turn);
-    for (i = 0; i < CORNERS; i++) {
-        w->corner[i].x += place->x;
-        w->corner[i].y += place->y;
-    }
-    kern_block_init(&w->stone, w->corner, CORNERS, w->density, NULL);
-}
 
 /* ---- the wall, and every place on it ------------------------------------ */
 
@@ -173,23 +86,31 @@ static int complain(const char *what, const char *why)
     return -1;
 }
 
-/* As heavy for its size as the last block, and somewhat smaller. */
-static void make_stone(struct wall *w)
+/* As heavy for its size as the last block, and somewhat smaller; or the block
+   of a file. */
+static int make_stone(struct wall *w, const char *path)
 {
     const kern_block *last = &w->file.block[w->file.blocks - 1];
     double size = 0.6 * kern_mean_size(w->file.block, w->file.blocks);
     int i;
 
-    w->density = last->fixed ? 1 : last->mass / fabs(last->area);
-    for (i = 0; i < CORNERS; i++) {
-        w->shape[i].x = size * outline[i][0];
-        w->shape[i].y = size * outline[i][1];
+    if (path && text_load(&w->stone_file, path))
+        return complain(path, w->stone_file.message);
+    if (path
+        && (w->stone_file.blocks != 1
+            || w->stone_file.block[0].vertices > MOST))
+        return complain(path, "not one block of up to 64 vertices");
+    if (path) {
+        w->stone = w->stone_file.block[0];
+        return 0;
     }
-    kern_block_init(&w->stone, w->shape, CORNERS, w->density, NULL);
     for (i = 0; i < CORNERS; i++) {
-        w->shape[i].x -= w->stone.centre.x;
-        w->shape[i].y -= w->stone.centre.y;
+        w->outline[i].x = size * outline[i][0];
+        w->outline[i].y = size * outline[i][1];
     }
+    return kern_block_init(&w->stone, w->outline, CORNERS,
+                           last->fixed ? 1 : last->mass / fabs(last->area),
+                           NULL);
 }
 
 static int plan_wall(struct wall *w)
@@ -205,13 +126,12 @@ static int plan_wall(struct wall *w)
         int found = kern_plan_add(&w->plan, &w->file.block[i]);
 
         if (found < 0)
-            return complain(w->file.name[i],
-                            kern_status_text((kern_status)found));
+            return complain(w->file.name[i], kern_status_text(found));
     }
     return 0;
 }
 
-static int open_wall(struct wall *w, const char *path)
+static int open_wall(struct wall *w, const char *path, const char *stone)
 {
     const char *name = path ? path : "the built-in wall";
     kern_status status;
@@ -221,8 +141,7 @@ static int open_wall(struct wall *w, const char *path)
         return complain(name, w->file.message);
     if (w->file.given)
         return complain(name, "contacts are given, so none can be found");
-    make_stone(w);
-    if (plan_wall(w))
+    if (make_stone(w, stone) || plan_wall(w))
         return -1;
     status = kern_measure(&w->plan.task, &w->alone, NULL);
     if (status != KERN_STANDS)
@@ -234,6 +153,7 @@ static void close_wall(struct wall *w)
 {
     room_free_plan(&w->plan);
     text_free(&w->file);
+    text_free(&w->stone_file);
 }
 
 /* What the picture shows: all that is free, and room for the stone. */
@@ -254,49 +174,69 @@ static void view_wall(const struct wall *w, struct draw_view *v)
     draw_widen(v, v->high.x + size, v->high.y + 1.4 * size);
 }
 
-/* The least margin at place i and as far to both sides as the error; below 0
-   where it does not stand there. */
-static double sure_margin(const struct wall *w, int i)
+/* What place i is worth: the least of what is as far to both sides as the
+   error. Returns 0 where the wall falls there, or the stone is not held. */
+static int rank_place(const struct wall *w, int i, kern_place *rank)
 {
-    double least = HUGE_VAL;
     int k;
 
+    *rank = w->place[i].rank;
     for (k = 0; k < PLACES; k++) {
         const struct place *p = &w->place[k];
 
-        if (fabs(p->x - w->place[i].x) <= w->error)
-            least = fmin(least, p->status == KERN_STANDS ? p->m.margin : -1);
+        if (fabs(p->rank.x - rank->x) > w->error)
+            continue;
+        if (p->status != KERN_STANDS)
+            return 0;
+        rank->margin = fmin(rank->margin, p->rank.margin);
+        rank->stays = fmin(rank->stays, p->rank.stays);
     }
-    return least;
+    return 1;
 }
 
 static void find_best(struct wall *w)
 {
+    kern_place best, rank;
     int i;
 
     w->best = -1;
-    for (i = 0; i < PLACES; i++) { /* of equal ones the first */
-        double sure = sure_margin(w, i);
-
-        if (sure >= 0 && (w->best < 0 || sure > sure_margin(w, w->best) + 1e-6))
+    for (i = 0; i < PLACES; i++)
+        if (rank_place(w, i, &rank)
+            && (w->best < 0
+                || kern_place_compare(&rank, &best, w->alone.margin) > 0)) {
             w->best = i;
-    }
+            best = rank;
+        }
 }
 
-/* The chance that the stone stays in the best place. */
-static void find_stays(struct wall *w)
+/* Lets the stone down at a place. */
+static void put_stone(struct wall *w, struct place *p)
 {
-    w->stays = (double)NAN;
-    if (w->best < 0)
+    const kern_vec upright = {1, 0};
+
+    p->rests = kern_rest(&w->plan.task, &w->stone, p->rank.x, upright,
+                         w->corner, &w->pose);
+}
+
+static void try_place(struct wall *w, struct place *p)
+{
+    put_stone(w, p);
+    p->status = p->rests;
+    if (p->rests != KERN_OK)
         return;
-    put_stone(w, &w->place[w->best]);
-    kern_plan_stays(&w->plan, &w->stone, &w->stays);
+    p->at = w->pose.block.centre;
+    p->turn = w->pose.turn;
+    p->status = kern_plan_try(&w->plan, &w->pose.block, &p->m, NULL);
+    if (p->status != KERN_STANDS)
+        return;
+    p->rank.margin = p->m.margin;
+    kern_plan_stays(&w->plan, &w->pose.block, &p->rank.stays);
 }
 
 static void try_places(struct wall *w)
 {
     struct draw_view v;
-    clock_t from, spent = 0;
+    clock_t from = clock();
     int i, tried = 0;
 
     view_wall(w, &v);
@@ -304,33 +244,27 @@ static void try_places(struct wall *w)
     for (i = 0; i < PLACES; i++) {
         struct place *p = &w->place[i];
 
-        p->x = v.low.x + (v.high.x - v.low.x) * (i + 0.5) / PLACES;
-        p->status = KERN_UNDECIDED;
-        lower_stone(w, p);
-        if (!(p->y > -HUGE_VAL)) /* nothing is under it */
-            continue;
-        put_stone(w, p);
-        from = clock();
-        p->status = kern_plan_try(&w->plan, &w->stone, &p->m, NULL);
-        spent += clock() - from;
-        tried++;
+        p->rank.x = v.low.x + (v.high.x - v.low.x) * (i + 0.5) / PLACES;
+        try_place(w, p);
+        tried += p->rests == KERN_OK;
     }
     find_best(w);
-    find_stays(w);
     fprintf(stderr, "%d stones and one more: %d places tried, %.0f a second\n",
             w->file.blocks - w->file.fixed, tried,
-            tried / ((double)(spent + 1) / CLOCKS_PER_SEC));
+            tried / ((double)(clock() - from + 1) / CLOCKS_PER_SEC));
 }
 
 static void print_place(const struct place *p)
 {
-    if (!(p->y > -HUGE_VAL)) {
-        printf("%6.2f  nothing is under it\n", p->x);
+    printf("%6.2f  ", p->rank.x);
+    if (p->rests != KERN_OK) {
+        printf("%s\n", kern_status_text(p->rests));
         return;
     }
-    printf("%6.2f  %5.2f  %6.1f  ", p->x, p->y, p->turn * 180 / 3.14159265);
+    printf("%6.2f  %5.2f  %6.1f  ", p->at.x, p->at.y,
+           atan2(p->turn.y, p->turn.x) * 180 / 3.14159265);
     if (p->status == KERN_STANDS)
-        printf("%5d  %.3f\n", p->m.level, p->m.margin);
+        printf("%5d  %.3f   %.2f\n", p->m.level, p->m.margin, p->rank.stays);
     else if (p->status == KERN_FALLS)
         printf("falls\n");
     else
@@ -339,20 +273,22 @@ static void print_place(const struct place *p)
 
 static void print_table(const struct wall *w)
 {
+    kern_place rank;
     int i;
 
     printf("without the stone: level %d, margin %.3f\n\n", w->alone.level,
            w->alone.margin);
-    printf("     x      y  turned  level  margin\n");
+    printf("let down  x      y  turned  level  margin  stays\n");
     for (i = PLACES / ROWS / 2; i < PLACES; i += PLACES / ROWS)
         print_place(&w->place[i]);
     if (w->best >= 0) {
+        rank_place(w, w->best, &rank);
         printf("\nbest of all %d places, with an error of %.2f to both "
                "sides:\n",
                PLACES, w->error);
         print_place(&w->place[w->best]);
-        printf("there at least  %.3f; it stays with a chance of %.2f\n",
-               sure_margin(w, w->best), w->stays);
+        printf("there at least              %.3f   %.2f\n", rank.margin,
+               rank.stays);
     }
 }
 
@@ -428,7 +364,7 @@ static void draw_places(const struct wall *w, const struct draw_view *v,
               "stroke-dasharray=\"6 4\"");
     for (i = 0; i < PLACES; i++) {
         const struct place *p = &w->place[i];
-        double x = draw_place(v, p->x, 0).x;
+        double x = draw_place(v, p->rank.x, 0).x;
 
         if (p->status == KERN_STANDS)
             draw_circle(v->out, draw_vec(x, plot_y(p->m.margin, most)),
@@ -452,15 +388,17 @@ static void draw_wall(struct wall *w, const struct draw_view *v, double most)
                    s->block[i].fixed ? "fill=\"#c9c2b4\"" : "fill=\"#e9e3d6\"");
     if (w->best >= 0) {
         put_stone(w, &w->place[w->best]);
-        draw_block(v, &w->stone, NULL, 0, "fill=\"" DRAW_WHOLE "\"");
+        draw_block(v, &w->pose.block, NULL, 0, "fill=\"" DRAW_WHOLE "\"");
     }
     draw_close(v->out);
     if (w->best >= 0)
-        draw_line(v->out, draw_place(v, w->stone.centre.x, w->stone.box.high.y),
-                  draw_vec(draw_place(v, w->stone.centre.x, 0).x,
-                           plot_y(w->place[w->best].m.margin, most)),
-                  "stroke=\"" DRAW_KERN "\" stroke-width=\"0.9\" "
-                  "stroke-dasharray=\"2 3\"");
+        draw_line(
+            v->out,
+            draw_place(v, w->pose.block.centre.x, w->pose.block.box.high.y),
+            draw_vec(draw_place(v, w->place[w->best].rank.x, 0).x,
+                     plot_y(w->place[w->best].m.margin, most)),
+            "stroke=\"" DRAW_KERN "\" stroke-width=\"0.9\" "
+            "stroke-dasharray=\"2 3\"");
 }
 
 static int draw_margins(struct wall *w, const char *path)
@@ -468,6 +406,7 @@ static int draw_margins(struct wall *w, const char *path)
     FILE *out = fopen(path, "w");
     struct draw_view v;
     double most = w->alone.margin, bottom, high;
+    kern_place rank = {0, 0, 0, 0, 0, 0};
     char text[400];
     int i, bad;
 
@@ -483,13 +422,15 @@ static int draw_margins(struct wall *w, const char *path)
         if (w->place[i].status == KERN_STANDS)
             most = fmax(most, w->place[i].m.margin);
     most *= 1.08;
+    if (w->best >= 0)
+        rank_place(w, w->best, &rank);
     snprintf(text, sizeof text,
              "Margin of the wall with one more stone, over "
              "its place.\nOrange: the wall without it, %.3g. Red: the "
              "wall falls.\nThe stone is drawn in its best place: %.3g, and "
              "%.3g at least if it comes to lie %.2g to either side.",
              w->alone.margin, w->best < 0 ? 0 : w->place[w->best].m.margin,
-             w->best < 0 ? 0 : sure_margin(w, w->best), w->error);
+             rank.margin, w->error);
     high = draw_paragraph(NULL, LEFT, bottom + BELOW, WIDE, 12.5, text);
     draw_begin(out, WIDE, ceil(high));
     fprintf(out,
@@ -513,12 +454,12 @@ int main(int argc, char **argv)
     const char *svg = argc > 1 ? argv[1] : "-";
     int bad;
 
-    if (argc > 3 || (strcmp(svg, "-") != 0 && !args_is_svg(svg))) {
-        puts("usage: place [OUT.svg | - [WALL.kern]]\n"
+    if (argc > 4 || (strcmp(svg, "-") != 0 && !args_is_svg(svg))) {
+        puts("usage: place [OUT.svg | - [WALL.kern [STONE.kern]]]\n"
              "The margin of a wall over the place of one more stone.");
         return strcmp(svg, "--help") == 0 || strcmp(svg, "-h") == 0 ? 0 : 2;
     }
-    bad = open_wall(&w, argc > 2 ? argv[2] : NULL);
+    bad = open_wall(&w, argc > 2 ? argv[2] : NULL, argc > 3 ? argv[3] : NULL);
     if (!bad) {
         try_places(&w);
         print_table(&w);
@@ -532,33 +473,33 @@ int main(int argc, char **argv)
 /* Output:
 without the stone: level 7, margin 0.100
 
-     x      y  turned  level  margin
- -0.74   1.88     1.3  falls
- -0.46   1.96     3.6  falls
- -0.17   1.96     3.6  falls
-  0.12   1.96     3.6      3  0.035
-  0.41   1.96     3.6      8  0.102
-  0.69   1.96     3.6     13  0.168
-  0.98   1.96     3.6     16  0.221
-  1.27   1.96     3.6      3  0.030
-  1.56   1.80   -35.0  falls
-  1.85   1.61    -9.7      8  0.100
-  2.13   1.56     3.6      8  0.100
-  2.42   2.09    32.6  falls
-  2.71   2.07    -8.5      8  0.100
-  3.00   2.01    -8.5      8  0.100
-  3.28   1.94   -27.0  falls
-  3.57   1.56     3.6      8  0.100
-  3.86   1.63    20.1      8  0.100
-  4.15   2.26    22.5  falls
-  4.43   2.26     3.6      8  0.100
-  4.72   2.26    -4.1  falls
-  5.01   1.66     0.2  falls
-  5.30   1.16     3.6      8  0.100
-  5.59   1.06   -35.0  falls
-  5.87   0.16     3.6      8  0.100
+let down  x      y  turned  level  margin  stays
+ -0.74   -0.70   0.16     3.6      8  0.100   1.00
+ -0.46   -0.47   1.96     3.6  falls
+ -0.17   -0.18   1.96     3.6  falls
+  0.12    0.11   1.96     3.6      3  0.033   1.00
+  0.41    0.40   1.96     3.6      8  0.099   1.00
+  0.69    0.68   1.96     3.6     12  0.165   1.00
+  0.98    0.97   1.96     3.6     16  0.221   1.00
+  1.27    1.26   1.96     3.6      3  0.041   1.00
+  1.56    1.66   1.67   -41.4  falls
+  1.85    1.87   1.61    -9.0      8  0.100   1.00
+  2.13    2.12   1.56     3.6      8  0.100   1.00
+  2.42    2.25   1.65    96.5      8  0.100   1.00
+  2.71    2.73   2.07    -8.5      8  0.100   1.00
+  3.00    3.01   2.01    -8.5      8  0.100   1.00
+  3.28    3.36   1.68   -86.4      8  0.100   1.00
+  3.57    3.56   1.56     3.6      8  0.100   1.00
+  3.86    3.81   1.62    17.9      8  0.100   1.00
+  4.15    3.68   1.58   172.1      8  0.100   1.00
+  4.43    4.42   2.26     3.6      8  0.100   1.00
+  4.72    4.86   1.78   -86.4      8  0.100   1.00
+  5.01    5.77   0.28   -84.2      8  0.100   1.00
+  5.30    5.29   1.16     3.6      8  0.100   1.00
+  5.59    5.57   0.77   -84.2      8  0.100   1.00
+  5.87    5.86   0.16     3.6      8  0.100   1.00
 
 best of all 240 places, with an error of 0.04 to both sides:
-  0.95   1.96     3.6     16  0.221
-there at least  0.221; it stays with a chance of 1.00
+  0.98    0.97   1.96     3.6     16  0.221   1.00
+there at least              0.221   1.00
 */

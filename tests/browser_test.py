@@ -524,7 +524,7 @@ def test_asked(browser):
     assert "not shown" not in browser.ask("$('limits').textContent")
     browser.ask("show(%s, 'ladder')" % json.dumps(
         (path / "ladder.kern").read_text()))
-    browser.wait("$('live-load').textContent.startsWith('61.8 to 620')")
+    browser.wait("$('live-load').textContent.startsWith('61.8 to 621;')")
 
 
 def shots(browser, folder):

@@ -32,6 +32,21 @@ strict_all() { # strict_all COMPILER: the first and the last standards, in both
     strict "$1" c99 -O2 -DKERN_STATIC
 }
 
+cpp() { # wall.hpp and what uses it, with warnings for C++; and in threads
+    local cc
+    for cc in g++ clang++; do
+        $cc -std=c++17 -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
+            -Wold-style-cast -Werror -fsyntax-only examples/copy/planner.cpp ||
+            return 1
+    done
+    for cc in address,undefined thread; do
+        clang++ -std=c++17 -O1 -g -pthread -DKERN_IMPLEMENTATION \
+            -fsanitize=$cc -fno-sanitize-recover=all \
+            examples/copy/planner.cpp -o "$out/planner" &&
+            "$out/planner" | grep -q '^x 2.375: stays 0.999' || return 1
+    done
+}
+
 two_files() {
     printf '%s\n' '#include "kern.h"' 'kern_options o(void);' \
         'kern_options o(void) { return kern_defaults(); }' >"$out/a.c"

@@ -220,6 +220,19 @@ def pushes(name):
     assert all(len(b['push']) == 24 for b in found['blocks'])
 
 
+def best(name):
+    """Places of one more stone: four, each in another pose, the best first."""
+    found, = objects(name)
+    places = found['places']
+    assert len(places) == 4, places
+    for p in places:
+        assert p['stands'] and 0 <= p['stays'] <= 1 and p['margin'] >= 0, p
+        assert p['own_margin'] >= p['margin'] * (1 - 1e-9) and p['load'] > 0, p
+    classes = [min(p['stays'], 0.9) for p in places]
+    assert classes == sorted(classes, reverse=True), classes
+    assert len({str(p['polygon']) for p in places}) == 4
+
+
 def figures(folder):
     cost = rows(folder, 'table1.csv')
     assert len(cost) == 4
@@ -332,5 +345,6 @@ def walls(folder):
 
 if __name__ == '__main__':
     checks = (svg, structures, axles, keys, each_block, let_go_files, let_go,
-              undecided, profiles, pushes, figures, functions, tokens, rules, walls)
+              undecided, profiles, pushes, best, figures, functions, tokens,
+              rules, walls)
     {f.__name__: f for f in checks}[sys.argv[1]](*sys.argv[2:])

@@ -30,6 +30,7 @@
                 margin.h     level and margin
                 load.h       deficit, load factor, tilt
      plans      plan.h  plan_fuzz.h  jams.h
+                rest.h       where stones come to rest
      bounds     bearing.h    the bearing length
                 limits.h     limits of work
      known      known.h      cases whose answer is known, each with its
@@ -85,6 +86,7 @@
 #include "unit/load.h"
 #include "unit/plan.h"
 #include "unit/plan_fuzz.h"
+#include "unit/rest.h"
 #include "unit/jams.h"
 #include "unit/bearing.h"
 #include "unit/limits.h"
@@ -129,6 +131,7 @@ static const room rooms[] = {
     TESTS_OF(bad),     TESTS_OF(statuses),    TESTS_OF(memory),
     TESTS_OF(profile), TESTS_OF(raised),      TESTS_OF(pose),
     TESTS_OF(push),    TESTS_OF(sensitivity), TESTS_OF(forces),
+    TESTS_OF(rest),
 #endif
 };
 

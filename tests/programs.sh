@@ -124,7 +124,9 @@ ranges() { # numbers that cannot be meant are refused with their option; whole
         refuses "--epsilon takes a share up to 1, read 1.5" -r -e 1.5 $tower &&
         refuses "--at takes a share up to 1, read 2" -r --at 2 $tower &&
         refuses "1 to 2,000,000,000, or 0, read '1.5'" --limit 1.5 $tower &&
-        refuses "from 1 to 10,000, read '2.5'" --sweep 2.5 $tower || return 1
+        refuses "from 1 to 10,000, read '2.5'" --sweep 2.5 $tower &&
+        refuses "tower.kern: not one free block" --place $tower $tower ||
+        return 1
     # what makes sense is not, in other units either
     kern=$(program kern examples/kern.c) &&
         sed 's/^friction/epsilon 0.7\nfriction/' "$tower" >"$out/step.kern" &&
@@ -153,8 +155,9 @@ robot() { # the error of a robot, in place alone as well: margin / 2E; with
 keys() { # every key of the JSON stands in the help
     local kern
     kern=$(program kern examples/kern.c) || return 1
+    echo 'block stone * 0 0 .6 0 .7 .3 .1 .4' >"$out/stone.kern"
     "$kern" --json --forces --mechanism --profile --near --raised --sequence \
-        --stays all --error 0.01 --measured 0.001 \
+        --place "$out/stone.kern" --most 2 --stays all --error 0.01 --measured 0.001 \
         examples/structures/{falls,tower}.kern >"$out/all.json"
     [ $? -eq 1 ] && "$kern" --help >"$out/help" &&
         $judge keys "$out/all.json" "$out/help"
@@ -399,12 +402,17 @@ pictures() {
     $judge svg "$out"/*.svg
 }
 
-places() { # walls of brick and of found stone
-    local place f
+places() { # walls of brick and of found stone, and the program's own answer
+    local place f kern
+    kern=$(program kern examples/kern.c) || return 1
+    echo 'block stone * 0 0 .6 0 .7 .3 .1 .4' >"$out/stone.kern"
     place=$(program place examples/place.c) || return 1
     for f in wall-60 irregular-wall; do
         "$place" "$out/$f.svg" "examples/structures/$f.kern" >"$out/o" \
-            2>/dev/null && grep -q best "$out/o" || return 1
+            2>/dev/null && grep -q best "$out/o" &&
+            "$kern" --json --place "$out/stone.kern" --turns 5 --most 4 \
+                --svg "$out/$f-best.svg" "examples/structures/$f.kern" \
+                >"$out/best.json" && $judge best "$out/best.json" || return 1
     done
     $judge svg "$out"/*.svg
 }

@@ -145,6 +145,34 @@ class Program(unittest.TestCase):
                     len(page.getElementsByTagName("path")), len(s.blocks))
 
 
+class Rest(unittest.TestCase):
+    def test_rest(self):
+        """A stone comes to rest where it stands; a plan grows by copies."""
+        plan = Plan(two(0)[:2])
+        for i in range(40):
+            stone = Block("s%d" % i, two(0)[2].vertices.tolist())
+            at = plan.rest(stone, 0.4 + 0.01 * (i % 20), 0.02 * i)
+            self.assertIsNotNone(at)
+            if plan.try_(at):
+                plan.add(at)
+        self.assertGreater(len(plan.blocks), 20)
+        fresh = Plan([b.copy() for b in plan.blocks])
+        self.assertEqual(plan.measure().margin, fresh.measure().margin)
+        with self.assertRaises(kern.KernError):
+            plan.rest(stone, float("nan"))
+
+    def test_places(self):
+        """In any order the same places, the best first."""
+        plan, stone = Plan(two(0)[:2]), two(0)[2]
+        xs = [0.1 * i for i in range(12)]
+        found = plan.places(stone, xs, (0, 0.3))
+        back = plan.places(stone, xs[::-1], (0.3, 0))
+        self.assertGreater(len(found), 5)
+        self.assertEqual([(p.x, p.turn) for p in found],
+                         [(p.x, p.turn) for p in back])
+        self.assertGreaterEqual(found[0].stays, min(0.9, found[-1].stays))
+
+
 class Calls(unittest.TestCase):
     def test_every_function(self):
         """All public functions of the header are called."""

@@ -11,6 +11,7 @@
 #include "../parts/args.h"
 #include "../parts/drawing.h"
 #include "asked.h"
+#include "place.h"
 #include "sweep.h"
 
 #include <limits.h>
@@ -112,6 +113,9 @@ static inline void free_analysis(struct analysis *a)
     free(a->laid);
     free(a->stays);
     free(a->swept);
+    free(a->placed);
+    text_free(&a->stone);
+    free(a->place_vertex);
     free(a->stress);
     free_work(a);
     text_free(&a->text);
@@ -275,6 +279,8 @@ static inline int measure(struct analysis *a)
         return -1;
     if (a->set->sweep > 0 && find_sweep(a))
         return -1;
+    if (a->set->place && find_places(a))
+        return -1;
     show_stage(a, "  profile ...");
     if (a->set->profile)
         find_profile(a);
@@ -367,7 +373,7 @@ static inline int analyse(struct analysis *a)
     kern_options options;
     a->task = kern_task_of(a->text.block, a->text.blocks, NULL, 0, &a->work);
     a->task.s.gravity = a->text.gravity;
-    if (check_lengths(a) || check_asked(a))
+    if (check_lengths(a) || check_asked(a) || check_place(a))
         return -1;
     options = a->text.options;
     options.relative = set->relative;

@@ -7,6 +7,7 @@
 
 #include "../../kern.h"
 
+#include "place.h"
 #include "state.h"
 
 #include <errno.h>
@@ -136,6 +137,10 @@ static inline int draw(const struct analysis *a)
                                                    : (double)a->m.fails;
     scene.limiting = a->critical.contact;
     scene.caption = caption;
+    scene.over = a->places ? draw_places : NULL;
+    scene.data = a;
+    scene.shown = a->place_vertex;
+    scene.shows = a->places * a->place_vertices;
     if (a->set->profile && a->profiled >= 0)
         colour(a, &scene);
     FILE *out;

@@ -9,6 +9,7 @@
 
 #include "let_go.h"
 #include "state.h"
+#include "place.h"
 #include "sweep.h"
 
 #include <math.h>
@@ -752,6 +753,8 @@ static inline void report(const struct analysis *a)
         report_raised_loads(a);
     if (a->sweeps > 0)
         report_sweep(a);
+    if (a->set->place)
+        report_places(a);
     if (a->set->forces)
         report_forces(a);
     if (a->set->forces)

@@ -11,6 +11,7 @@
 #include "../parts/json.h"
 #include "let_go.h"
 #include "state.h"
+#include "place.h"
 #include "sweep.h"
 
 #include <math.h>
@@ -416,6 +417,8 @@ static inline void json_loads(const struct analysis *a, int asked)
     }
     if (a->set->sweep > 0)
         json_sweep(a);
+    if (a->set->place)
+        json_places(a);
     json_open(asked ? open_questions(a) : 0);
     json_unbounded(a, asked);
 }

@@ -25,11 +25,12 @@ enum { LABELS_MOST = 100 }; /* options --layer, and --density */
 struct settings { /* of the command line; numbers < 0: not given */
     kern_real epsilon, mu, gap, at, limit, overlap;
     kern_real sweep;       /* places of the live load                     */
+    kern_real turns, most; /* of --place                                  */
     kern_real error, turn; /* of --measured                               */
     kern_real own_error, own_turn; /* of --error                          */
     int relative, forces, mechanism, profile, touching, json, verdict_only;
     int raised, sequence, mechanism_live, lone;
-    const char *svg, *c_file, *kern_file, *stays;
+    const char *svg, *c_file, *kern_file, *stays, *place;
     struct shapes_asked drawing; /* of drawings and photographs         */
     const char *layer[LABELS_MOST], *density[LABELS_MOST];
     kern_real ground, pixel;
@@ -42,6 +43,12 @@ struct swept {
     double x, y, live, raised;
     int block; /* -1: beyond the structure */
     int cut;   /* the limit of work ended `raised` */
+};
+
+/* A place of one more stone, which is there. */
+struct placed {
+    kern_place rank;
+    kern_vec *vertex;
 };
 
 /* All there is to say about one file. Numbers that do not exist are NAN. */
@@ -84,6 +91,12 @@ struct analysis {
 
     struct swept *swept; /* the live load at each place       */
     int sweeps;
+
+    struct text_file stone; /* of --place                      */
+    struct placed *placed;  /* the best places of --place       */
+    int places;
+    kern_vec *place_vertex; /* of all of them in their order    */
+    int place_vertices;     /* of each                          */
 
     kern_status let_go;   /* all blocks at once, of real contacts */
     char let_go_why[160]; /* "" where it was not asked            */

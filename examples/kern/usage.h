@@ -24,6 +24,7 @@ static const char usage_brief[] =
 "  --verdict          the verdict alone        --limit N    most work of a query\n"
 "  --raised           loads of friction, and the reserve\n"
 "  --stays NAME|all   the chance that a stone stays where it is let go\n"
+"  --place STONE      where one more stone lies best; --turns N, --most N\n"
 "  --sequence         the margin after each stone that is laid\n"
 "  --profile          the margin of each stone; --near: which wall outlasts shaking\n"
 "  --sweep N          a live load that drives over it\n"

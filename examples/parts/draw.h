@@ -56,7 +56,9 @@ struct draw_scene {
     const char *value_name;    /* what it is                                  */
     const char *caption;       /* UTF-8, \n starts a line; NULL: none         */
     void (*over)(const struct draw_view *view, const void *data);
-    const void *data; /* draws over the stones; NULL: nothing        */
+    const void *data;      /* draws over the stones; NULL: nothing        */
+    const kern_vec *shown; /* places that the picture shows as well     */
+    int shows;             /* how many                                  */
 };
 
 /* ---- Colours and sizes -------------------------------------------------- */
@@ -653,6 +655,8 @@ static void draw_measure_sizes(const struct draw_scene *d, struct draw_view *v,
         for (j = 0; j < k->vertices; j++)
             draw_widen(v, k->vertex[j].x, k->vertex[j].y);
     }
+    for (i = 0; i < d->shows; i++)
+        draw_widen(v, d->shown[i].x, d->shown[i].y);
     for (c = 0; c < s->contacts; c++) {
         draw_widen(v, s->contact[c].p.x, s->contact[c].p.y);
         if (d->force && draw_force_ends(d, 1, c, &a, &b))

@@ -60,7 +60,8 @@ __all__ = [
     "LEFT", "SHRINK", "RIGHT", "Status", "KernError", "Options", "Body",
     "Block", "Contact", "contact_make", "contact_travels", "work_need",
     "Verdict", "Raising", "End", "Raised", "LetGo", "Margin", "Factor", "Profile", "Critical",
-    "ContactRate", "BlockRate", "Solution", "Structure", "Plan", "overlaps",
+    "ContactRate", "BlockRate", "Solution", "Structure", "Plan", "Place",
+    "overlaps",
     "parse", "read", "from_labelme", "from_coco", "DrawingWarning",
     "simplified", "lp_solve",
     "status_text", "build",
@@ -183,6 +184,15 @@ class _Plan(ctypes.Structure):
                 ("contact", c_void_p), ("contact_room", c_int)]
 
 
+class _Pose(ctypes.Structure):
+    _fields_ = [("block", _Block), ("turn", _Vec), ("motions", c_int)]
+
+
+class _Place(ctypes.Structure):
+    _fields_ = [("stays", c_double), ("margin", c_double), ("own", c_double),
+                ("load", c_double), ("x", c_double), ("turn", c_double)]
+
+
 class _Lp(ctypes.Structure):
     _fields_ = [("rows", c_int), ("cols", c_int), ("a", c_void_p),
                 ("rhs", c_void_p), ("cost", c_void_p), ("limit", c_int)]
@@ -223,7 +233,8 @@ _LAYOUTS = {
     "kern_collapse": _Collapse, "kern_work": _Work,
     "kern_contact_rate": _ContactRate, "kern_block_rate": _BlockRate,
     "kern_critical": _Critical, "kern_known": _Known, "kern_task": _Task,
-    "kern_plan": _Plan, "kern_lp": _Lp, "struct text_live": _Live,
+    "kern_plan": _Plan, "kern_pose": _Pose, "kern_place": _Place,
+    "kern_lp": _Lp, "struct text_live": _Live,
     "struct text_file": _Text, "struct shapes_asked": _Asked,
 }
 
@@ -424,6 +435,9 @@ _known_of = _declare("kern_known_of", _Known, _p, _p)
 _plan_of = _declare("kern_plan_of", _Plan, _p, _i, _p, _i, _Known, _p)
 _plan_add = _declare("kern_plan_add", _i, _p, _p)
 _plan_remove = _declare("kern_plan_remove", _i, _p, _i)
+_plan_copy = _declare("kern_plan_copy", _i, _p, _p)
+_rest = _declare("kern_rest", _i, _p, _p, _r, _Vec, _p, _p)
+_place_compare = _declare("kern_place_compare", _i, _p, _p, _r)
 _plan_try = _declare("kern_plan_try", _i, _p, _p, _p, _p)
 _plan_bears = _declare("kern_plan_bears", _i, _p, _p, _r, _p)
 _plan_raised = _declare("kern_plan_raised", _i, _p, _p, _p, _p, _p)
@@ -1800,6 +1814,17 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         pathlib.Path(path).write_text(self.text(), encoding="utf-8")
 
 
+class Place(NamedTuple):
+    """A place for one more stone, as Plan.places() ranks them: the stone there;
+    x and turn (rad) with which it is let down; the chance that it stays; the
+    margin of the structure with it."""
+    block: Block
+    x: float
+    turn: float
+    stays: float
+    margin: float
+
+
 class Plan(Structure):
     """kern_plan: a structure that changes by one block at a time.
 
@@ -1862,17 +1887,16 @@ class Plan(Structure):
     def _grow(self, blocks: int, contacts: int) -> None:
         """Moves the plan to arrays for so many."""
         old, held = getattr(self, "_held", None), _Held(blocks, contacts)
-        n = len(self.blocks)
+        before: Any = getattr(self, "_plan", None)
         motion = (c_double * (3 * blocks))()
         force = (c_double * (2 * contacts))()
         plan = _plan_of(held.block, blocks, held.contact, contacts,
                         _known_of(motion, force), byref(held.work))
         plan.task.options = self.options._c()
         plan.task.s.gravity = _Vec(*_several("gravity", self.gravity, 2))
-        for i in range(n):
-            assert old is not None
-            self._check(_plan_add(byref(plan), byref(old.block[i])))
-            held.vertex.append(old.vertex[i])
+        if old is not None and self.blocks:
+            self._check(_plan_copy(byref(plan), byref(before)))
+            held.vertex.extend(old.vertex)
         self._held, self._plan, self._known = held, plan, (motion, force)
         self._task = self._plan.task
         self._at_task, self._at_plan = byref(self._task), byref(self._plan)
@@ -2021,6 +2045,71 @@ class Plan(Structure):
                     raise
                 return None
             return chance.value if stands else None
+
+    def rest(self, block: Block, x: float, turn: float = 0.0
+             ) -> Optional[Block]:
+        """kern_rest(): the block where it comes to rest when it is let down on
+        the plan with its centre at x, turned by an angle (rad); None where it
+        falls past, or does not stop rolling. Whether it stands there, try_()
+        and bears() tell.
+
+        >>> plan = Plan([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
+        ...                    fixed=True)])
+        >>> box = Block("box", [(0, 0), (2, 0), (2, 1), (0, 1)])
+        >>> at = plan.rest(box, 0.5, 0.1)
+        >>> [round(y, 6) + 0 for x, y in at.vertices.tolist()]
+        [0.0, 0.0, 1.0, 1.0]
+        >>> plan.rest(box, 9) is None
+        True
+        """
+        with self._lock:
+            self._fresh()
+            block._fill(self._candidate)
+            vertex = (_Vec * self._candidate.vertices)()
+            pose = _Pose()
+            status = _rest(byref(self._plan.task), byref(self._candidate), x,
+                           _Vec(math.cos(turn), math.sin(turn)), vertex,
+                           byref(pose))
+            if status in (Status.NO_SUPPORT, Status.NO_REST):
+                return None
+            if status < 0:
+                raise KernError(status, [b.name for b in [*self.blocks, block]],
+                                self._held.work.fault)
+        centre = pose.block.centre
+        return Block(block.name, [(v.x, v.y) for v in vertex], block.density,
+                     block.fixed, block.mass, block.centre
+                     and (centre.x, centre.y), block.load)
+
+    def places(self, block: Block, xs: Iterable[float],
+               turns: Iterable[float] = (0.0,)) -> List[Place]:
+        """Where the structure stands with the block let down at each x in each
+        turn (rad): the best first, as kern_place_compare() ranks them.
+
+        >>> ground = Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
+        ...                fixed=True)
+        >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> plan = Plan([ground, Block("low", box)])
+        >>> for place in plan.places(Block("top", box), (0.7, 0.5, 1.3)):
+        ...     print(place.x, round(place.margin, 3), place.stays > 0.9)
+        0.5 0.5 True
+        1.3 0.5 True
+        0.7 0.3 True
+        """
+        alone, turns = self.measure().margin, list(turns)
+        found = []
+        for x in xs:
+            for turn in turns:
+                at = self.rest(block, x, turn)
+                m = self.try_(at) if at else None
+                stays = self.try_stays(at) if at and m else None
+                if at and m and stays is not None:
+                    found.append(Place(at, x, turn, stays, m.margin))
+
+        def better(p: Place, q: Place) -> int:
+            made = [_Place(r.stays, r.margin, 0, 0, r.x, r.turn)
+                    for r in (q, p)]
+            return int(_place_compare(byref(made[0]), byref(made[1]), alone))
+        return sorted(found, key=functools.cmp_to_key(better))
 
 
 def overlaps(blocks: Sequence[Block], options: Optional[Options] = None

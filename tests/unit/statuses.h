@@ -124,6 +124,25 @@ static void statuses_of_geometry(void)
     have(world_touch(&w));
 }
 
+/* A wheel of 40 corners beside a long slope, and on it. */
+static void statuses_of_rest(void)
+{
+    enum { CORNERS = 40 };
+    const kern_vec slope[3] = {vec(0, 0), vec(90, 0), vec(90, 30)};
+    kern_vec wheel[CORNERS], out[CORNERS];
+    kern_block stone, ground;
+    kern_pose pose;
+    kern_work work = work_for(1, 4);
+    kern_task task = kern_task_of(&ground, 1, NULL, 0, &work);
+    int i;
+    for (i = 0; i < CORNERS; i++)
+        wheel[i] = vec(cos(2 * pi * i / CORNERS), sin(2 * pi * i / CORNERS));
+    kern_block_init(&stone, wheel, CORNERS, 1, NULL);
+    kern_ground_init(&ground, slope, 3, NULL);
+    have(kern_rest(&task, &stone, -9, vec(1, 0), out, &pose));
+    have(kern_rest(&task, &stone, 80, vec(1, 0), out, &pose));
+}
+
 /* Every status has a text of its own and can be had. */
 static void status_of_every_kind(void)
 {
@@ -133,6 +152,7 @@ static void status_of_every_kind(void)
     statuses_of_measures();
     statuses_without_verdict();
     statuses_of_geometry();
+    statuses_of_rest();
     for (i = 0; i < ROWS; i++) {
         const char *text = kern_status_text((kern_status)statuses[i].value);
         int count = 0;
