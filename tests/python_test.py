@@ -505,6 +505,134 @@ class Calls(unittest.TestCase):
             kern.lp_solve([[1.0], [1.0, 2.0]], [1.0, 1.0])
 
 
+def tower(n, seed):
+    """A tower of three boxes, and n poses of all its blocks."""
+    draw = random.Random(seed)
+    wall = Structure([*two(0), Block("third", BOX, mass=2.0,
+                                     centre=(0.4, 2.5)).move(0, 2)])
+    poses = [[(0, 0, 0)] + [(draw.uniform(-.4, .4), 0, draw.uniform(-.001, .001))
+                            for _ in wall.blocks[1:]] for _ in range(n)]
+    return wall, poses
+
+
+def margins_of(part):
+    """For a process of a pool."""
+    return [float(m) for m in kern.many(tower(0, 0)[0], poses=part).margin]
+
+
+class ManyWalls(unittest.TestCase):
+    def one_by_one(self, wall, pose):
+        """What many() says of one structure, by the way of one."""
+        blocks = [b.copy().move(*p) for b, p in zip(wall.blocks, pose)]
+        try:
+            s = Structure(blocks, options=wall.options)
+        except kern.KernError as error:
+            return int(error.status), None, -1, None, None
+        m = s.measure()
+        return (int(Status.STANDS if m else Status.FALLS), m.margin, m.level,
+                [s.load_factor(side) or 0.0 for side in (kern.LEFT, kern.RIGHT)],
+                None if m.motion is None else m.motion.tolist())
+
+    def test_same_as_one_by_one(self):
+        """Every answer has the bits of a structure that was made by itself."""
+        wall, poses = tower(60, 1)
+        poses[7][2] = (0.1, -0.3, 0)
+        out = kern.many(wall, poses=poses, loads=True, mechanisms=True)
+        seen = set()
+        for i, pose in enumerate(poses):
+            status, margin, level, loads, motion = self.one_by_one(wall, pose)
+            seen.add(status)
+            self.assertEqual((out.status[i], out.level[i]), (status, level))
+            if margin is None:
+                self.assertTrue(math.isnan(out.margin[i]))
+                self.assertTrue(math.isnan(out.mechanisms[i][3][0]))
+                continue
+            self.assertEqual(out.margin[i], margin)
+            self.assertEqual(list(out.loads[i]), loads)
+            self.assertEqual(out.mechanisms[i].tolist(), motion)
+        self.assertEqual(seen, {Status.STANDS, Status.FALLS, Status.OVERLAP})
+        self.assertEqual((len(out), [bool(x) for x in out.stands]),
+                         (60, [k == Status.STANDS for k in out.status]))
+
+    def test_threads_and_processes(self):
+        """Any number of threads, and processes, give the same bits."""
+        wall, poses = tower(200, 2)
+        want = list(kern.many(wall, poses=poses, threads=1).margin)
+        for threads in (2, 3, 16, None):
+            self.assertEqual(list(kern.many(
+                wall, poses=poses, threads=threads).margin), want)
+        with multiprocessing.Pool(2) as pool:
+            parts = pool.map(margins_of, [poses[:70], poses[70:]])
+        self.assertEqual(parts[0] + parts[1], want)
+
+    def test_friction_and_stones(self):
+        """A friction each; a stone each, named poses, a plan as the wall."""
+        slope = Structure(two(0)[:2], gravity=(3, -10))
+        self.assertEqual([bool(s) for s in kern.many(
+            slope, mu=[0.2, 0.29, 0.31, 0.5]).stands], [False] * 2 + [True] * 2)
+        stones = [Block("top", BOX).move(x, 1) for x in (0, 0.2, 0.7, 5)]
+        out = kern.many(Plan(two(0)[:2]), stones=stones, mechanisms=True)
+        self.assertEqual([Status(s).name for s in out.status],
+                         ["STANDS", "STANDS", "FALLS", "FALLS"])
+        self.assertEqual(out.margin[1], Structure(two(0.2)).measure().margin)
+        self.assertEqual(len(out.mechanisms[2]), 3)
+        named = kern.many(Structure(two(0)), poses={"top": [(0.2, 0, 0)]})
+        self.assertAlmostEqual(named.margin[0], out.margin[1])
+        self.assertIsNone(named.loads)
+
+    def test_room(self):
+        """Where contacts find no room there are more."""
+        saw = [(x / 2 - 8, 0.2 * (x % 2)) for x in range(33)]
+        wall = Structure([
+            Block("ground", [(-8, -1), (8, -1), *saw[::-1]], fixed=True),
+            Block("saw", [*saw, (8, 1), (-8, 1)])])
+        self.assertGreater(len(wall.contacts), 48)
+        out = kern.many(wall, mu=[0.4] * 3)
+        self.assertEqual([float(m) for m in out.margin],
+                         [wall.measure().margin] * 3)
+
+    def test_refused(self):
+        wall, poses = tower(3, 1)
+        made = kern.contact_travels(kern.contact_make(0, 1, (0, 1), (0, 0),
+                                                      (1, 0)))
+        for words, call in (
+                ("give poses, mu or stones", lambda: kern.many(wall)),
+                ("'poses': 3, 'mu': 1", lambda: kern.many(
+                    wall, poses=poses, mu=[0.4])),
+                ("poses has 9 numbers, 12 are", lambda: kern.many(
+                    wall, poses=[poses[0][:3]])),
+                ("contacts are given", lambda: kern.many(
+                    Structure(two(0)[:2], made), mu=[0.4])),
+                ("'flat': ", lambda: kern.many(wall, stones=[
+                    Block("flat", [(0, 0), (1, 0), (2, 0)])]))):
+            with self.assertRaisesRegex(ValueError, words):
+                call()
+        out = kern.many(wall, poses={"low": [(math.nan, 0, 0)]})
+        self.assertEqual(Status(out.status[0]), Status.BAD_NUMBER)
+        out = kern.many(wall, mu=[-1, 0.4])
+        self.assertEqual([Status(s) for s in out.status],
+                         [Status.BAD_FRICTION, Status.STANDS])
+        self.assertEqual(len(kern.many(wall, mu=[])), 0)
+        with self.assertRaisesRegex(KeyError, "no block is named 'x'"):
+            kern.many(wall, poses={"x": [(0, 0, 0)]})
+
+    def test_labels(self):
+        """The example writes the same lines in one process and in a pool."""
+        runs = [subprocess.run(
+            [sys.executable, *(["-S"] if kern.numpy is None else []),
+             str(MODULE / "labels.py"), "600", *more], check=True,
+            stdout=subprocess.PIPE).stdout for more in ([], ["--on", "pool"])]
+        self.assertEqual(runs[0], runs[1])
+        rows = [json.loads(line) for line in runs[0].splitlines()]
+        self.assertEqual(len(rows), 600)
+        for row in rows[::97]:
+            blocks = [Block(name, v, density=2400, fixed=name in row["fixed"])
+                      for name, v in row["blocks"].items()]
+            m = Structure(blocks, options=Options(mu=row["mu"])).measure()
+            self.assertEqual(row["status"], "STANDS" if m else "FALLS")
+            self.assertAlmostEqual(row["margin"], m.margin if m else 0, 6)
+
+
 class BadInput(unittest.TestCase):
     def refuse(self, status, blocks, call):
         with self.assertRaises(kern.KernError) as caught:

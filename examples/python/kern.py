@@ -40,11 +40,14 @@ import sys
 import tempfile
 import threading
 import warnings
+from array import array as _array
+from concurrent.futures import ThreadPoolExecutor
 from ctypes import (POINTER, addressof, byref, c_char_p, c_double, c_int,
                     c_void_p)
 from dataclasses import dataclass, field
-from typing import (Any, Callable, Dict, Iterable, List, NamedTuple, Optional,
-                    Sequence, Tuple, TypeVar, Union)
+from typing import (Any, Callable, Dict, Iterable, Iterator, List,
+                    NamedTuple, Optional, Protocol, Sequence, Tuple, TypeVar,
+                    Union, cast)
 
 try:
     import numpy
@@ -60,7 +63,7 @@ __all__ = [
     "LEFT", "SHRINK", "RIGHT", "Status", "KernError", "Options", "Body",
     "Block", "Contact", "contact_make", "contact_travels", "work_need",
     "Verdict", "Raising", "End", "Raised", "LetGo", "Margin", "Factor", "Profile", "Critical",
-    "ContactRate", "BlockRate", "Solution", "Structure", "Plan", "overlaps",
+    "ContactRate", "BlockRate", "Solution", "Structure", "Plan", "overlaps", "Many", "many", "Array", "Rows",
     "parse", "read", "from_labelme", "from_coco", "DrawingWarning",
     "simplified", "lp_solve",
     "status_text", "build",
@@ -205,6 +208,12 @@ class _Text(ctypes.Structure):
                 ("text", c_void_p), ("vertex", c_void_p)]
 
 
+class _Cases(ctypes.Structure):
+    _fields_ = [(name, c_void_p) for name in (
+        "wall", "options", "density", "own", "pose", "mu", "stone", "status",
+        "level", "margin", "load", "motion")]
+
+
 class _Asked(ctypes.Structure):
     _fields_ = [("layer", c_void_p), ("layers", c_int),
                 ("densities", c_void_p), ("density_words", c_int),
@@ -225,12 +234,13 @@ _LAYOUTS = {
     "kern_critical": _Critical, "kern_known": _Known, "kern_task": _Task,
     "kern_plan": _Plan, "kern_lp": _Lp, "struct text_live": _Live,
     "struct text_file": _Text, "struct shapes_asked": _Asked,
+    "struct many": _Cases,
 }
 
 # ---- The library ------------------------------------------------------------
 
 _ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-_HEADERS = ("kern.h", "kern_lp.h", *("examples/parts/%s.h" % part for part in (
+_HEADERS = ("kern.h", "kern_lp.h", "examples/python/many.h", *("examples/parts/%s.h" % part for part in (
     "draw", "drawing", "dxf", "falls", "image", "lines", "outlines", "room",
     "shapes", "statements", "svg", "text", "tokens", "words")))
 _FLAGS = ("-O2", "-ffp-contract=off", "-shared", "-fPIC", "-I%s" % _ROOT)
@@ -251,6 +261,7 @@ def _source() -> str:
 #include "examples/parts/text.h"
 #include "examples/parts/drawing.h"
 #include "examples/parts/room.h"
+#include "examples/python/many.h"
 #include <stddef.h>
 #define ROW(name, value, text) #name " " #value " "
 #define SIZE(type) (int)sizeof(type),
@@ -265,6 +276,8 @@ int kern_py_read(struct text_file *t, const char *data, size_t length)
 void kern_py_free(struct text_file *t) { text_free(t); }
 void kern_py_falls(const kern_task *task, double shrink, kern_motion *motion)
 { room_falls(task, shrink, motion); }
+int kern_py_many(const struct many *m, int first, int end)
+{ return many_run(m, first, end); }
 struct drawing *kern_py_drawing_new(void)
 { return calloc(1, sizeof(struct drawing)); }
 int kern_py_drawing_parse(struct text_file *t, struct drawing *d,
@@ -441,6 +454,7 @@ _drawing_notes = _declare("kern_py_drawing_notes", c_char_p, _p)
 _drawing_skips = _declare("kern_py_drawing_skips", _i, _p)
 _drawing_skip = _declare("kern_py_drawing_skip", None, _p, _i, _p, _p, _p)
 _drawing_free = _declare("kern_py_drawing_free", None, _p)
+_many = _declare("kern_py_many", _i, _p, _i, _i)
 _falls = _declare("kern_py_falls", None, _p, _r, _p)
 _draw = _declare("kern_py_draw", _i, c_char_p, _p, _p, _i, _r, _p, c_char_p, _p,
                  _p, _r, c_char_p, _i, _p, _r, c_char_p)
@@ -521,11 +535,100 @@ def _error_again(status: int, args: Tuple[str, ...],
 # ---- Arrays -----------------------------------------------------------------
 
 
-def _view(data: bytes, columns: int) -> Any:
-    """The bytes of doubles as an array of rows, which cannot be written."""
+class Array(Protocol):
+    """An array of numbers, (n, k): of numpy where it is installed, else Rows.
+    Both have a length, rows to iterate over, [i, j], shape and tolist()."""
+
+    @property
+    def shape(self) -> Tuple[int, ...]: ...
+    def __len__(self) -> int: ...
+    def __iter__(self) -> Iterator[Any]: ...
+    def __getitem__(self, key: Any) -> Any: ...
+    def __setitem__(self, key: Any, value: Any) -> None: ...
+    def tolist(self) -> List[Any]: ...
+    def tobytes(self) -> bytes: ...
+
+
+class Rows:
+    """Rows of numbers where numpy is not installed. A row is a tuple.
+
+    >>> rows = Rows(memoryview(bytearray(32)).cast("d"), 2)
+    >>> rows[1, 0] = 3
+    >>> len(rows), rows.shape, rows[1], rows[:, 0]
+    (2, (2, 2), (3.0, 0.0), [0.0, 3.0])
+    >>> [x + y for x, y in rows], rows.tolist()
+    ([0.0, 3.0], [[0.0, 0.0], [3.0, 0.0]])
+    """
+
+    def __init__(self, flat: Any, columns: int):
+        self._flat, self._columns = flat, columns
+
+    @property
+    def shape(self) -> Tuple[int, int]:
+        """How many rows and columns there are."""
+        return len(self), self._columns
+
+    def __len__(self) -> int:
+        return len(self._flat) // self._columns
+
+    def _row(self, i: int) -> Tuple[float, ...]:
+        return tuple(self._flat[i * self._columns:(i + 1) * self._columns])
+
+    def __iter__(self) -> Iterator[Tuple[float, ...]]:
+        return map(self._row, range(len(self)))
+
+    def __getitem__(self, key: Any) -> Any:
+        i, j = key if isinstance(key, tuple) else (key, slice(None))
+        where = range(len(self))[i]
+        if isinstance(where, range):
+            return [self._row(k)[j] for k in where]
+        return self._row(where)[j]
+
+    def __setitem__(self, key: Any, value: Any) -> None:
+        i, j = key if isinstance(key, tuple) else (key, slice(None))
+        start, where = range(len(self))[i] * self._columns, range(
+            self._columns)[j]
+        if isinstance(where, range):
+            if len(value) != len(where):
+                raise ValueError("%d numbers for %d columns"
+                                 % (len(value), len(where)))
+            for k, number in zip(where, value):
+                self._flat[start + k] = number
+        else:
+            self._flat[start + where] = value
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Rows) and self.tolist() == other.tolist()
+
+    def __repr__(self) -> str:
+        return "Rows(%r)" % self.tolist()
+
+    def __reduce__(self) -> Any:
+        return _rows_of, (self.tobytes(), self._columns)
+
+    def tolist(self) -> List[List[float]]:
+        """A list of lists."""
+        return [list(row) for row in self]
+
+    def tobytes(self) -> bytes:
+        """The numbers as doubles of this machine, row by row."""
+        return bytes(self._flat)
+
+    def toreadonly(self) -> Rows:
+        """The same numbers, which cannot be written."""
+        return Rows(self._flat.toreadonly(), self._columns)
+
+
+def _rows_of(data: Any, columns: int) -> Rows:
+    """Rows that show the doubles of a buffer."""
+    return Rows(memoryview(data).cast("B").cast("d"), columns)
+
+
+def _view(data: bytes, columns: int) -> Array:
+    """Returns the bytes of doubles as an array that cannot be written."""
     if numpy is not None:
-        return numpy.frombuffer(data).reshape(-1, columns)
-    return memoryview(data).cast("d", (len(data) // (8 * columns), columns))
+        return cast(Array, numpy.frombuffer(data).reshape(-1, columns))
+    return _rows_of(data, columns)
 
 
 def _doubles(data: Optional[bytes]) -> Any:
@@ -757,8 +860,7 @@ class Block:
             else:
                 memory = _numbers(ring)
                 self._address = addressof(memory)
-                array = memoryview(memory).cast("B")
-                array = array.cast("d", (len(ring), 2)) if ring else array
+                array = _rows_of(memory, 2)
         except (TypeError, ValueError) as error:
             raise ValueError("'%s': vertices are not of shape (n, 2): %s"
                              % (self.name, error)) from None
@@ -2046,6 +2148,190 @@ def overlaps(blocks: Sequence[Block], options: Optional[Options] = None
             raise KernError(found, [b.name for b in blocks], work.fault)
     return [(blocks[o.a].name, blocks[o.b].name, o.depth, o.allowed)
             for o in out]
+
+
+# ---- Many structures ---------------------------------------------------------
+
+
+@dataclass
+class Many:
+    """Answers of many(), an entry for each structure.
+
+    status: Status.STANDS, FALLS, or below 0 why there is no answer
+    margin: how far contacts can shrink [m], 0 where it falls, else nan
+    level:  steps of epsilon that it stands, -1 without an answer
+    loads:  load factors to the left and right, (n, 2), 0 where it falls
+    mechanisms: vx, vy and spin of each block, (n, blocks, 3), just past the
+            margin; nan where nothing moves
+    loads and mechanisms are None where they were not asked for."""
+    status: Any
+    margin: Any
+    level: Any
+    loads: Any = None
+    mechanisms: Any = None
+
+    def __len__(self) -> int:
+        return len(self.status)
+
+    @property
+    def stands(self) -> Any:
+        """Whether each structure stands: an array, or a list, of bools."""
+        if numpy is not None:
+            return self.status == _STANDS
+        return [status == _STANDS for status in self.status]
+
+
+def _flat(values: Any, count: int, what: str) -> Any:
+    """Returns numbers, nested as they may be, as an array of so many doubles."""
+    if numpy is not None:
+        out = numpy.ascontiguousarray(values, numpy.float64).reshape(-1)
+    else:
+        out, rest = _array("d"), [iter((values,))]
+        while rest:
+            for value in rest[-1]:
+                if isinstance(value, (int, float)):
+                    out.append(value)
+                else:
+                    rest.append(iter(value))
+                    break
+            else:
+                rest.pop()
+    if len(out) != count:
+        raise ValueError("many(): %s has %d numbers, %d are expected"
+                         % (what, len(out), count))
+    return out
+
+
+def _address(values: Any) -> Optional[int]:
+    """Returns where the numbers of _flat() or _blank() lie."""
+    if values is None:
+        return None
+    return int(values.ctypes.data if numpy is not None
+               else values.buffer_info()[0])
+
+
+def _blank(kind: str, count: int, value: float) -> Any:
+    """Returns an array of so many equal numbers: "d" doubles, "i" ints."""
+    if numpy is not None:
+        return numpy.full(count, value, numpy.dtype(kind))
+    return _array(kind, [value]) * count
+
+
+def _poses(wall: Structure, poses: Any, count: int) -> Any:
+    """Returns poses of all blocks: those that are not named stay."""
+    n = len(wall.blocks)
+    if not isinstance(poses, dict):
+        return _flat(poses, 3 * n * count, "poses")
+    out = _blank("d", 3 * n * count, 0.0)
+    for name, rows in poses.items():
+        start, own = 3 * wall._index(name), _flat(rows, 3 * count, name)
+        for k in range(3):
+            out[start + k::3 * n] = own[k::3]
+    return out
+
+
+def many(wall: Structure, *, poses: Any = None,
+         mu: Optional[Sequence[float]] = None,
+         stones: Optional[Sequence[Block]] = None, loads: bool = False,
+         mechanisms: bool = False, threads: Optional[int] = None) -> Many:
+    """Verdicts and margins of many structures that differ from one wall.
+
+    Each is solved by itself, in C: an answer depends neither on the others nor
+    on the number of threads. Structures that overlap, or that are undecided,
+    have a status below 0 and the margin nan.
+
+    wall:   a Structure or a Plan whose contacts are found, not given
+    poses:  x [m], y [m] and turn [rad] of each block of each structure, an array
+            (n, blocks, 3), or a dict of names of blocks with arrays (n, 3): a
+            block is turned about its centre of mass, then shifted
+    mu:     n frictions, tan(friction angle)
+    stones: n blocks; each is added to one structure, as its last
+    loads:  also the load factors to the left and right
+    mechanisms: also the motion of every block
+    threads: how many work at once; None: one for each processor
+
+    Raises ValueError where lengths differ or nothing is given, KernError where
+    a stone is refused, MemoryError.
+
+    >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> wall = Structure([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
+    ...                         fixed=True),
+    ...                   Block("low", box), Block("top", box).move(0, 1)])
+    >>> out = many(wall, poses={"top": [(0, 0, 0), (.35, 0, 0), (.7, 0, 0),
+    ...                                 (0, -.5, 0)]}, loads=True)
+    >>> [round(margin, 6) for margin in out.margin]
+    [0.5, 0.15, 0.0, nan]
+    >>> [bool(stands) for stands in out.stands], Status(out.status[3]).name
+    ([True, True, False, False], 'OVERLAP')
+    >>> round(out.loads[1][1], 6)
+    0.3
+    """
+    told = {"poses": next(iter(poses.values())) if isinstance(poses, dict)
+            and poses else poses, "mu": mu, "stones": stones}
+    lengths = {name: len(rows) for name, rows in told.items()
+               if rows is not None}
+    if len(set(lengths.values())) != 1:
+        raise ValueError("many(): give poses, mu or stones, as many of each; "
+                         "read %s" % (lengths or "none"))
+    with wall._lock:
+        wall._fresh()
+        if wall.given is not None:
+            raise ValueError("many(): contacts are given, which do not move "
+                             "with the blocks")
+        n, count = len(wall.blocks), lengths.popitem()[1]
+        width = n + (stones is not None)
+        own = [(b.mass is not None) + 2 * (b.centre is not None)
+               for b in wall.blocks]
+        stone = (_Block * count)()
+        for block, made in zip(stones or (), stone):
+            block._fill(made)
+
+        # What goes in and what comes out; the arrays live until C is done.
+        options = wall.options._c()
+        density = (c_double * n)(*(b.density for b in wall.blocks))
+        owned = (c_int * n)(*own)
+        pose = None if poses is None else _poses(wall, poses, count)
+        friction = None if mu is None else _flat(mu, count, "mu")
+        status, level = _blank("i", count, -1), _blank("i", count, -1)
+        margin = _blank("d", count, math.nan)
+        load = _blank("d", 2 * count, math.nan) if loads else None
+        motion = (_blank("d", 3 * width * count, math.nan) if mechanisms
+                  else None)
+        cases = _Cases(
+            addressof(wall._task.s), addressof(options), addressof(density),
+            addressof(owned), _address(pose), _address(friction),
+            addressof(stone) if stones is not None else None,
+            *map(_address, (status, level, margin, load, motion)))
+
+        # Threads take parts in turn: ctypes lets others run meanwhile.
+        workers = max(1, min(threads or os.cpu_count() or 1, count))
+        part = -(-count // (8 * workers)) if workers > 1 else max(count, 1)
+
+        def run(first: int) -> int:
+            return int(_many(byref(cases), first, min(first + part, count)))
+        starts = range(0, count, part)
+        if workers == 1:
+            done = [run(first) for first in starts]
+        else:
+            with ThreadPoolExecutor(workers) as pool:
+                done = list(pool.map(run, starts))
+    if not all(done):
+        raise MemoryError("many()")
+    return Many(status, margin, level, _shaped(load, (count, 2)),
+                _shaped(motion, (count, width, 3)))
+
+
+def _shaped(values: Any, shape: Tuple[int, ...]) -> Any:
+    """Returns an array of rows, or of arrays of rows."""
+    if values is None:
+        return None
+    if numpy is not None:
+        return values.reshape(shape)
+    if len(shape) == 2:
+        return _rows_of(values, shape[1])
+    size = shape[1] * shape[2]
+    return [_rows_of(values[i * size:(i + 1) * size], shape[2])
+            for i in range(shape[0])]
 
 
 # ---- Text files, drawings, photographs ---------------------------------------
