@@ -355,7 +355,7 @@ class Calls(unittest.TestCase):
 
     def test_given_contacts(self):
         made = kern.contact_make(0, 1, (0, 1), (0, 0), (1, 0), mu=0.3)
-        s = Structure(two(0)[:2], kern.contact_travels(made))
+        s = Structure(two(0)[:2], contacts=kern.contact_travels(made))
         self.assertEqual(s.contacts, made)
         self.assertAlmostEqual(s.load_factor(kern.RIGHT), 0.3, 6)
         self.assertEqual(made[0].at(0.1), (0.1, 0.0))
@@ -602,7 +602,7 @@ class ManyWalls(unittest.TestCase):
                 ("poses has 9 numbers, 12 are", lambda: kern.many(
                     wall, poses=[poses[0][:3]])),
                 ("contacts are given", lambda: kern.many(
-                    Structure(two(0)[:2], made), mu=[0.4])),
+                    Structure(two(0)[:2], contacts=made), mu=[0.4])),
                 ("'flat': ", lambda: kern.many(wall, stones=[
                     Block("flat", [(0, 0), (1, 0), (2, 0)])]))):
             with self.assertRaisesRegex(ValueError, words):
@@ -631,6 +631,167 @@ class ManyWalls(unittest.TestCase):
             m = Structure(blocks, options=Options(mu=row["mu"])).measure()
             self.assertEqual(row["status"], "STANDS" if m else "FALLS")
             self.assertAlmostEqual(row["margin"], m.margin if m else 0, 6)
+
+
+def there(module):
+    """Whether a package is installed."""
+    try:
+        return __import__(module)
+    except ImportError:
+        return None
+
+
+class Conventions(unittest.TestCase):
+    def test_blocks_by_name(self):
+        s = Structure(two(0.2))
+        self.assertIs(s["top"], s.blocks[2])
+        self.assertIs(s[-1], s[2])
+        self.assertEqual([b.name for b in s], ["ground", "low", "top"])
+        self.assertEqual(("top" in s, "x" in s, s[1] in s), (True, False, True))
+        with self.assertRaisesRegex(KeyError, "no block is named 'x'"):
+            s["x"]
+        with self.assertRaises(IndexError):
+            s[3]
+        for call in (lambda: Structure(two(0), Options()),
+                     lambda: Plan(two(0), Options())):
+            with self.assertRaisesRegex(TypeError, "positional"):
+                call()
+
+    def test_sides(self):
+        """A side is an enum, and its number."""
+        s = Structure(two(0.2))
+        self.assertEqual([side.name for side in kern.Side],
+                         ["LEFT", "SHRINK", "RIGHT"])
+        self.assertEqual(s.tilt(kern.Side.LEFT), s.tilt(-1))
+
+    def test_answers_as_dicts(self):
+        """Fields of answers are numbers; a table has no columns of bytes."""
+        s = Structure(two(0.2))
+        deep = Plan(two(0)[:2]).try_(Block("top", BOX).move(0, 0.5))
+        for answer in (s.verdict(), s.measure(), s.let_go(), s.raised(),
+                       s.profile(), s.critical(), s.contacts[0], deep,
+                       s.blocks[1], *s.sensitivity()[0]):
+            told = answer.as_dict()
+            self.assertFalse([key for key in told if key[0] == "_"])
+            json.dumps(told)
+        self.assertIn("'low' and 'top'", deep.as_dict()["refused"])
+        pandas = there("pandas")
+        if pandas:
+            table = pandas.DataFrame([s.measure(), deep])
+            self.assertEqual(list(table)[:3], ["stands", "margin", "holds"])
+            self.assertFalse([c for c in table if c[0] == "_"])
+
+    def test_rows(self):
+        """Arrays are iterated over, with numpy or without."""
+        s = Structure(two(0.2))
+        for x, y in s["top"].vertices:
+            self.assertTrue(0.2 <= x <= 1.2 and 1 <= y <= 2)
+        self.assertEqual(len([n for n, t in s.verdict().forces]), 4)
+        self.assertEqual(len([n for n, t in s.forces()]), 4)
+        self.assertEqual([len(row) for row in s.measure().motion], [3, 3, 3])
+        rows = kern.Rows(memoryview(bytearray(32)).cast("d"), 2)
+        rows[1] = (3, 4)
+        rows[0, 1] = 2
+        self.assertEqual((rows[1], rows[-1, 0], rows[:, 1], rows[0:1]),
+                         ((3, 4), 3, [2, 4], [(0, 2)]))
+        self.assertEqual(pickle.loads(pickle.dumps(rows)), rows)
+        for bad in (lambda: rows[2], lambda: rows[0, 2]):
+            with self.assertRaises(IndexError):
+                bad()
+        with self.assertRaises(ValueError):
+            rows[0] = (1, 2, 3)
+        with self.assertRaises(TypeError):
+            rows.toreadonly()[0, 0] = 1
+
+    def test_holes_and_parts(self):
+        """Are refused by the name of the block."""
+        class Ring:
+            coords = BOX
+
+        class Polygon:
+            exterior = Ring()
+            interiors = (Ring(), Ring())
+
+        class MultiPolygon:
+            geoms = (Ring(),) * 3
+        with self.assertRaisesRegex(ValueError, "'a': the polygon has 2 holes"):
+            Block("a", Polygon())
+        with self.assertRaisesRegex(ValueError, "'a': a MultiPolygon of 3 parts"):
+            Block("a", MultiPolygon())
+        shapely = there("shapely.geometry")
+        if shapely:
+            s, made = Structure(two(0.2)), shapely.geometry
+            self.assertEqual(s.to_shapely().area, 9)
+            self.assertEqual(Block("top", s["top"].to_shapely()), s["top"])
+            with self.assertRaisesRegex(ValueError, "has 1 hole,"):
+                Block("a", s["low"].to_shapely().difference(
+                    made.Point(0.5, 0.5).buffer(0.1)))
+            with self.assertRaisesRegex(ValueError, "of 3 parts"):
+                Block("a", s.to_shapely())
+
+    def test_all_overlaps(self):
+        """An error of overlaps names all pairs; it is pickled with them."""
+        deep = [*two(0), Block("third", BOX).move(0, 1.5)]
+        deep[1].move(0, -0.25)
+        with self.assertRaises(kern.KernError) as caught:
+            Structure(deep)
+        error = caught.exception
+        self.assertEqual([pair[:2] for pair in error.overlaps],
+                         [("ground", "low"), ("top", "third")])
+        self.assertIn("0.25 deep; 0.001 is allowed", str(error))
+        self.assertRegex(str(error), r"; also 'top' and 'third' \(0.\d+ deep\)")
+        again = pickle.loads(pickle.dumps(error))
+        self.assertEqual((str(again), again.overlaps),
+                         (str(error), error.overlaps))
+        plan = Plan(two(0))
+        with self.assertRaises(kern.KernError) as caught:
+            plan.add(Block("x", [(0, 0.5), (1, 0.5), (1, 1.5), (0, 1.5)]))
+        self.assertEqual([pair[:2] for pair in caught.exception.overlaps],
+                         [("low", "x"), ("top", "x")])
+
+    def test_interval(self):
+        """Stands for certain, falls for certain, or neither."""
+        for x, stands in ((0.1, True), (0.5, None), (0.8, False)):
+            i = Structure(two(x), options=Options().measured(
+                0.01, 0.01)).interval()
+            self.assertEqual((i.stands, i.certain),
+                             (stands, stands is not None), x)
+
+    def test_plot(self):
+        class Axes:
+            def __init__(self):
+                self.calls = []
+
+            def __getattr__(self, name):
+                return lambda *a, **k: self.calls.append(name)
+        axes = Axes()
+        self.assertIs(Structure(two(0.2)).plot(axes), axes)
+        self.assertEqual([axes.calls.count(name) for name in (
+            "fill", "annotate", "plot", "set_title")], [3, 3, 4, 1])
+        matplotlib = there("matplotlib")
+        if matplotlib:
+            matplotlib.use("svg")
+            ax = Structure(two(0.7)).plot()
+            self.assertEqual(len(ax.patches), 3)
+            ax.figure.clf()
+
+    def test_manual(self):
+        """Everything public has a docstring that does not begin with a name of
+        C, and help() has the chapters."""
+        self.assertIn("Questions to a structure", kern.__doc__)
+        for name in set(kern.__all__) - {"Array"}:
+            thing = getattr(kern, name)
+            things = [(name, thing)] if callable(thing) else []
+            if isinstance(thing, type):
+                things += [("%s.%s" % (name, key), value)
+                           for key, value in vars(thing).items()
+                           if key[0] != "_" and (callable(value) or isinstance(
+                               value, property))]
+            for key, value in things:
+                if isinstance(thing, type) and issubclass(thing, int):
+                    continue
+                self.assertTrue(value.__doc__, key)
+                self.assertFalse(value.__doc__.startswith("kern_"), key)
 
 
 class BadInput(unittest.TestCase):
