@@ -794,6 +794,55 @@ class Conventions(unittest.TestCase):
                 self.assertFalse(value.__doc__.startswith("kern_"), key)
 
 
+class Environment(unittest.TestCase):
+    def episodes(self, seed, actions):
+        """Rewards and last observations of some episodes."""
+        import env
+        e, out = env.Stacking(), []
+        e.reset(seed=seed)
+        for action in actions:
+            seen, reward, terminated, _, info = e.step(action)
+            out.append((list(seen), reward, terminated, info))
+            if terminated:
+                e.reset()
+        return e, out
+
+    def test_same_episodes(self):
+        """A seed and actions tell all that follows."""
+        draw = random.Random(5)
+        actions = [draw.randrange(24) for _ in range(200)]
+        _, a = self.episodes(3, actions)
+        self.assertEqual(a, self.episodes(3, actions)[1])
+        self.assertNotEqual(a, self.episodes(4, actions)[1])
+        ends = [terminated for _, _, terminated, _ in a]
+        self.assertTrue(10 < sum(ends) < 150)
+
+    def test_rewards_are_proven(self):
+        """Forces prove the margin that is rewarded, a motion that it falls."""
+        e, told = self.episodes(1, [12, 12])
+        m = e.plan.measure()
+        self.assertLessEqual(e.plan.check_forces(m.forces, m.holds), 1)
+        gained = e.laid[1][2] - e.laid[0][2]
+        self.assertAlmostEqual(told[1][1], gained + min(
+            m.holds, e.PROVEN) / e.PROVEN)
+        falls = 0
+        for place in range(24):
+            e, told = self.episodes(2, [12, place])
+            if not told[1][3]["stands"]:
+                falls += 1
+                self.assertEqual(told[1][1:3], (-1, True))
+        self.assertGreater(falls, 0)
+
+    def test_checked(self):
+        import doctest
+        import env
+        self.assertEqual(doctest.testmod(env).failed, 0)
+        if env.gymnasium is None:
+            self.skipTest("no gymnasium")
+        from gymnasium.utils.env_checker import check_env
+        check_env(env.Stacking(), skip_render_check=True)
+
+
 class BadInput(unittest.TestCase):
     def refuse(self, status, blocks, call):
         with self.assertRaises(kern.KernError) as caught:
