@@ -389,7 +389,7 @@ class Calls(unittest.TestCase):
 
     def test_given_contacts(self):
         made = kern.contact_make(0, 1, (0, 1), (0, 0), (1, 0), mu=0.3)
-        s = Structure(two(0)[:2], kern.contact_travels(made))
+        s = Structure(two(0)[:2], contacts=kern.contact_travels(made))
         self.assertEqual(s.contacts, made)
         self.assertAlmostEqual(s.load_factor(kern.RIGHT), 0.3, 6)
         self.assertEqual(made[0].at(0.1), (0.1, 0.0))
@@ -537,6 +537,344 @@ class Calls(unittest.TestCase):
         self.assertEqual(out.status, Status.LP_INFEASIBLE)
         with self.assertRaises(ValueError):
             kern.lp_solve([[1.0], [1.0, 2.0]], [1.0, 1.0])
+
+
+def tower(n, seed):
+    """A tower of three boxes, and n poses of all its blocks."""
+    draw = random.Random(seed)
+    wall = Structure([*two(0), Block("third", BOX, mass=2.0,
+                                     centre=(0.4, 2.5)).move(0, 2)])
+    poses = [[(0, 0, 0)] + [(draw.uniform(-.4, .4), 0, draw.uniform(-.001, .001))
+                            for _ in wall.blocks[1:]] for _ in range(n)]
+    return wall, poses
+
+
+def margins_of(part):
+    """For a process of a pool."""
+    return [float(m) for m in kern.many(tower(0, 0)[0], poses=part).margin]
+
+
+class ManyWalls(unittest.TestCase):
+    def one_by_one(self, wall, pose):
+        """What many() says of one structure, by the way of one."""
+        blocks = [b.copy().move(*p) for b, p in zip(wall.blocks, pose)]
+        try:
+            s = Structure(blocks, options=wall.options)
+        except kern.KernError as error:
+            return int(error.status), None, -1, None, None
+        m = s.measure()
+        return (int(Status.STANDS if m else Status.FALLS), m.margin, m.level,
+                [s.load_factor(side) or 0.0 for side in (kern.LEFT, kern.RIGHT)],
+                None if m.motion is None else m.motion.tolist())
+
+    def test_same_as_one_by_one(self):
+        """Every answer has the bits of a structure that was made by itself."""
+        wall, poses = tower(60, 1)
+        poses[7][2] = (0.1, -0.3, 0)
+        out = kern.many(wall, poses=poses, loads=True, mechanisms=True)
+        seen = set()
+        for i, pose in enumerate(poses):
+            status, margin, level, loads, motion = self.one_by_one(wall, pose)
+            seen.add(status)
+            self.assertEqual((out.status[i], out.level[i]), (status, level))
+            if margin is None:
+                self.assertTrue(math.isnan(out.margin[i]))
+                self.assertTrue(math.isnan(out.mechanisms[i][3][0]))
+                continue
+            self.assertEqual(out.margin[i], margin)
+            self.assertEqual(list(out.loads[i]), loads)
+            self.assertEqual(out.mechanisms[i].tolist(), motion)
+        self.assertEqual(seen, {Status.STANDS, Status.FALLS, Status.OVERLAP})
+        self.assertEqual((len(out), [bool(x) for x in out.stands]),
+                         (60, [k == Status.STANDS for k in out.status]))
+
+    def test_threads_and_processes(self):
+        """Any number of threads, and processes, give the same bits."""
+        wall, poses = tower(200, 2)
+        want = list(kern.many(wall, poses=poses, threads=1).margin)
+        for threads in (2, 3, 16, None):
+            self.assertEqual(list(kern.many(
+                wall, poses=poses, threads=threads).margin), want)
+        with multiprocessing.Pool(2) as pool:
+            parts = pool.map(margins_of, [poses[:70], poses[70:]])
+        self.assertEqual(parts[0] + parts[1], want)
+
+    def test_friction_and_stones(self):
+        """A friction each; a stone each, named poses, a plan as the wall."""
+        slope = Structure(two(0)[:2], gravity=(3, -10))
+        self.assertEqual([bool(s) for s in kern.many(
+            slope, mu=[0.2, 0.29, 0.31, 0.5]).stands], [False] * 2 + [True] * 2)
+        stones = [Block("top", BOX).move(x, 1) for x in (0, 0.2, 0.7, 5)]
+        out = kern.many(Plan(two(0)[:2]), stones=stones, mechanisms=True)
+        self.assertEqual([Status(s).name for s in out.status],
+                         ["STANDS", "STANDS", "FALLS", "FALLS"])
+        self.assertEqual(out.margin[1], Structure(two(0.2)).measure().margin)
+        self.assertEqual(len(out.mechanisms[2]), 3)
+        named = kern.many(Structure(two(0)), poses={"top": [(0.2, 0, 0)]})
+        self.assertAlmostEqual(named.margin[0], out.margin[1])
+        self.assertIsNone(named.loads)
+
+    def test_room(self):
+        """Where contacts find no room there are more."""
+        saw = [(x / 2 - 8, 0.2 * (x % 2)) for x in range(33)]
+        wall = Structure([
+            Block("ground", [(-8, -1), (8, -1), *saw[::-1]], fixed=True),
+            Block("saw", [*saw, (8, 1), (-8, 1)])])
+        self.assertGreater(len(wall.contacts), 48)
+        out = kern.many(wall, mu=[0.4] * 3)
+        self.assertEqual([float(m) for m in out.margin],
+                         [wall.measure().margin] * 3)
+
+    def test_refused(self):
+        wall, poses = tower(3, 1)
+        made = kern.contact_travels(kern.contact_make(0, 1, (0, 1), (0, 0),
+                                                      (1, 0)))
+        for words, call in (
+                ("give poses, mu or stones", lambda: kern.many(wall)),
+                ("'poses': 3, 'mu': 1", lambda: kern.many(
+                    wall, poses=poses, mu=[0.4])),
+                ("poses has 9 numbers, 12 are", lambda: kern.many(
+                    wall, poses=[poses[0][:3]])),
+                ("contacts are given", lambda: kern.many(
+                    Structure(two(0)[:2], contacts=made), mu=[0.4])),
+                ("'flat': ", lambda: kern.many(wall, stones=[
+                    Block("flat", [(0, 0), (1, 0), (2, 0)])]))):
+            with self.assertRaisesRegex(ValueError, words):
+                call()
+        out = kern.many(wall, poses={"low": [(math.nan, 0, 0)]})
+        self.assertEqual(Status(out.status[0]), Status.BAD_NUMBER)
+        out = kern.many(wall, mu=[-1, 0.4])
+        self.assertEqual([Status(s) for s in out.status],
+                         [Status.BAD_FRICTION, Status.STANDS])
+        self.assertEqual(len(kern.many(wall, mu=[])), 0)
+        with self.assertRaisesRegex(KeyError, "no block is named 'x'"):
+            kern.many(wall, poses={"x": [(0, 0, 0)]})
+
+    def test_labels(self):
+        """The example writes the same lines in one process and in a pool."""
+        runs = [subprocess.run(
+            [sys.executable, *(["-S"] if kern.numpy is None else []),
+             str(MODULE / "labels.py"), "600", *more], check=True,
+            stdout=subprocess.PIPE).stdout for more in ([], ["--on", "pool"])]
+        self.assertEqual(runs[0], runs[1])
+        rows = [json.loads(line) for line in runs[0].splitlines()]
+        self.assertEqual(len(rows), 600)
+        for row in rows[::97]:
+            blocks = [Block(name, v, density=2400, fixed=name in row["fixed"])
+                      for name, v in row["blocks"].items()]
+            m = Structure(blocks, options=Options(mu=row["mu"])).measure()
+            self.assertEqual(row["status"], "STANDS" if m else "FALLS")
+            self.assertAlmostEqual(row["margin"], m.margin if m else 0, 6)
+
+
+def there(module):
+    """Whether a package is installed."""
+    try:
+        return __import__(module)
+    except ImportError:
+        return None
+
+
+class Conventions(unittest.TestCase):
+    def test_blocks_by_name(self):
+        s = Structure(two(0.2))
+        self.assertIs(s["top"], s.blocks[2])
+        self.assertIs(s[-1], s[2])
+        self.assertEqual([b.name for b in s], ["ground", "low", "top"])
+        self.assertEqual(("top" in s, "x" in s, s[1] in s), (True, False, True))
+        with self.assertRaisesRegex(KeyError, "no block is named 'x'"):
+            s["x"]
+        with self.assertRaises(IndexError):
+            s[3]
+        for call in (lambda: Structure(two(0), Options()),
+                     lambda: Plan(two(0), Options())):
+            with self.assertRaisesRegex(TypeError, "positional"):
+                call()
+
+    def test_sides(self):
+        """A side is an enum, and its number."""
+        s = Structure(two(0.2))
+        self.assertEqual([side.name for side in kern.Side],
+                         ["LEFT", "SHRINK", "RIGHT"])
+        self.assertEqual(s.tilt(kern.Side.LEFT), s.tilt(-1))
+
+    def test_answers_as_dicts(self):
+        """Fields of answers are numbers; a table has no columns of bytes."""
+        s = Structure(two(0.2))
+        deep = Plan(two(0)[:2]).try_(Block("top", BOX).move(0, 0.5))
+        for answer in (s.verdict(), s.measure(), s.let_go(), s.raised(),
+                       s.profile(), s.critical(), s.contacts[0], deep,
+                       s.blocks[1], *s.sensitivity()[0]):
+            told = answer.as_dict()
+            self.assertFalse([key for key in told if key[0] == "_"])
+            json.dumps(told)
+        self.assertIn("'low' and 'top'", deep.as_dict()["refused"])
+        pandas = there("pandas")
+        if pandas:
+            table = pandas.DataFrame([s.measure(), deep])
+            self.assertEqual(list(table)[:3], ["stands", "margin", "holds"])
+            self.assertFalse([c for c in table if c[0] == "_"])
+
+    def test_rows(self):
+        """Arrays are iterated over, with numpy or without."""
+        s = Structure(two(0.2))
+        for x, y in s["top"].vertices:
+            self.assertTrue(0.2 <= x <= 1.2 and 1 <= y <= 2)
+        self.assertEqual(len([n for n, t in s.verdict().forces]), 4)
+        self.assertEqual(len([n for n, t in s.forces()]), 4)
+        self.assertEqual([len(row) for row in s.measure().motion], [3, 3, 3])
+        rows = kern.Rows(memoryview(bytearray(32)).cast("d"), 2)
+        rows[1] = (3, 4)
+        rows[0, 1] = 2
+        self.assertEqual((rows[1], rows[-1, 0], rows[:, 1], rows[0:1]),
+                         ((3, 4), 3, [2, 4], [(0, 2)]))
+        self.assertEqual(pickle.loads(pickle.dumps(rows)), rows)
+        for bad in (lambda: rows[2], lambda: rows[0, 2]):
+            with self.assertRaises(IndexError):
+                bad()
+        with self.assertRaises(ValueError):
+            rows[0] = (1, 2, 3)
+        with self.assertRaises(TypeError):
+            rows.toreadonly()[0, 0] = 1
+
+    def test_holes_and_parts(self):
+        """Are refused by the name of the block."""
+        class Ring:
+            coords = BOX
+
+        class Polygon:
+            exterior = Ring()
+            interiors = (Ring(), Ring())
+
+        class MultiPolygon:
+            geoms = (Ring(),) * 3
+        with self.assertRaisesRegex(ValueError, "'a': the polygon has 2 holes"):
+            Block("a", Polygon())
+        with self.assertRaisesRegex(ValueError, "'a': a MultiPolygon of 3 parts"):
+            Block("a", MultiPolygon())
+        shapely = there("shapely.geometry")
+        if shapely:
+            s, made = Structure(two(0.2)), shapely.geometry
+            self.assertEqual(s.to_shapely().area, 9)
+            self.assertEqual(Block("top", s["top"].to_shapely()), s["top"])
+            with self.assertRaisesRegex(ValueError, "has 1 hole,"):
+                Block("a", s["low"].to_shapely().difference(
+                    made.Point(0.5, 0.5).buffer(0.1)))
+            with self.assertRaisesRegex(ValueError, "of 3 parts"):
+                Block("a", s.to_shapely())
+
+    def test_all_overlaps(self):
+        """An error of overlaps names all pairs; it is pickled with them."""
+        deep = [*two(0), Block("third", BOX).move(0, 1.5)]
+        deep[1].move(0, -0.25)
+        with self.assertRaises(kern.KernError) as caught:
+            Structure(deep)
+        error = caught.exception
+        self.assertEqual([pair[:2] for pair in error.overlaps],
+                         [("ground", "low"), ("top", "third")])
+        self.assertIn("0.25 deep; 0.001 is allowed", str(error))
+        self.assertRegex(str(error), r"; also 'top' and 'third' \(0.\d+ deep\)")
+        again = pickle.loads(pickle.dumps(error))
+        self.assertEqual((str(again), again.overlaps),
+                         (str(error), error.overlaps))
+        plan = Plan(two(0))
+        with self.assertRaises(kern.KernError) as caught:
+            plan.add(Block("x", [(0, 0.5), (1, 0.5), (1, 1.5), (0, 1.5)]))
+        self.assertEqual([pair[:2] for pair in caught.exception.overlaps],
+                         [("low", "x"), ("top", "x")])
+
+    def test_interval(self):
+        """Stands for certain, falls for certain, or neither."""
+        for x, stands in ((0.1, True), (0.5, None), (0.8, False)):
+            i = Structure(two(x), options=Options().measured(
+                0.01, 0.01)).interval()
+            self.assertEqual((i.stands, i.certain),
+                             (stands, stands is not None), x)
+
+    def test_plot(self):
+        class Axes:
+            def __init__(self):
+                self.calls = []
+
+            def __getattr__(self, name):
+                return lambda *a, **k: self.calls.append(name)
+        axes = Axes()
+        self.assertIs(Structure(two(0.2)).plot(axes), axes)
+        self.assertEqual([axes.calls.count(name) for name in (
+            "fill", "annotate", "plot", "set_title")], [3, 3, 4, 1])
+        matplotlib = there("matplotlib")
+        if matplotlib:
+            matplotlib.use("svg")
+            ax = Structure(two(0.7)).plot()
+            self.assertEqual(len(ax.patches), 3)
+            ax.figure.clf()
+
+    def test_manual(self):
+        """Everything public has a docstring that does not begin with a name of
+        C, and help() has the chapters."""
+        self.assertIn("Questions to a structure", kern.__doc__)
+        for name in set(kern.__all__) - {"Array"}:
+            thing = getattr(kern, name)
+            things = [(name, thing)] if callable(thing) else []
+            if isinstance(thing, type):
+                things += [("%s.%s" % (name, key), value)
+                           for key, value in vars(thing).items()
+                           if key[0] != "_" and (callable(value) or isinstance(
+                               value, property))]
+            for key, value in things:
+                if isinstance(thing, type) and issubclass(thing, int):
+                    continue
+                self.assertTrue(value.__doc__, key)
+                self.assertFalse(value.__doc__.startswith("kern_"), key)
+
+
+class Environment(unittest.TestCase):
+    def episodes(self, seed, actions):
+        """Rewards and last observations of some episodes."""
+        import env
+        e, out = env.Stacking(), []
+        e.reset(seed=seed)
+        for action in actions:
+            seen, reward, terminated, _, info = e.step(action)
+            out.append((list(seen), reward, terminated, info))
+            if terminated:
+                e.reset()
+        return e, out
+
+    def test_same_episodes(self):
+        """A seed and actions tell all that follows."""
+        draw = random.Random(5)
+        actions = [draw.randrange(24) for _ in range(200)]
+        _, a = self.episodes(3, actions)
+        self.assertEqual(a, self.episodes(3, actions)[1])
+        self.assertNotEqual(a, self.episodes(4, actions)[1])
+        ends = [terminated for _, _, terminated, _ in a]
+        self.assertTrue(10 < sum(ends) < 150)
+
+    def test_rewards_are_proven(self):
+        """Forces prove the margin that is rewarded, a motion that it falls."""
+        e, told = self.episodes(1, [12, 12])
+        m = e.plan.measure()
+        self.assertLessEqual(e.plan.check_forces(m.forces, m.holds), 1)
+        gained = e.laid[1][2] - e.laid[0][2]
+        self.assertAlmostEqual(told[1][1], gained + min(
+            m.holds, e.PROVEN) / e.PROVEN)
+        falls = 0
+        for place in range(24):
+            e, told = self.episodes(2, [12, place])
+            if not told[1][3]["stands"]:
+                falls += 1
+                self.assertEqual(told[1][1:3], (-1, True))
+        self.assertGreater(falls, 0)
+
+    def test_checked(self):
+        import doctest
+        import env
+        self.assertEqual(doctest.testmod(env).failed, 0)
+        if env.gymnasium is None:
+            self.skipTest("no gymnasium")
+        from gymnasium.utils.env_checker import check_env
+        check_env(env.Stacking(), skip_render_check=True)
 
 
 class BadInput(unittest.TestCase):

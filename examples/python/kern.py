@@ -14,11 +14,38 @@ once and installs both. This file may be linked to from elsewhere, since it look
 for the headers beside where it really is. A copy of it needs a library:
 KERN_LIBRARY names one that `python3 kern.py --build FILE` made.
 
-Units, conventions and the meaning of every number are those of kern.h. A
-`Structure` and a `Plan` have private copies of their blocks and work memory of
-their own, and answer one thread at a time. Bad input raises `KernError`, which
-names the blocks. Blocks, structures, plans, answers and errors can be pickled and
-copied.
+Structures
+    Block(name, vertices, ...) is a stone, or ground with fixed=True.
+    Structure(blocks, options=Options(mu=0.6)) finds the contacts between them.
+    read(path), parse(text), from_labelme(page) and from_coco(page) make one of
+    files, drawings and photographs; save(path) writes one.
+    wall["s3"] is a block; wall.move("s3", 0.1, 0) moves it.
+
+Questions to a structure
+    verdict()                does it stand?
+    let_go(), stays(block)   does it stay when all of it, or a block, is let go?
+    measure()                margin: how far may every contact shrink?
+    load_factor(side), tilt(side), raised_load(side), live(loads): how much load?
+    profile(), critical(), sensitivity(): which block, which contact, and why?
+    interval()               how certain is that, of stones that were measured?
+    svg(), plot(ax)          how does it look?
+    An answer is true where the structure stands, has forces and motion as its
+    proof, which check_forces() and check_motion() check again, and as_dict().
+
+Questions about many
+    Plan(blocks) asks what one more block would do: try_(), bears(), try_stays().
+    many(wall, poses=...) answers for arrays of structures, in C, on all
+    processors.
+
+Units are metres, kilograms, newtons and radians; y points up, gravity is
+(0, -9.81). Any other units that agree will do. A density is a mass a square
+metre. An array has rows, shape, [i, j] and tolist(), with numpy or without.
+Bad input raises KernError, a ValueError that names the blocks; a word where a
+number belongs raises TypeError.
+
+A Structure and a Plan have private copies of their blocks and work memory of
+their own, and answer one thread at a time. Blocks, structures, plans, answers
+and errors can be pickled and copied.
 
 SPDX-License-Identifier: MIT
 """
@@ -29,6 +56,7 @@ import ctypes
 import enum
 import functools
 import hashlib
+import importlib
 import json
 import math
 import operator
@@ -40,11 +68,14 @@ import sys
 import tempfile
 import threading
 import warnings
+from array import array as _array
+from concurrent.futures import ThreadPoolExecutor
 from ctypes import (POINTER, addressof, byref, c_char_p, c_double, c_int,
                     c_void_p)
-from dataclasses import dataclass, field
-from typing import (Any, Callable, Dict, Iterable, List, NamedTuple, Optional,
-                    Sequence, Tuple, TypeVar, Union)
+from dataclasses import dataclass, field, fields
+from typing import (Any, Callable, Dict, Iterable, Iterator, List,
+                    NamedTuple, Optional, Protocol, Sequence, Tuple, TypeVar,
+                    Union, cast)
 
 try:
     import numpy
@@ -57,11 +88,12 @@ if os.name != "posix":
 
 __version__ = "0.2.0"
 __all__ = [
-    "LEFT", "SHRINK", "RIGHT", "Status", "KernError", "Options", "Body",
+    "LEFT", "SHRINK", "RIGHT", "Side", "Status", "KernError", "Options", "Body",
     "Block", "Contact", "contact_make", "contact_travels", "work_need",
-    "Verdict", "Raising", "End", "Raised", "LetGo", "Margin", "Factor", "Profile", "Critical",
-    "ContactRate", "BlockRate", "Solution", "Structure", "Plan", "Place",
-    "overlaps",
+    "Verdict", "Raising", "End", "Raised", "LetGo", "Margin", "Factor",
+    "Profile", "Critical", "ContactRate", "BlockRate", "Solution", "Structure",
+    "Plan", "Place", "overlaps", "example", "Many", "many", "Array",
+    "Rows",
     "parse", "read", "from_labelme", "from_coco", "DrawingWarning",
     "simplified", "lp_solve",
     "status_text", "build",
@@ -69,7 +101,16 @@ __all__ = [
 
 Point = Tuple[float, float]
 
-LEFT, SHRINK, RIGHT = -1, 0, 1  # sides of load_factor(), tilt(), profile()
+
+
+class Side(enum.IntEnum):
+    """A side of load_factor(), raised_load(), tilt() and profile()."""
+    LEFT = -1
+    SHRINK = 0  # neither: contacts shrink
+    RIGHT = 1
+
+
+LEFT, SHRINK, RIGHT = Side.LEFT, Side.SHRINK, Side.RIGHT
 
 # ---- Structures of the headers ----------------------------------------------
 
@@ -215,6 +256,12 @@ class _Text(ctypes.Structure):
                 ("text", c_void_p), ("vertex", c_void_p)]
 
 
+class _Cases(ctypes.Structure):
+    _fields_ = [(name, c_void_p) for name in (
+        "wall", "options", "density", "own", "pose", "mu", "stone", "status",
+        "level", "margin", "load", "motion")]
+
+
 class _Asked(ctypes.Structure):
     _fields_ = [("layer", c_void_p), ("layers", c_int),
                 ("densities", c_void_p), ("density_words", c_int),
@@ -236,12 +283,14 @@ _LAYOUTS = {
     "kern_plan": _Plan, "kern_pose": _Pose, "kern_place": _Place,
     "kern_lp": _Lp, "struct text_live": _Live,
     "struct text_file": _Text, "struct shapes_asked": _Asked,
+    "struct many": _Cases,
 }
 
 # ---- The library ------------------------------------------------------------
 
 _ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-_HEADERS = ("kern.h", "kern_lp.h", *("examples/parts/%s.h" % part for part in (
+_HEADERS = ("kern.h", "kern_lp.h", "examples/python/many.h", *(
+    "examples/parts/%s.h" % part for part in (
     "draw", "drawing", "dxf", "falls", "image", "lines", "outlines", "room",
     "shapes", "statements", "svg", "text", "tokens", "words")))
 _FLAGS = ("-O2", "-ffp-contract=off", "-shared", "-fPIC", "-I%s" % _ROOT)
@@ -262,6 +311,7 @@ def _source() -> str:
 #include "examples/parts/text.h"
 #include "examples/parts/drawing.h"
 #include "examples/parts/room.h"
+#include "examples/python/many.h"
 #include <stddef.h>
 #define ROW(name, value, text) #name " " #value " "
 #define SIZE(type) (int)sizeof(type),
@@ -276,6 +326,8 @@ int kern_py_read(struct text_file *t, const char *data, size_t length)
 void kern_py_free(struct text_file *t) { text_free(t); }
 void kern_py_falls(const kern_task *task, double shrink, kern_motion *motion)
 { room_falls(task, shrink, motion); }
+int kern_py_many(const struct many *m, int first, int end)
+{ return many_run(m, first, end); }
 struct drawing *kern_py_drawing_new(void)
 { return calloc(1, sizeof(struct drawing)); }
 int kern_py_drawing_parse(struct text_file *t, struct drawing *d,
@@ -326,7 +378,7 @@ int kern_py_draw(const char *path, const kern_structure *s, char *const *names,
 """ % "\n".join(layout)
 
 
-def build(path: Union[str, os.PathLike]) -> None:
+def build(path: Union[str, os.PathLike[str]]) -> None:
     """Compiles the library into a file, which appears there as a whole."""
     target = pathlib.Path(path).resolve()
     with tempfile.TemporaryDirectory(dir=target.parent) as folder:
@@ -455,6 +507,7 @@ _drawing_notes = _declare("kern_py_drawing_notes", c_char_p, _p)
 _drawing_skips = _declare("kern_py_drawing_skips", _i, _p)
 _drawing_skip = _declare("kern_py_drawing_skip", None, _p, _i, _p, _p, _p)
 _drawing_free = _declare("kern_py_drawing_free", None, _p)
+_many = _declare("kern_py_many", _i, _p, _i, _i)
 _falls = _declare("kern_py_falls", None, _p, _r, _p)
 _draw = _declare("kern_py_draw", _i, c_char_p, _p, _p, _i, _r, _p, c_char_p, _p,
                  _p, _r, c_char_p, _i, _p, _r, c_char_p)
@@ -462,7 +515,7 @@ _draw = _declare("kern_py_draw", _i, c_char_p, _p, _p, _i, _r, _p, c_char_p, _p,
 
 def _statuses() -> Any:
     words = _declare("kern_py_statuses", c_char_p)().decode().split()
-    return enum.IntEnum("Status", {  # type: ignore
+    return enum.IntEnum("Status", {
         name.replace("KERN_", "", 1): int(value)
         for name, value in zip(words[::2], words[1::2])})
 
@@ -477,16 +530,23 @@ def status_text(status: int) -> str:
     >>> status_text(Status.FALLS)
     'falls: a motion was found that no forces can stop'
     """
-    return _status_text(status).decode()
+    return str(_status_text(status).decode())
 
 
 class KernError(ValueError):
-    """A status below zero: the library refused its input, or was undecided.
+    """The library refused its input, or could not decide.
 
-    status: the Status; blocks: names of the blocks at fault; index: of the
-    vertex or contact point, or -1; value: an overlap is at least so deep
-    (overlaps() measures it), or 0; margin: of measure() with Status.LIMIT, the
-    bracket that was proven by then, else None.
+    status:   the Status, below 0
+    blocks:   names of the blocks at fault, none, one or two
+    index:    of the vertex or contact point at fault, or -1
+    value:    the depth of an overlap [m], or 0; of a plan's candidate it is at
+              least so deep
+    overlaps: of all blocks that overlap two names, the depth, and what is
+              allowed [m]
+    margin:   of measure() with Status.LIMIT the Margin that was proven by then,
+              else None
+
+    It is a ValueError.
 
     >>> Structure([Block("bow tie", [(0, 0), (1, 1), (2, 0), (0, 1)])])
     Traceback (most recent call last):
@@ -496,15 +556,25 @@ class KernError(ValueError):
     """
 
     def __init__(self, status: int, names: Sequence[str] = (),
-                 fault: Optional[_Fault] = None, text: str = ""):
+                 fault: Optional[_Fault] = None, text: str = "",
+                 overlaps: Sequence[Tuple[str, str, float, float]] = ()):
         fault = fault or _Fault(-1, -1, -1, 0, 0)
         self.status = Status(status)
         self.blocks = tuple(names[i] for i in (fault.block, fault.other)
                             if 0 <= i < len(names))
         self.index, self.value = fault.index, fault.value
         self.margin: Optional[Margin] = None
+        self.overlaps = tuple(overlaps)
         place = ""
-        if self.status == Status.OVERLAP:
+        if self.overlaps:
+            self.blocks, self.value = self.overlaps[0][:2], self.overlaps[0][2]
+            place = " (%.4g deep; %.4g is allowed: Options.overlap)" % (
+                self.overlaps[0][2:])
+            more = ["'%s' and '%s' (%.4g deep)" % pair[:3]
+                    for pair in self.overlaps[1:]]
+            if more:
+                place += "; also " + ", ".join(more)
+        elif self.status == Status.OVERLAP:
             place = " (at least %.4g deep; %.4g is allowed: Options.overlap)" % (
                 self.value, fault.allowed)
         elif self.status == Status.STALE:
@@ -535,11 +605,100 @@ def _error_again(status: int, args: Tuple[str, ...],
 # ---- Arrays -----------------------------------------------------------------
 
 
-def _view(data: bytes, columns: int) -> Any:
-    """The bytes of doubles as an array of rows, which cannot be written."""
+class Array(Protocol):
+    """An array of numbers, (n, k): of numpy where it is installed, else Rows.
+    Both have a length, rows to iterate over, [i, j], shape and tolist()."""
+
+    @property
+    def shape(self) -> Tuple[int, ...]: ...
+    def __len__(self) -> int: ...
+    def __iter__(self) -> Iterator[Any]: ...
+    def __getitem__(self, key: Any) -> Any: ...
+    def __setitem__(self, key: Any, value: Any) -> None: ...
+    def tolist(self) -> List[Any]: ...
+    def tobytes(self) -> bytes: ...
+
+
+class Rows:
+    """Rows of numbers where numpy is not installed. A row is a tuple.
+
+    >>> rows = Rows(memoryview(bytearray(32)).cast("d"), 2)
+    >>> rows[1, 0] = 3
+    >>> len(rows), rows.shape, rows[1], rows[:, 0]
+    (2, (2, 2), (3.0, 0.0), [0.0, 3.0])
+    >>> [x + y for x, y in rows], rows.tolist()
+    ([0.0, 3.0], [[0.0, 0.0], [3.0, 0.0]])
+    """
+
+    def __init__(self, flat: Any, columns: int):
+        self._flat, self._columns = flat, columns
+
+    @property
+    def shape(self) -> Tuple[int, int]:
+        """How many rows and columns there are."""
+        return len(self), self._columns
+
+    def __len__(self) -> int:
+        return len(self._flat) // self._columns
+
+    def _row(self, i: int) -> Tuple[float, ...]:
+        return tuple(self._flat[i * self._columns:(i + 1) * self._columns])
+
+    def __iter__(self) -> Iterator[Tuple[float, ...]]:
+        return map(self._row, range(len(self)))
+
+    def __getitem__(self, key: Any) -> Any:
+        i, j = key if isinstance(key, tuple) else (key, slice(None))
+        where = range(len(self))[i]
+        if isinstance(where, range):
+            return [self._row(k)[j] for k in where]
+        return self._row(where)[j]
+
+    def __setitem__(self, key: Any, value: Any) -> None:
+        i, j = key if isinstance(key, tuple) else (key, slice(None))
+        start, where = range(len(self))[i] * self._columns, range(
+            self._columns)[j]
+        if isinstance(where, range):
+            if len(value) != len(where):
+                raise ValueError("%d numbers for %d columns"
+                                 % (len(value), len(where)))
+            for k, number in zip(where, value):
+                self._flat[start + k] = number
+        else:
+            self._flat[start + where] = value
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Rows) and self.tolist() == other.tolist()
+
+    def __repr__(self) -> str:
+        return "Rows(%r)" % self.tolist()
+
+    def __reduce__(self) -> Any:
+        return _rows_of, (self.tobytes(), self._columns)
+
+    def tolist(self) -> List[List[float]]:
+        """A list of lists."""
+        return [list(row) for row in self]
+
+    def tobytes(self) -> bytes:
+        """The numbers as doubles of this machine, row by row."""
+        return bytes(self._flat)
+
+    def toreadonly(self) -> Rows:
+        """The same numbers, which cannot be written."""
+        return Rows(self._flat.toreadonly(), self._columns)
+
+
+def _rows_of(data: Any, columns: int) -> Rows:
+    """Rows that show the doubles of a buffer."""
+    return Rows(memoryview(data).cast("B").cast("d"), columns)
+
+
+def _view(data: bytes, columns: int) -> Array:
+    """Returns the bytes of doubles as an array that cannot be written."""
     if numpy is not None:
-        return numpy.frombuffer(data).reshape(-1, columns)
-    return memoryview(data).cast("d", (len(data) // (8 * columns), columns))
+        return cast(Array, numpy.frombuffer(data).reshape(-1, columns))
+    return _rows_of(data, columns)
 
 
 def _doubles(data: Optional[bytes]) -> Any:
@@ -610,7 +769,24 @@ def _refuse(name: str, takes: str, value: Any,
 
 @dataclass
 class Options:
-    """kern_options: what each means stands in kern.h.
+    """Tolerances, friction and limits of a structure.
+
+    mu:       friction of contacts between polygons, tan(friction angle)
+    gap:      widest gap that is a contact [m]; 0: a thousandth of the size of
+              the smaller free block
+    angle:    widest angle between edges that touch [rad], below 0.5
+    epsilon:  step of the level [m]; 0: a fiftieth of the mean block size
+    relative: contacts shrink by a share of their length, not by a length
+    limit:    most units of work of one question; 0: 2,000,000,000
+    overlap:  deepest overlap that is a contact [m]; 0: gap
+    pose_error, pose_turn: standard error of the blocks' places [m] and turns
+              [rad], which measured() sets; 0: exact
+    narrow:   rate at which friction falls as contacts shrink [1/m]
+    reserve:  most that raised(reserve=True) asks for, a share of g; 0: 0.1
+    lone:     direction of gravity in which lone points are moved; (0, 0): none
+
+    A number out of its range raises KernError, what is no number TypeError, at
+    the next update() of a structure.
 
     >>> Options(mu=0.6).near(1.0).gap
     0.04
@@ -671,11 +847,16 @@ class Options:
                        c.narrow, c.reserve, (c.lone.x, c.lone.y))
 
     def near(self, mean_size: float) -> Options:
-        """kern_near(): also finds contacts that a first rocking closes."""
+        """Returns options that also find contacts which a first rocking closes.
+
+        mean_size: Structure.mean_size [m], whose share the gap is"""
         return Options._of(_near(byref(self._c()), mean_size))
 
     def measured(self, e: float, theta: float) -> Options:
-        """kern_measured_options(): for poses with errors e [m] and theta [rad].
+        """Returns options for poses that were measured, with wider tolerances.
+
+        e, theta: standard errors of places [m] and turns [rad]; errors out of
+        their range raise KernError. Ask Structure.interval() then.
 
         >>> round(Options().measured(0.01, 0.01).gap, 6)
         0.0525
@@ -687,6 +868,23 @@ class Options:
         return Options._of(_measured(byref(self._c()), e, theta))
 
 
+class _Answer:
+    """What blocks and answers have."""
+
+    def as_dict(self) -> Dict[str, Any]:
+        """Returns the numbers by name, arrays as lists, without the proof of an
+        answer; an error is its message.
+
+        >>> example().verdict().as_dict()
+        {'stands': True}
+        """
+        values = ((f.name, getattr(self, f.name)) for f in fields(
+            cast(Any, self)) if f.init)
+        return {name: str(value) if isinstance(value, KernError)
+                else value.tolist() if hasattr(value, "tolist") else value
+                for name, value in values}
+
+
 class Body(NamedTuple):
     """Area, mass and centre of mass of a block."""
     area: float
@@ -695,17 +893,23 @@ class Body(NamedTuple):
 
 
 @dataclass(eq=False)
-class Block:
+class Block(_Answer):
     """A stone, or with `fixed` a piece of ground.
 
-    vertices becomes an (n, 2) array: of numpy, or a memoryview, which also has
-    [i, j], shape and tolist(). A numpy array of float64 in C order is not
+    name:     a word that no other block of a structure has
+    vertices: corners (x, y) [m] in order, or a polygon of shapely
+    density:  mass a square metre [kg/m^2]
+    fixed:    whether it is ground, which bears whatever is needed
+    mass:     [kg]; None: density times area
+    centre:   centre of mass [m]; None: the centroid. One that is given stays
+              where it is unless move() moves it
+    load:     force and torque [N, N, N m] at the centre, besides the weight
+
+    vertices becomes an Array (n, 2). A numpy array of float64 in C order is not
     copied: what is written there later counts at the next update(). A closed
-    ring loses its last vertex; an object with `exterior.coords`, as a polygon
-    of shapely has, stands for these. mass and centre None: those of a
-    homogeneous polygon of this density; a centre that is given stays where it is
-    unless move() moves it. load: force and torque (fx, fy, torque) that act at
-    the centre besides the weight.
+    ring loses its last vertex. Raises ValueError for other shapes, for polygons
+    with holes or of several parts; body() and structures raise KernError where
+    the polygon crosses itself or has no area.
 
     >>> b = Block("b", [(0, 0), (2, 0), (2, 1), (0, 1)], density=2)
     >>> b.body()
@@ -742,7 +946,7 @@ class Block:
         self._take()
 
     def copy(self) -> Block:
-        """A block of its own, with vertices of its own."""
+        """Returns a block with vertices of its own."""
         return Block(self.name, self.vertices.tolist(), self.density,
                      self.fixed, self.mass, self.centre, self.load)
 
@@ -755,6 +959,15 @@ class Block:
 
     def _take(self) -> None:
         """Makes an array of the vertices, and remembers where it lies."""
+        parts = getattr(self.vertices, "geoms", None)
+        if parts is not None:
+            raise ValueError("'%s': a %s of %d parts: a block is one polygon"
+                             % (self.name, type(self.vertices).__name__,
+                                len(parts)))
+        holes = len(getattr(self.vertices, "interiors", ()))
+        if holes:
+            raise ValueError("'%s': the polygon has %d hole%s, a block has none"
+                             % (self.name, holes, "s" if holes > 1 else ""))
         ring = getattr(self.vertices, "exterior", self.vertices)
         ring = getattr(ring, "coords", ring)
         try:
@@ -771,8 +984,7 @@ class Block:
             else:
                 memory = _numbers(ring)
                 self._address = addressof(memory)
-                array = memoryview(memory).cast("B")
-                array = array.cast("d", (len(ring), 2)) if ring else array
+                array = _rows_of(memory, 2)
         except (TypeError, ValueError) as error:
             raise ValueError("'%s': vertices are not of shape (n, 2): %s"
                              % (self.name, error)) from None
@@ -814,14 +1026,18 @@ class Block:
         return copy
 
     def body(self) -> Body:
-        """Area, mass and centre of mass, as the library sees them."""
+        """Returns area [m^2], mass [kg] and centre of mass [m]."""
         c = _Block()
         self._fill(c)
         return Body(abs(c.area), c.mass, (c.centre.x, c.centre.y))
 
     def push(self, force: Point, at: Point, torque: float = 0.0) -> Block:
-        """kern_block_load(): adds a force that acts at a point, and a torque,
-        about the centre that the block has now."""
+        """Adds a force [N] that acts at a point [m], and a torque [N m], to the
+        load of the block, about the centre that it has now. Returns the block.
+
+        >>> Block("b", [(0, 0), (2, 0), (2, 1), (0, 1)]).push((3, 0), (0, 1)).load
+        (3.0, 0.0, -1.5)
+        """
         c = _Block()
         self._fill(c)
         _block_load(byref(c), _Vec(*force), _Vec(*at), torque)
@@ -829,8 +1045,8 @@ class Block:
         return self
 
     def move(self, x: float, y: float, turn: float = 0.0) -> Block:
-        """Turns the block about its centre of mass, then shifts it; in place.
-        Structures that hold it are told by their update()."""
+        """Turns the block [rad] about its centre of mass, then shifts it [m], in
+        place. Returns the block. Structures that hold it need an update()."""
         cx, cy = self.body().centre
         cos, sin = math.cos(turn), math.sin(turn)
         v = self.vertices
@@ -844,10 +1060,23 @@ class Block:
             self.centre = (cx + x, cy + y)
         return self
 
+    def to_shapely(self) -> Any:
+        """Returns the polygon as one of shapely, which must be installed."""
+        return importlib.import_module("shapely.geometry").Polygon(
+            [tuple(point) for point in self.vertices.tolist()])
+
 
 @dataclass
-class Contact:
-    """kern_contact: a contact point between blocks a and b."""
+class Contact(_Answer):
+    """A contact point between two blocks.
+
+    a, b:   numbers of the blocks; a force pushes b along n and a against it
+    line:   whether it is an end of a line contact, whose ends are neighbours
+    p:      place [m]
+    n:      normal, of length 1, out of a and into b
+    mu:     friction, tan(friction angle)
+    travel: how far and in which sense the point moves along the contact when it
+            shrinks [m]; 0: it stays"""
     a: int
     b: int
     line: bool
@@ -866,7 +1095,7 @@ class Contact:
                        c.mu, c.travel)
 
     def at(self, shrink: float, relative: bool = False) -> Point:
-        """kern_contact_at(): where the point acts at a shrinkage."""
+        """Returns where the point acts at a shrinkage [m; relative: 1]."""
         v = _contact_at(byref(self._c()), shrink, relative)
         return v.x, v.y
 
@@ -874,8 +1103,14 @@ class Contact:
 def contact_make(a: int, b: int, normal: Point, p: Point,
                  q: Optional[Point] = None, mu: float = _D.mu,
                  options: Optional[Options] = None) -> List[Contact]:
-    """kern_contact_make(): a contact from p to q, or at p alone; give all of
-    them to contact_travels() before a Structure gets them.
+    """Returns the points of a contact that is given, not found.
+
+    a, b:    numbers of the blocks
+    normal:  out of a and into b, of any length
+    p, q:    its ends [m]; without q it is one point
+    mu:      friction
+    Give all contacts to contact_travels(), then to Structure(contacts=...).
+    Raises KernError.
 
     >>> [c.travel for c in contact_make(0, 1, (0, 2), (0, 0), (3, 0))]
     [-1.5, 1.5]
@@ -890,14 +1125,14 @@ def contact_make(a: int, b: int, normal: Point, p: Point,
 
 
 def contact_travels(contacts: Sequence[Contact]) -> List[Contact]:
-    """kern_contact_travels(): the contacts, with the travels of points."""
+    """Returns the contacts with the travels that points have beside others."""
     array = (_Contact * len(contacts))(*(c._c() for c in contacts))
     _contact_travels(array, len(contacts))
     return [Contact._of(c) for c in array[:len(contacts)]]
 
 
 def work_need(blocks: int, contacts: int) -> Tuple[int, int]:
-    """kern_work_need(): reals and ints of work memory."""
+    """Returns how many reals and ints of work memory C needs."""
     reals, ints = c_int(), c_int()
     _work_need(blocks, contacts, byref(reals), byref(ints))
     return reals.value, ints.value
@@ -906,48 +1141,74 @@ def work_need(blocks: int, contacts: int) -> Tuple[int, int]:
 # ---- Answers ----------------------------------------------------------------
 
 
+class _Proven(_Answer):
+    """An answer with a proof, which is no field: so a table of answers has no
+    columns of bytes."""
+    _force: Optional[bytes] = None
+    _motion: Optional[bytes] = None
+
+    def _by(self: _P, force: Optional[bytes], motion: Optional[bytes]) -> _P:
+        """Returns the answer with its proof."""
+        self._force, self._motion = force, motion
+        return self
+
+
+_P = TypeVar("_P", bound=_Proven)
+
+
 @dataclass
-class Verdict:
-    """Whether it stands: true where it does. forces: normal and tangential of
-    every contact point, (n, 2), where it stands; motion: vx, vy and spin of
-    every block, (n, 3), where it falls; else None."""
+class Verdict(_Proven):
+    """Whether a structure stands. A Verdict is true where it does.
+
+    stands: whether forces in equilibrium exist
+    forces: normal and tangential force [N] of each contact point, an array
+            (n, 2), where it stands; else None
+    motion: vx, vy and spin of each block, an array (n, 3), where it falls; else
+            None
+    """
     stands: bool
-    _force: Optional[bytes] = field(repr=False, compare=False)
-    _motion: Optional[bytes] = field(repr=False, compare=False)
 
     def __bool__(self) -> bool:
         return self.stands
 
     @property
-    def forces(self) -> Any:
+    def forces(self) -> Optional[Array]:
+        """Forces that hold the structure, (n, 2), or None."""
         return _view(self._force, 2) if self.stands and self._force else None
 
     @property
-    def motion(self) -> Any:
+    def motion(self) -> Optional[Array]:
+        """A motion that no forces can stop, (n, 3), or None."""
         return (None if self.stands or not self._motion
                 else _view(self._motion, 3))
 
 
 class Raising(enum.IntEnum):
-    """kern_raising."""
+    """Whether the load of a structure raises the forces that hold it."""
     NOT_SHOWN = 0
     RAISED = 1
-    HANGS = 2
+    HANGS = 2      # nothing presses on blocks that only such forces hold
 
 
 class End(enum.IntEnum):
-    """kern_end: why a search for forces that the load raises ended."""
-    NONE = 0
-    SHOWN = 1
-    LOST = 2
-    WORK = 3
+    """Why a search for forces that the load raises ended."""
+    NONE = 0   # there was none
+    SHOWN = 1  # they were found
+    LOST = 2   # it went on no further
+    WORK = 3   # the limit of work was reached
 
 
 @dataclass
 class Raised(Verdict):
-    """kern_raised(): true where the load raises the forces that hold it. forces
-    and motion are the proof; reserve: a share of g, None if not asked for.
-    why: the reason why the search ended."""
+    """Whether the load of a structure raises the forces that hold it. A Raised
+    is true where it does.
+
+    stands:  whether forces in equilibrium exist
+    raising: a Raising, None where it falls
+    reserve: the sideways push that the structure bears on top, a share of g;
+             None if it was not asked for
+    why:     an End: the reason why the search ended
+    forces and motion are the proof."""
     raising: Optional[Raising]
     reserve: Optional[float]
     why: End = field(default=End.NONE, repr=False)
@@ -956,44 +1217,63 @@ class Raised(Verdict):
         return self.raising == Raising.RAISED
 
     @property
-    def motion(self) -> Any:
+    def motion(self) -> Optional[Array]:
+        """The displacement that raises the forces, (n, 3), or None."""
         return (None if self.raising == Raising.NOT_SHOWN or not self._motion
                 else _view(self._motion, 3))
 
 
 @dataclass
-class LetGo:
-    """kern_let_go(): stays is True where the structure stays, False where it
-    moves, None where neither is shown. A LetGo is true where stays is True.
-    why: the reason why the search for forces ended, NONE where none was needed.
-    how: RAISED where it stays, HANGS where blocks hang, else NOT_SHOWN. forces
-    [N] (n, 2) and motion (n, 3) are the proof: forces are None where it falls,
-    both are None where nothing is shown."""
+class LetGo(_Proven):
+    """Whether a structure stays when all of it is let go at once. A LetGo is
+    true where it stays.
+
+    stays:  True where it stays, False where it moves, None where neither is
+            shown
+    why:    an End: the reason why the search for forces ended, NONE where none
+            was needed
+    how:    a Raising: RAISED where it stays, HANGS where blocks hang, else
+            NOT_SHOWN
+    forces [N], (n, 2), and motion, (n, 3), are the proof: forces are None where
+    it falls, both are None where nothing is shown."""
     stays: Optional[bool]
     why: End
     how: Raising
-    _force: bytes = field(repr=False, compare=False)
-    _motion: bytes = field(repr=False, compare=False)
 
     def __bool__(self) -> bool:
         return self.stays is True
 
     @property
-    def forces(self) -> Any:
+    def forces(self) -> Optional[Array]:
+        """Forces that hold the structure, (n, 2), or None."""
         return (None if self.how == Raising.NOT_SHOWN
-                else _view(self._force, 2))
+                else _view(self._force or b"", 2))
 
     @property
-    def motion(self) -> Any:
-        return None if self.stays is None else _view(self._motion, 3)
+    def motion(self) -> Optional[Array]:
+        """The displacement or the fall, (n, 3), or None."""
+        return (None if self.stays is None
+                else _view(self._motion or b"", 3))
 
 
 @dataclass
 class Margin(Verdict):
-    """kern_margin. forces hold the structure at `holds`; motion moves it at
-    `fails`, or as it is where it falls; None where it is saturated. refused: of
-    a candidate that has no margin since it overlaps another block, else None;
-    such a margin is false, and nan."""
+    """How far every contact can shrink until a structure falls. A Margin is
+    true where it stands.
+
+    stands:    whether it stands as it is
+    margin:    the least shrinkage at which it falls [m, at each end of each
+               contact], 0 where it falls as it is
+    holds, fails: it stands at the one and falls at the other [m]; the margin
+               lies between
+    most:      contacts shrink no further [m]
+    epsilon:   the step of the level [m]
+    level:     steps that it stands
+    saturated: whether it stands at `most`: such margins do not compare
+    refused:   the KernError of a candidate that overlaps another block, whose
+               margin is nan and false; else None
+    forces hold the structure at `holds`; motion moves it at `fails`, or as it is
+    where it falls, and is None where it is saturated."""
     margin: float
     holds: float = field(repr=False)
     fails: float = field(repr=False)
@@ -1007,34 +1287,42 @@ class Margin(Verdict):
     @staticmethod
     def _of(m: _Margin, stands: bool, force: Optional[bytes] = None,
             motion: Optional[bytes] = None) -> Margin:
-        return Margin(stands, force, motion, m.margin, m.holds, m.fails, m.most,
-                      m.epsilon, m.level, bool(m.saturated))
+        return Margin(stands, m.margin, m.holds, m.fails, m.most, m.epsilon,
+                      m.level, bool(m.saturated))._by(force, motion)
 
     @property
-    def motion(self) -> Any:
+    def motion(self) -> Optional[Array]:
+        """The mechanism just past the margin, (n, 3), or None."""
         return (None if self.saturated or not self._motion
                 else _view(self._motion, 3))
 
 
 @dataclass
-class Interval:
-    """kern_interval: between what the margin of a measured structure lies, and
-    whether it stands or falls for certain."""
+class Interval(_Answer):
+    """Between what the margin of a measured structure lies.
+
+    low, high: the ends [m]; contacts that may be open count in `high` alone
+    stands:    True where it stands for certain, False where it falls for
+               certain, None where neither is
+    """
     low: float
     high: float
-    stands: bool
-    falls: bool
+    stands: Optional[bool]
 
     @property
     def certain(self) -> bool:
-        return self.stands or self.falls
+        """Whether the verdict is certain."""
+        return self.stands is not None
 
 
 class Factor(float):
-    """A load factor, an angle of tilt or a length, with its proof: forces hold
-    the structure at it, (n, 2); motion moves it just beyond, (n, 3), None where
-    it has no end. why: the reason why the search of raised_load() ended, NONE
-    where none was made."""
+    """A load factor, an angle of tilt or a length: a float with its proof.
+
+    forces: hold the structure at the number [N], an array (n, 2)
+    motion: moves it just beyond, (n, 3), None where the number has no end
+    why:    an End: the reason why the search of raised_load() ended, NONE where
+            there was none
+    """
     _force: bytes = b""
     _motion: bytes = b""
     why: End = End.NONE
@@ -1046,18 +1334,29 @@ class Factor(float):
         return out
 
     @property
-    def forces(self) -> Any:
+    def forces(self) -> Array:
+        """Forces that hold the structure at this number, (n, 2)."""
         return _view(self._force, 2)
 
     @property
-    def motion(self) -> Any:
+    def motion(self) -> Optional[Array]:
+        """The mechanism just beyond, (n, 3), or None."""
         return (None if self == math.inf or not self._motion
                 else _view(self._motion, 3))
 
 
 @dataclass
-class Profile:
-    """kern_profile(): a value a block, and kern_collapse."""
+class Profile(_Answer):
+    """How far each block is from falling.
+
+    values: the margin [m] or load factor at which each block moves; inf of
+            fixed blocks
+    least:  the smallest of these
+    mean:   their mean
+    weak:   the mean of the smaller half
+    drop:   expected drop: the mean of h exp(-value / 0.07), where h is the
+            height of a block's centre above the lowest block in mean sizes
+    """
     values: List[float]
     least: float
     mean: float
@@ -1066,11 +1365,14 @@ class Profile:
 
 
 @dataclass
-class Critical:
-    """kern_critical_of(): the contact point that limits most (None: none does);
-    of every contact point how much it limits, as a share of that, and whether
-    it "rests", "hinges", "slides" or "opens"; the blocks that move as one, the
-    fastest group first."""
+class Critical(_Answer):
+    """What limits the margin, and what moves first.
+
+    contact:  the contact point that limits most, None where none does
+    limits:   how much each contact point limits, a share of that
+    meetings: "rests", "hinges", "slides" or "opens", of each contact point
+    groups:   lists of the blocks that move as one, the fastest first
+    """
     contact: Optional[int]
     limits: List[float]
     meetings: List[str]
@@ -1078,8 +1380,11 @@ class Critical:
 
 
 @dataclass
-class ContactRate:
-    """kern_contact_rate: how the margin depends on a contact point."""
+class ContactRate(_Answer):
+    """Derivatives of the margin [m] by a contact point.
+
+    p: by its place [m]; turn: by a turn of its normal [rad]; mu: by its
+    friction; travel: by its travel [m]."""
     p: Point
     turn: float
     mu: float
@@ -1087,8 +1392,12 @@ class ContactRate:
 
 
 @dataclass
-class BlockRate:
-    """kern_block_rate: how the margin depends on a block."""
+class BlockRate(_Answer):
+    """Derivatives of the margin [m] by a block.
+
+    centre: by the centre of mass alone [m]; place: by a shift of the block [m];
+    turn: by its turn [rad]; mass: by its mass [kg]; load: by its load [N, N m].
+    """
     centre: Point
     place: Point
     turn: float
@@ -1097,8 +1406,12 @@ class BlockRate:
 
 
 @dataclass
-class Solution:
-    """Of lp_solve(): x and y as kern_lp_solve() documents them."""
+class Solution(_Answer):
+    """The answer of lp_solve().
+
+    status: Status.LP_OPTIMAL, LP_INFEASIBLE or LP_UNBOUNDED
+    x: the solution; y: its prices, or the proof that there is none
+    """
     status: Any
     x: List[float]
     y: List[float]
@@ -1136,15 +1449,6 @@ class _Held:
         self.real, self.index = (c_double * reals)(), (c_int * ints)()
         self.work = _Work(addressof(self.real), reals, addressof(self.index),
                           ints)
-
-
-def _depth(held: _Held, n: int, options: _Options, fault: _Fault) -> float:
-    """How deep the two blocks of a fault overlap."""
-    pair, other = (_Block * 2)(), _Fault()
-    pair[0], pair[1] = held.block[fault.block], held.block[fault.other]
-    out, work = (_Overlap * 1)(), _Work(None, 0, None, 0, 0, 0, 0, 0, other)
-    found = _overlaps(pair, 2, byref(options), out, 1, byref(work))
-    return out[0].depth if found == 1 else fault.value
 
 
 class _Kept(Block):
@@ -1199,10 +1503,19 @@ def _unique(word: str, used: Dict[str, int]) -> str:
 class Structure:
     """Blocks, their contacts, options and gravity.
 
-    Every block has a name of its own. contacts None: those that are found
-    between the polygons. After a change of
-    blocks, options, gravity or given contacts, call update(); a question before
-    that raises KernError. Where update() raises, the structure is as it was.
+    blocks:   Blocks, each with a name of its own
+    contacts: Contacts; None: those that are found between the polygons
+    options:  Options
+    gravity:  (x, y) [m/s^2]
+    name:     for captions and messages
+
+    wall["s3"] and wall[3] are blocks, `for block in wall` goes through them all,
+    "s3" in wall tells whether there is one. After a change of blocks, options,
+    gravity or given contacts call update(); a question before that raises
+    KernError. Where update() raises, the structure is as it was. Raises KernError
+    for blocks that the library refuses, with all pairs that overlap; ValueError
+    for a name that is there twice. Any question may raise KernError with
+    Status.UNDECIDED, or LIMIT where the limit of work is reached.
 
     >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
     >>> wall = Structure([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
@@ -1220,14 +1533,14 @@ class Structure:
     Traceback (most recent call last):
         ...
     kern.KernError: 'low' and 'top': two blocks overlap deeper than the gap \
-tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
+tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
     """
 
     lives: Sequence[Tuple[str, Point, Point]] = ()  # of live()
     units: Optional[str] = None                     # of lengths, if known
 
     def __init__(self, blocks: Iterable[Block],
-                 contacts: Optional[Sequence[Contact]] = None,
+                 *, contacts: Optional[Sequence[Contact]] = None,
                  options: Optional[Options] = None,
                  gravity: Point = (0.0, -9.81), name: str = "structure"):
         self.blocks = list(blocks)
@@ -1252,6 +1565,15 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
 
     def __len__(self) -> int:
         return len(self.blocks)
+
+    def __getitem__(self, block: Union[int, str]) -> Block:
+        return self.blocks[self._index(block)]
+
+    def __iter__(self) -> Iterator[Block]:
+        return iter(self.blocks)
+
+    def __contains__(self, block: object) -> bool:
+        return any(b.name == block or b is block for b in self.blocks)
 
     def __repr__(self) -> str:
         return "<%s '%s': %d blocks, %d contact points>" % (
@@ -1286,16 +1608,16 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
 
     def update(self) -> None:
         """Reads blocks, options, gravity and given contacts again, and finds
-        the contacts where none are given."""
+        the contacts where none are given. Raises KernError, ValueError."""
         with self._lock:
-            given, n, found = self.given, len(self.blocks), Status.NO_SPACE
+            given, n = self.given, len(self.blocks)
             if not isinstance(self.options, Options):
                 raise TypeError("options are Options(...), read %r"
                                 % (self.options,))
             names, options = [b.name for b in self.blocks], self.options._c()
             _name_once(self.blocks)
             room = 16 * n if given is None else len(given)
-            while found == Status.NO_SPACE and room <= 1000000:
+            while True:
                 held = _Held(n, room)
                 for i, block in enumerate(self.blocks):
                     held.vertex.append(block._copy_to(held.block[i]))
@@ -1307,11 +1629,14 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
                 else:
                     found = room
                     held.contact[:] = [contact._c() for contact in given]
+                if found != Status.NO_SPACE or room > 1000000:
+                    break
             if found < 0:
                 fault = held.work.fault
-                if found == Status.OVERLAP:  # the search stops at the first
-                    fault.value = _depth(held, n, options, fault)
-                raise KernError(found, names, fault)
+                raise KernError(
+                    found, names, fault, overlaps=overlaps(
+                        self.blocks, options=self.options)
+                    if found == Status.OVERLAP else ())
             task = _task_of(held.block, n, held.contact, found,
                             byref(held.work))
             task.options = options
@@ -1322,8 +1647,13 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
 
     def move(self, block: Union[int, str], x: float, y: float,
              turn: float = 0.0) -> Structure:
-        """Block.move() and update(): turns a block about its centre of mass,
-        then shifts it. Where that is refused the block goes back."""
+        """Turns a block [rad] about its centre of mass, then shifts it [m], and
+        updates the structure. Returns the structure. Where KernError is raised
+        the block is where it was.
+
+        >>> round(example().move("top", 0.1, 0).measure().margin, 6)
+        0.2
+        """
         b = self.blocks[self._index(block)]
         before, centre = b.vertices.tolist(), b.centre
         b.move(x, y, turn)
@@ -1360,34 +1690,51 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
 
     @property
     def mean_size(self) -> float:
-        """kern_mean_size() of the blocks."""
-        return _mean_size(self._held.block, self._task.s.blocks)
+        """Mean size of the free blocks [m]: of the roots of their areas."""
+        return float(_mean_size(self._held.block, self._task.s.blocks))
 
     @_asks
     def touch(self, block: Union[int, str]) -> List[Contact]:
-        """kern_touch(): the contacts of a block with those before it."""
-        i, room, found = self._index(block), 64, Status.NO_SPACE
-        while found == Status.NO_SPACE and room <= 1000000:
+        """Returns the Contacts of a block, a number or a name, with the blocks
+        before it."""
+        i, room = self._index(block), 64
+        while True:
             room *= 2
             out = (_Contact * room)()
             found = _touch(self._held.block, i, byref(self._task.options), out,
                            room, byref(self._held.work))
+            if found != Status.NO_SPACE or room > 1000000:
+                break
         return [Contact._of(c) for c in out[:self._check(found)]]
 
     @_asks
     def verdict(self, shrink: float = 0.0) -> Verdict:
-        """kern_verdict(): does it stand with its kerns shrunk?"""
+        """Returns whether the structure stands, a Verdict with its proof.
+
+        shrink: by how much contacts are shortened at both ends [m]
+
+        >>> bool(example().verdict()), example().verdict(0.4)
+        (True, Verdict(stands=False))
+        """
         force, motion = self._forces(), self._motions()
         status = _verdict(self._at_task, shrink,
                           byref(_Proof(addressof(force), addressof(motion))))
         if status < 0:
             self._check(status)
-        return Verdict(status == _STANDS, bytes(force), bytes(motion))
+        return Verdict(status == _STANDS)._by(bytes(force), bytes(motion))
 
     @_asks
     def interval(self) -> Interval:
-        """kern_certain(): between what the margin lies, and which verdict is
-        certain, within the error that Options.measured() was told."""
+        """Returns the Interval in which the margin lies, given the errors that
+        Options.measured() was told; without these it raises KernError.
+
+        >>> wall = example()
+        >>> wall.options = wall.options.measured(0.01, 0.01)
+        >>> wall.update()
+        >>> interval = wall.interval()
+        >>> interval.low < 0.3 < interval.high, interval.stands
+        (True, True)
+        """
         m, out, status = _Margin(), _Interval(), int(Status.NO_SPACE)
         if not self.options.pose_error > 0:
             raise KernError(Status.BAD_OPTION, text="interval() and certain(): "
@@ -1404,18 +1751,26 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
                 break
             points *= 2
         self._check(status)
-        return Interval(out.low, out.high, status == _STANDS,
-                        status == _FALLS)
+        return Interval(out.low, out.high, {_STANDS: True, _FALLS: False}.get(
+            status))
 
     @_asks
     def certain(self) -> bool:
-        """Whether the verdict is certain: interval().certain."""
+        """Returns whether the verdict is certain: interval().certain."""
         return self.interval().certain
 
     @_asks
     def raised(self, shrink: float = 0.0, reserve: bool = False) -> Raised:
-        """kern_raised(): are its forces such as its load raises? With the
-        sideways reserve if that is asked for."""
+        """Returns whether the load of the structure raises the forces that hold
+        it, a Raised with its proof.
+
+        shrink:  by how much contacts are shortened at both ends [m]
+        reserve: whether to search the sideways push that it bears on top
+
+        >>> raised = example().raised(reserve=True)
+        >>> bool(raised), raised.raising.name, raised.reserve > 0.01
+        (True, 'RAISED', True)
+        """
         if reserve:
             self._pulls("raised(reserve=True)")
         force, motion = self._forces(), self._motions()
@@ -1424,10 +1779,10 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             self._at_task, shrink, byref(raising),
             byref(share) if reserve else None,
             byref(_Proof(addressof(force), addressof(motion))))) == _STANDS
-        return Raised(stands, bytes(force), bytes(motion),
-                      Raising(raising.value) if stands else None,
+        return Raised(stands, Raising(raising.value) if stands else None,
                       share.value if stands and reserve else None,
-                      self._end() if stands else End.NONE)
+                      self._end() if stands else End.NONE)._by(
+                          bytes(force), bytes(motion))
 
     def _end(self) -> End:
         """Returns why the last search for raised forces ended."""
@@ -1435,8 +1790,8 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def let_go(self) -> LetGo:
-        """kern_let_go(): does the structure stay when all blocks are let go at
-        once, from rest? A limit of work is a reason, not an error.
+        """Returns whether the structure stays when all blocks are let go at
+        once, from rest, a LetGo. A limit of work is a reason, not an error.
 
         >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> low = Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
@@ -1451,17 +1806,23 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         status = _let_go(self._at_task, byref(how), byref(
             _Proof(addressof(force), addressof(motion))))
         if status == Status.LIMIT:
-            return LetGo(None, End.WORK, Raising.NOT_SHOWN, b"", b"")
+            return LetGo(None, End.WORK, Raising.NOT_SHOWN)
         if status != Status.UNDECIDED:
             self._check(status)
         stays = {_STANDS: True, _FALLS: False}.get(status)
         return LetGo(stays, End.NONE if stays is False else self._end(),
-                     Raising(how.value), bytes(force), bytes(motion))
+                     Raising(how.value))._by(bytes(force), bytes(motion))
 
     @_asks
     def stays(self, block: Union[int, str]) -> Optional[float]:
-        """kern_stays(): the chance from 0 to 1 that a block, laid last, stays
-        where it is let go; None where the structure falls."""
+        """Returns the chance from 0 to 1 that a block, laid last, stays where it
+        is let go; None where the structure falls.
+
+        block: its name or number; a fixed one raises ValueError
+
+        >>> example().stays("top") > 0.9
+        True
+        """
         out, i = c_double(), self._index(block)
         if self.blocks[i].fixed:
             raise ValueError("'%s' is fixed" % self.blocks[i].name)
@@ -1489,15 +1850,28 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         return force if status == _STANDS else None
 
     @_asks
-    def forces(self, shrink: float = 0.0) -> Any:
-        """kern_forces(): the least forces, normal and tangential of every
-        contact point, (n, 2). None where there are none, or none so exact."""
+    def forces(self, shrink: float = 0.0) -> Optional[Array]:
+        """Returns the least forces that hold the structure: normal and
+        tangential force of each contact point [N], an array (n, 2). None where
+        there are none, or none so exact.
+
+        shrink: by how much contacts are shortened at both ends [m]
+
+        >>> len(example().forces())
+        4
+        """
         force = self._least(shrink)
-        return force and _view(bytes(force), 2)
+        return None if force is None else _view(bytes(force), 2)
 
     @_asks
     def measure(self) -> Margin:
-        """kern_measure(): margin and level."""
+        """Returns margin and level, a Margin with its proof. Where the limit of
+        work is reached, the KernError has a `margin` with what was proven.
+
+        >>> margin = example().measure()
+        >>> bool(margin), round(margin.margin, 6), margin.saturated
+        (True, 0.3, False)
+        """
         force, motion, m = self._forces(), self._motions(), _Margin()
         status = _measure(self._at_task, byref(m), byref(
             _Proof(addressof(force), addressof(motion))))
@@ -1520,24 +1894,43 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def deficit(self) -> float:
-        """kern_deficit(): 0 where it stands, inf where nothing helps."""
+        """Returns how far contacts would have to grow for the structure to stand
+        [m]: 0 where it stands, inf where nothing helps.
+
+        >>> round(example(0.75).deficit(), 6)
+        0.25
+        """
         out = c_double()
         status = self._check(_deficit(self._at_task, byref(out)))
         return out.value if status == _FALLS else 0.0
 
     @_asks
     def bearing(self) -> Optional[Factor]:
-        """kern_bearing(): the length of the shortest contact that it needs, inf
-        where it needs none. None: it falls with all of them."""
+        """Returns the length [m] of the shortest contact that the structure
+        needs, a Factor: inf where it needs none. None where it falls with all.
+
+        >>> round(example().bearing(), 6)
+        0.8
+        """
         return self._factor(_bearing)
 
     @_asks
     def load_factor(self, side: int, shrink: float = 0.0,
                     pattern: Optional[Sequence[Sequence[float]]] = None
                     ) -> Optional[Factor]:
-        """kern_load_factor() to the LEFT or RIGHT, or kern_load_factor_of() a
-        pattern (fx, fy, torque) a block, whatever the side. None: it falls
-        without that load."""
+        """Returns how large a load may grow until the structure falls, a Factor
+        with its proof; inf from 1,000,000 on. None where it falls without.
+
+        side:    LEFT or RIGHT: a horizontal load of that many times each weight
+        shrink:  by how much contacts are shortened at both ends [m]
+        pattern: instead of a side (fx, fy, torque) [N, N, N m] of each block
+
+        Limit analysis, too high where joints slide: raised_load() is not.
+        Raises KernError for a side that is none, and without gravity.
+
+        >>> round(example().load_factor(RIGHT), 6)
+        0.4
+        """
         if pattern is None:
             self._side("load_factor()", side)
             return self._factor(_load_factor, shrink, side)
@@ -1548,9 +1941,16 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     def raised_load(self, side: int, shrink: float = 0.0,
                     pattern: Optional[Sequence[Sequence[float]]] = None
                     ) -> Optional[Factor]:
-        """kern_raised_load(): load_factor() of Coulomb friction, by equilibrium
-        that the load raises from rest. Undecided where none is shown. Its `why`
-        is SHOWN where it is the load factor, else the reason why it is less."""
+        """Returns how large a load may grow by equilibrium that it raises from
+        rest with Coulomb friction, a Factor. Its `why` is SHOWN where that is
+        the load factor, else the reason why it is less.
+
+        side, shrink, pattern: as in load_factor(). Raises KernError, with
+        Status.UNDECIDED where nothing is shown.
+
+        >>> round(example().raised_load(RIGHT), 2)
+        0.4
+        """
         if pattern is None:
             self._side("raised_load()", side)
         out = self._factor(_raised_load, shrink, side,
@@ -1563,27 +1963,39 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     @_asks
     def least_load(self, pattern: Sequence[Sequence[float]],
                    shrink: float = 0.0) -> Optional[Factor]:
-        """kern_least_load_of(): the least multiple of a pattern (fx [N], fy [N],
-        torque [Nm]) a block at which the structure stands, 0 where it stands
-        without. None: it falls at every multiple. At 0 there is no motion."""
+        """Returns the least multiple of a load at which the structure stands, a
+        Factor: 0, without a motion, where it stands without. None where it falls
+        at every multiple.
+
+        pattern: (fx, fy, torque) [N, N, N m] of each block
+        shrink:  by how much contacts are shortened at both ends [m]"""
         out = self._factor(_least_load_of, shrink, _rows(
             pattern, len(self.blocks), 3, "a load pattern"))
-        if out is not None and out == 0:
+        if out is not None and float(out) == 0:
             out._motion = b""
         return out
 
     def live(self, loads: Optional[Iterable[Tuple[str, Point, Point]]] = None,
              shrink: float = 0.0, raised: bool = False) -> Optional[Factor]:
-        """The factor by which a live load may grow, with its mechanism: forces
-        (name of a block, force [N], point [m]), without them `lives`, which are
-        those of the file. raised: as raised_load()."""
+        """Returns the factor by which a live load may grow, a Factor.
+
+        loads:  (name of a block, force [N], point [m]) each; None: `lives`,
+                which are those of the file. None at all raise ValueError
+        shrink: by how much contacts are shortened at both ends [m]
+        raised: by raised_load(), not by load_factor()
+
+        >>> round(example().live([("top", (1, 0), (0.7, 1))]), 4)
+        3.924
+        """
         ask = self.raised_load if raised else self.load_factor
         return ask(SHRINK, shrink, self._live_pattern("live", loads))
 
     def live_least(self, loads: Optional[Iterable[Tuple[str, Point, Point]]]
                    = None, shrink: float = 0.0) -> Optional[Factor]:
-        """least_load() of a live load, as live() takes it: the least factor of
-        the force that holds the structure, 0 where it stands without.
+        """Returns the least factor of a live load that holds the structure, 0
+        where it stands without, None where it falls at every factor.
+
+        loads, shrink: as in live()
 
         >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> wall = Structure([Block("ground", [(-3, -1), (4, -1), (4, 0),
@@ -1620,13 +2032,24 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def tilt(self, side: int, shrink: float = 0.0) -> Optional[Factor]:
-        """kern_tilt() [rad] to the LEFT or RIGHT. None: it falls at 0."""
+        """Returns by which angle [rad] gravity may turn to the LEFT or RIGHT until
+        the structure falls, a Factor. None where it falls as it is.
+
+        >>> round(math.degrees(example().tilt(RIGHT)), 1)
+        21.8
+        """
         self._side("tilt()", side)
         return self._factor(_tilt, shrink, side)
 
     @_asks
     def profile(self, side: int = SHRINK) -> Profile:
-        """kern_profile(): how far every block is from falling."""
+        """Returns how far each block is from falling, a Profile.
+
+        side: SHRINK: margins; LEFT or RIGHT: load factors
+
+        >>> [round(value, 6) for value in example().profile().values]
+        [inf, 0.5, 0.3]
+        """
         if side != SHRINK:
             self._side("profile()", side)
         value, c = (c_double * self._task.s.blocks)(), _Collapse()
@@ -1636,8 +2059,15 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def critical(self, margin: Optional[Margin] = None) -> Optional[Critical]:
-        """kern_critical_of() a margin, or measure(): what limits it, and what
-        moves first. None where it is saturated."""
+        """Returns what limits a margin, and what moves first, a Critical. None
+        where it is saturated.
+
+        margin: of measure(); None: it is measured
+
+        >>> critical = example().critical()
+        >>> critical.meetings[critical.contact], critical.groups
+        ('hinges', [[2]])
+        """
         if margin is None:
             margin = self.measure()
         if margin.motion is None:
@@ -1646,8 +2076,9 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         limit, meeting = (c_double * n)(), (c_int * n)()
         group = (c_int * len(self.blocks))()
         c = _Critical(addressof(meeting), addressof(limit), addressof(group))
-        force = (_rows(margin.forces.tolist(), n, 2, "forces")
-                 if margin.stands else None)
+        held = margin.forces
+        force = (None if held is None
+                 else _rows(held.tolist(), n, 2, "forces"))
         motion = _rows(margin.motion.tolist(), len(self.blocks), 3, "a motion")
         self._check(_critical_of(
             self._at_task, margin.margin, byref(_Proof(
@@ -1663,8 +2094,12 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def sensitivity(self) -> Tuple[List[ContactRate], List[BlockRate]]:
-        """kern_sensitivity(): how measure() depends on every contact point and
-        every block."""
+        """Returns how the margin depends on every contact point and every block,
+        lists of ContactRate and BlockRate.
+
+        >>> round(example().sensitivity()[1][2].place[0], 4)
+        -1.0
+        """
         s, m = self._task.s, self.measure()
         c = _Margin(m.margin, m.holds, m.fails, m.most, m.epsilon, m.level,
                     m.saturated)
@@ -1683,38 +2118,44 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     @_asks
     def check_forces(self, forces: Sequence[Sequence[float]],
                      shrink: float = 0.0) -> float:
-        """kern_check_forces(): up to 1 they prove that it stands."""
-        return _check_forces(self._at_task, shrink, _rows(
-            forces, self._task.s.contacts, 2, "forces"))
+        """Returns the error of a proof: up to 1 these forces [N], (n, 2), prove
+        that the structure stands at this shrinkage [m]."""
+        return float(_check_forces(self._at_task, shrink, _rows(
+            forces, self._task.s.contacts, 2, "forces")))
 
     @_asks
     def check_motion(self, motion: Sequence[Sequence[float]],
                      shrink: float = 0.0) -> float:
-        """kern_check_motion(): up to 1 it proves that it falls."""
-        return _check_motion(self._at_task, shrink, _rows(
-            motion, self._task.s.blocks, 3, "a motion"))
+        """Returns the error of a proof: up to 1 this motion, (n, 3), proves that
+        the structure falls at this shrinkage [m]."""
+        return float(_check_motion(self._at_task, shrink, _rows(
+            motion, self._task.s.blocks, 3, "a motion")))
 
     @_asks
     def check_raised(self, raised: Union[Raised, LetGo],
                      shrink: float = 0.0) -> float:
-        """kern_check_raised(): up to 1 the forces and the motion that raised()
-        or let_go() found are proven. Where let_go() found that a structure
-        moves and nothing hangs, the proof is for check_motion()."""
+        """Returns the error of a proof: up to 1 the forces and the motion that
+        raised() or let_go() found are proven. Where let_go() found that a
+        structure moves and nothing hangs, the proof is for check_motion()."""
         how = raised.how if isinstance(raised, LetGo) else raised.raising
         force = _rows(_view(raised._force or b"", 2).tolist(),
                       self._task.s.contacts, 2, "forces")
         motion = _rows(_view(raised._motion or b"", 3).tolist(),
                        self._task.s.blocks, 3, "a motion")
         proof = _Proof(addressof(force), addressof(motion))
-        return _check_raised(self._at_task, shrink,
-                             how or Raising.NOT_SHOWN, byref(proof))
+        return float(_check_raised(self._at_task, shrink,
+                                   how or Raising.NOT_SHOWN, byref(proof)))
 
     @_asks
     def svg(self, shrink: float = 0.0, mechanism: bool = False,
             profile: bool = False, caption: Optional[str] = None) -> str:
-        """The picture of draw.h: stones, contacts, the least forces where it
-        stands, all mechanisms where it falls, or with `mechanism` the motion
-        past the margin; `profile` colours the stones by their margins."""
+        """Returns a picture as SVG: stones, contacts, the least forces where the
+        structure stands, all mechanisms where it falls.
+
+        shrink:    by how much contacts are shortened at both ends [m]
+        mechanism: also the motion just past the margin
+        profile:   colours the stones by their margins
+        caption:   the line below; None: the verdict and its numbers"""
         verdict, m = self.verdict(shrink), self.measure()
         least = self._least(shrink) if verdict else None
         force = least or (_doubles(verdict._force) if verdict else None)
@@ -1748,14 +2189,43 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
                 raise OSError("cannot write %s" % path)
             return pathlib.Path(path).read_text(encoding="utf-8")
 
+    def plot(self, ax: Any = None) -> Any:
+        """Draws stones, their names, contact points and, in red, the one that
+        limits the margin, into axes of matplotlib. Returns the axes.
+
+        ax: the axes; None: the present ones"""
+        if ax is None:
+            ax = importlib.import_module("matplotlib.pyplot").gca()
+        for block in self.blocks:
+            x, y = zip(*block.vertices.tolist())
+            ax.fill(x, y, facecolor="0.6" if block.fixed else "#e8dcc0",
+                    edgecolor="0.2", linewidth=0.8)
+            ax.annotate(block.name, block.body().centre, ha="center",
+                        va="center", fontsize="small")
+        margin, contacts = self.measure(), self.contacts
+        critical = self.critical(margin)
+        for i, contact in enumerate(contacts):
+            limits = critical is not None and critical.contact == i
+            ax.plot(*contact.p, "ro" if limits else "k.",
+                    markersize=6 if limits else 3)
+        ax.set_aspect("equal")
+        ax.set_title("%s: %s, margin %.4g" % (
+            self.name, "stands" if margin else "falls", margin.margin))
+        return ax
+
+    def to_shapely(self) -> Any:
+        """Returns the blocks as a MultiPolygon of shapely, in their order."""
+        return importlib.import_module("shapely.geometry").MultiPolygon(
+            [block.to_shapely() for block in self.blocks])
+
     def _repr_svg_(self) -> str:
         """For notebooks, whose pages take no XML declaration."""
         text = self.svg()
         return text[text.index("<svg"):]
 
     def text(self) -> str:
-        """The structure in the format of text.h, from which parse() makes one
-        with the same answers. Blanks in names become underscores. Of the
+        """Returns the structure in the format of text files, from which parse()
+        makes one with the same answers. Blanks in names become underscores. Of the
         options the file has friction, epsilon, gap and angle, or the errors of
         measured()."""
         o, lines = self.options, ["friction %r" % self.options.mu]
@@ -1809,7 +2279,7 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
                 " ".join("%r %r" % (x, y) for x, y in ends), c.mu))
         return lines
 
-    def save(self, path: Union[str, os.PathLike]) -> None:
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """Writes text() to a file."""
         pathlib.Path(path).write_text(self.text(), encoding="utf-8")
 
@@ -1826,7 +2296,10 @@ class Place(NamedTuple):
 
 
 class Plan(Structure):
-    """kern_plan: a structure that changes by one block at a time.
+    """A structure that changes by one block at a time, and is asked quickly what
+    one more would do.
+
+    blocks, options, gravity, name: as of a Structure
 
     Its blocks are copies that cannot be changed: add() and remove() do that.
     try_() and bears() ask what one more block would do, and leave the plan as
@@ -1854,10 +2327,10 @@ class Plan(Structure):
     ['ground', 'low']
     """
 
-    def __init__(self, blocks: Iterable[Block] = (),
+    def __init__(self, blocks: Iterable[Block] = (), *,
                  options: Optional[Options] = None,
                  gravity: Point = (0.0, -9.81), name: str = "plan"):
-        super().__init__(blocks, None, options, gravity, name)
+        super().__init__(blocks, options=options, gravity=gravity, name=name)
 
     def _key(self) -> Any:
         return self.options.__dict__.copy(), self.gravity
@@ -1910,21 +2383,24 @@ class Plan(Structure):
 
     def _asked(self, function: Any, block: Block, *arguments: Any) -> int:
         while True:
-            status = function(self._at_plan, byref(self._candidate), *arguments)
+            status = int(function(self._at_plan, byref(self._candidate),
+                                  *arguments))
             room = self._plan.block_room, self._plan.contact_room
             if status >= 0:
                 return status
             if status != Status.NO_SPACE or room[0] > 20000:
-                fault, every = self._held.work.fault, [*self.blocks, block]
-                if status == Status.OVERLAP and function is _plan_add:
-                    fault.value = overlaps([every[fault.block],
-                                            every[fault.other]],
-                                           self.options)[0][2]
-                raise KernError(status, [b.name for b in every], fault)
+                every = [*self.blocks, block]
+                raise KernError(
+                    status, [b.name for b in every], self._held.work.fault,
+                    overlaps=overlaps(every, options=self.options)
+                    if status == Status.OVERLAP and function is _plan_add
+                    else ())
             self._grow(2 * room[0], 2 * room[1])
 
     def add(self, block: Block) -> int:
-        """kern_plan_add(): how many contact points the block has."""
+        """Adds a copy of a block. Returns how many contact points it has.
+        Raises KernError where it is refused, with all pairs that overlap;
+        ValueError where its name is taken. The plan is then as it was."""
         with self._lock:
             self._fresh()
             _name_once([*self.blocks, block])
@@ -1938,7 +2414,7 @@ class Plan(Structure):
             return contacts
 
     def remove(self, block: Union[int, str]) -> None:
-        """kern_plan_remove(): takes a block away; those behind it move up."""
+        """Takes a block away, a number or a name; those after it move up."""
         with self._lock:
             self._fresh()
             i = self._index(block)
@@ -1947,8 +2423,14 @@ class Plan(Structure):
             self._shape()
 
     def try_(self, block: Block) -> Margin:
-        """kern_plan_try(): what measure() would say with the block added; the
-        answer comes without its proof."""
+        """Returns what measure() would say with the block added, a Margin without
+        a proof. Where the block overlaps another it is false, its margin is nan
+        and `refused` the error.
+
+        >>> plan = Plan(example().blocks)
+        >>> bool(plan.try_(Block("third", [(0, 2), (1, 2), (1, 3), (0, 3)])))
+        True
+        """
         with self._lock:
             m = _Margin()
             try:
@@ -1957,14 +2439,15 @@ class Plan(Structure):
                 if error.status != Status.OVERLAP:
                     raise
                 nan = math.nan
-                return Margin(False, None, None, nan, nan, nan, nan, nan, -1,
-                              False, error)
+                return Margin(False, nan, nan, nan, nan, nan, -1, False, error)
             return Margin._of(m, status == _STANDS)
 
     def tries(self, block: Block, poses: Any) -> Any:
-        """try_() of many poses (x, y, turn): the block is turned about its
-        centre of mass, then shifted, as by Block.move(). Returns the margins:
-        0 where it falls, nan where it overlaps or is undecided.
+        """Returns the margins with the block at many poses, by try_(): 0 where it
+        falls, nan where it overlaps or is undecided.
+
+        poses: (x, y, turn) [m, m, rad] each: the block is turned about its centre
+        of mass, then shifted, as by Block.move()
 
         >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> plan = Plan([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
@@ -1996,7 +2479,8 @@ class Plan(Structure):
         return numpy.array(out) if numpy is not None else out
 
     def bears(self, block: Block, margin: float) -> bool:
-        """kern_plan_bears(): is the margin with the block at least so much?"""
+        """Returns whether the margin [m] with the block added is at least this;
+        False where it overlaps another. Quicker than try_()."""
         with self._lock:
             try:
                 return self._ask(_plan_bears, block, margin, None) == _STANDS
@@ -2006,20 +2490,19 @@ class Plan(Structure):
                 return False
 
     def try_raised(self, block: Block, reserve: bool = False) -> Raised:
-        """kern_plan_raised(): what raised() would say with the block added; the
-        answer comes without its proof."""
+        """Returns what raised() would say with the block added, a Raised without
+        a proof. Raises KernError where it overlaps another."""
         with self._lock:
             raising, share = c_int(), c_double()
             stands = self._ask(
                 _plan_raised, block, byref(raising),
                 byref(share) if reserve else None, None) == _STANDS
-            return Raised(stands, None, None,
-                          Raising(raising.value) if stands else None,
+            return Raised(stands, Raising(raising.value) if stands else None,
                           share.value if stands and reserve else None,
                           self._end() if stands else End.NONE)
 
     def try_stays(self, block: Block) -> Optional[float]:
-        """kern_plan_stays(): the chance that the block, laid last on the plan,
+        """Returns the chance from 0 to 1 that the block, laid last on the plan,
         stays where it is let go; None where it falls or overlaps.
 
         >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -2048,10 +2531,15 @@ class Plan(Structure):
 
     def rest(self, block: Block, x: float, turn: float = 0.0
              ) -> Optional[Block]:
-        """kern_rest(): the block where it comes to rest when it is let down on
-        the plan with its centre at x, turned by an angle (rad); None where it
-        falls past, or does not stop rolling. Whether it stands there, try_()
-        and bears() tell.
+        """Returns the block where it comes to rest when it is let down on the
+        plan, or None where it falls past, or does not stop rolling. Whether it
+        stands there, try_() and bears() tell.
+
+        block: the stone, at any height
+        x: where its centre is let down [m]
+        turn: by which it is turned first [rad], counter-clockwise
+
+        Raises KernError.
 
         >>> plan = Plan([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
         ...                    fixed=True)])
@@ -2082,8 +2570,11 @@ class Plan(Structure):
 
     def places(self, block: Block, xs: Iterable[float],
                turns: Iterable[float] = (0.0,)) -> List[Place]:
-        """Where the structure stands with the block let down at each x in each
-        turn (rad): the best first, as kern_place_compare() ranks them.
+        """Returns the places where the structure stands with the block let down,
+        the best first: by the chance that it stays, then by the margin.
+
+        block: the stone, at any height
+        xs: where its centre is let down [m]; turns: by which it is turned [rad]
 
         >>> ground = Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
         ...                fixed=True)
@@ -2112,9 +2603,10 @@ class Plan(Structure):
         return sorted(found, key=functools.cmp_to_key(better))
 
 
-def overlaps(blocks: Sequence[Block], options: Optional[Options] = None
+def overlaps(blocks: Sequence[Block], *, options: Optional[Options] = None
              ) -> List[Tuple[str, str, float, float]]:
-    """kern_overlaps(): names of two blocks, the depth, and what is allowed.
+    """Returns all pairs of blocks that overlap deeper than is allowed: two names,
+    the depth [m] and what is allowed [m]. Raises KernError.
 
     >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
     >>> overlaps([Block("a", box), Block("b", box).move(0.5, 0)])[0][:2]
@@ -2135,6 +2627,199 @@ def overlaps(blocks: Sequence[Block], options: Optional[Options] = None
             raise KernError(found, [b.name for b in blocks], work.fault)
     return [(blocks[o.a].name, blocks[o.b].name, o.depth, o.allowed)
             for o in out]
+
+
+def example(shift: float = 0.2) -> Structure:
+    """Returns the wall of the examples: a box of 1 m on a box on the ground, the
+    upper one shifted to the right. Its margin is 0.5 - shift."""
+    box = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    return Structure([
+        Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)], fixed=True),
+        Block("low", box), Block("top", box).move(shift, 1)], name="example")
+
+
+# ---- Many structures ---------------------------------------------------------
+
+
+@dataclass
+class Many:
+    """Answers of many(), an entry for each structure.
+
+    status: Status.STANDS, FALLS, or below 0 why there is no answer
+    margin: how far contacts can shrink [m], 0 where it falls, else nan
+    level:  steps of epsilon that it stands, -1 without an answer
+    loads:  load factors to the left and right, (n, 2), 0 where it falls
+    mechanisms: vx, vy and spin of each block, (n, blocks, 3), just past the
+            margin; nan where nothing moves
+    loads and mechanisms are None where they were not asked for."""
+    status: Any
+    margin: Any
+    level: Any
+    loads: Any = None
+    mechanisms: Any = None
+
+    def __len__(self) -> int:
+        return len(self.status)
+
+    @property
+    def stands(self) -> Any:
+        """Whether each structure stands: an array, or a list, of bools."""
+        if numpy is not None:
+            return self.status == _STANDS
+        return [status == _STANDS for status in self.status]
+
+
+def _flat(values: Any, count: int, what: str) -> Any:
+    """Returns numbers, nested as they may be, as an array of so many doubles."""
+    if numpy is not None:
+        out = numpy.ascontiguousarray(values, numpy.float64).reshape(-1)
+    else:
+        out, rest = _array("d"), [iter((values,))]
+        while rest:
+            for value in rest[-1]:
+                if isinstance(value, (int, float)):
+                    out.append(value)
+                else:
+                    rest.append(iter(value))
+                    break
+            else:
+                rest.pop()
+    if len(out) != count:
+        raise ValueError("many(): %s has %d numbers, %d are expected"
+                         % (what, len(out), count))
+    return out
+
+
+def _address(values: Any) -> Optional[int]:
+    """Returns where the numbers of _flat() or _blank() lie."""
+    if values is None:
+        return None
+    return int(values.ctypes.data if numpy is not None
+               else values.buffer_info()[0])
+
+
+def _blank(kind: str, count: int, value: float) -> Any:
+    """Returns an array of so many equal numbers: "d" doubles, "i" ints."""
+    if numpy is not None:
+        return numpy.full(count, value, numpy.dtype(kind))
+    return _array(kind, [value]) * count
+
+
+def _poses(wall: Structure, poses: Any, count: int) -> Any:
+    """Returns poses of all blocks: those that are not named stay."""
+    n = len(wall.blocks)
+    if not isinstance(poses, dict):
+        return _flat(poses, 3 * n * count, "poses")
+    out = _blank("d", 3 * n * count, 0.0)
+    for name, rows in poses.items():
+        start, own = 3 * wall._index(name), _flat(rows, 3 * count, name)
+        for k in range(3):
+            out[start + k::3 * n] = own[k::3]
+    return out
+
+
+def many(wall: Structure, *, poses: Any = None,
+         mu: Optional[Sequence[float]] = None,
+         stones: Optional[Sequence[Block]] = None, loads: bool = False,
+         mechanisms: bool = False, threads: Optional[int] = None) -> Many:
+    """Verdicts and margins of many structures that differ from one wall.
+
+    Each is solved by itself, in C: an answer depends neither on the others nor
+    on the number of threads. Structures that overlap, or that are undecided,
+    have a status below 0 and the margin nan.
+
+    wall:   a Structure or a Plan whose contacts are found, not given
+    poses:  x [m], y [m] and turn [rad] of each block of each structure, an array
+            (n, blocks, 3), or a dict of names of blocks with arrays (n, 3): a
+            block is turned about its centre of mass, then shifted
+    mu:     n frictions, tan(friction angle)
+    stones: n blocks; each is added to one structure, as its last
+    loads:  also the load factors to the left and right
+    mechanisms: also the motion of every block
+    threads: how many work at once; None: one for each processor
+
+    Raises ValueError where lengths differ or nothing is given, KernError where
+    a stone is refused, MemoryError.
+
+    >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> wall = Structure([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
+    ...                         fixed=True),
+    ...                   Block("low", box), Block("top", box).move(0, 1)])
+    >>> out = many(wall, poses={"top": [(0, 0, 0), (.35, 0, 0), (.7, 0, 0),
+    ...                                 (0, -.5, 0)]}, loads=True)
+    >>> [round(margin, 6) for margin in out.margin]
+    [0.5, 0.15, 0.0, nan]
+    >>> [bool(stands) for stands in out.stands], Status(out.status[3]).name
+    ([True, True, False, False], 'OVERLAP')
+    >>> round(out.loads[1][1], 6)
+    0.3
+    """
+    told = {"poses": next(iter(poses.values())) if isinstance(poses, dict)
+            and poses else poses, "mu": mu, "stones": stones}
+    lengths = {name: len(rows) for name, rows in told.items()
+               if rows is not None}
+    if len(set(lengths.values())) != 1:
+        raise ValueError("many(): give poses, mu or stones, as many of each; "
+                         "read %s" % (lengths or "none"))
+    with wall._lock:
+        wall._fresh()
+        if wall.given is not None:
+            raise ValueError("many(): contacts are given, which do not move "
+                             "with the blocks")
+        n, count = len(wall.blocks), lengths.popitem()[1]
+        width = n + (stones is not None)
+        own = [(b.mass is not None) + 2 * (b.centre is not None)
+               for b in wall.blocks]
+        stone = (_Block * count)()
+        for block, made in zip(stones or (), stone):
+            block._fill(made)
+
+        # What goes in and what comes out; the arrays live until C is done.
+        options = wall.options._c()
+        density = (c_double * n)(*(b.density for b in wall.blocks))
+        owned = (c_int * n)(*own)
+        pose = None if poses is None else _poses(wall, poses, count)
+        friction = None if mu is None else _flat(mu, count, "mu")
+        status, level = _blank("i", count, -1), _blank("i", count, -1)
+        margin = _blank("d", count, math.nan)
+        load = _blank("d", 2 * count, math.nan) if loads else None
+        motion = (_blank("d", 3 * width * count, math.nan) if mechanisms
+                  else None)
+        cases = _Cases(
+            addressof(wall._task.s), addressof(options), addressof(density),
+            addressof(owned), _address(pose), _address(friction),
+            addressof(stone) if stones is not None else None,
+            *map(_address, (status, level, margin, load, motion)))
+
+        # Threads take parts in turn: ctypes lets others run meanwhile.
+        workers = max(1, min(threads or os.cpu_count() or 1, count))
+        part = -(-count // (8 * workers)) if workers > 1 else max(count, 1)
+
+        def run(first: int) -> int:
+            return int(_many(byref(cases), first, min(first + part, count)))
+        starts = range(0, count, part)
+        if workers == 1:
+            done = [run(first) for first in starts]
+        else:
+            with ThreadPoolExecutor(workers) as pool:
+                done = list(pool.map(run, starts))
+    if not all(done):
+        raise MemoryError("many()")
+    return Many(status, margin, level, _shaped(load, (count, 2)),
+                _shaped(motion, (count, width, 3)))
+
+
+def _shaped(values: Any, shape: Tuple[int, ...]) -> Any:
+    """Returns an array of rows, or of arrays of rows."""
+    if values is None:
+        return None
+    if numpy is not None:
+        return values.reshape(shape)
+    if len(shape) == 2:
+        return _rows_of(values, shape[1])
+    size = shape[1] * shape[2]
+    return [_rows_of(values[i * size:(i + 1) * size], shape[2])
+            for i in range(shape[0])]
 
 
 # ---- Text files, drawings, photographs ---------------------------------------
@@ -2160,8 +2845,9 @@ def _structure_of(t: _Text, name: str) -> Structure:
     if t.error:
         options = options.measured(t.error, t.turn or t.error / _mean_size(
             t.block, t.blocks))
-    out = Structure(blocks, given if t.given else None, options,
-                    (t.gravity.x, t.gravity.y), name)
+    out = Structure(blocks, contacts=given if t.given else None,
+                    options=options, gravity=(t.gravity.x, t.gravity.y),
+                    name=name)
     out.lives = [(blocks[a.block].name, (a.force.x, a.force.y),
                   (a.place.x, a.place.y)) for a in t.axle[:t.lives]]
     out.units = t.units.decode(errors="replace") if t.units else None
@@ -2169,7 +2855,9 @@ def _structure_of(t: _Text, name: str) -> Structure:
 
 
 def parse(text: Union[str, bytes], name: str = "structure") -> Structure:
-    """A structure from text in the format of text.h.
+    """Returns a structure from text in the format of files (`kern --help`).
+
+    name: for messages. Raises ValueError with the line, and KernError.
 
     >>> wall = parse("fixed ground -3 -1  4 -1  4 0  -3 0\\n"
     ...              "block stone *  0 0  1 0  1 1  0 1\\n")
@@ -2265,7 +2953,7 @@ def _drawn(data: bytes, ending: str, name: str, what: Dict[str, Any],
         del kept
 
 
-def read(path: Union[str, os.PathLike], **what: Any) -> Structure:
+def read(path: Union[str, os.PathLike[str]], **what: Any) -> Structure:
     """A structure from a file: in the format of text.h; a drawing (.dxf,
     .svg: see dxf.h, svg.h); polygons of LabelMe, COCO or VIA (.json). Of a drawing or a
     photograph `what` may tell
@@ -2305,8 +2993,8 @@ def _page(page: Any, name: str, what: Dict[str, Any]) -> Structure:
 
 
 def simplified(points: Sequence[Point], tolerance: float) -> List[Point]:
-    """kern_outline_simplify(): the vertices of a closed outline without those
-    that are no farther than the tolerance from the polygon that remains.
+    """Returns the vertices of a closed outline without those that are no farther
+    than the tolerance [m] from the polygon that remains. Raises KernError.
 
     >>> simplified([(0, 0), (1, .01), (2, 0), (2, 1), (0, 1)], tolerance=.02)
     [(0, 0), (2, 0), (2, 1), (0, 1)]
@@ -2361,8 +3049,12 @@ def from_coco(page: Any, pixel: Optional[float] = None, tolerance: float = 1.5,
 def lp_solve(a: Sequence[Sequence[float]], rhs: Sequence[float],
              cost: Optional[Sequence[float]] = None,
              limit: int = 0) -> Solution:
-    """kern_lp_solve(): minimises cost . x where a x = rhs and x >= 0; a is a
-    list of rows.
+    """Minimises cost . x where a x = rhs and x >= 0. Returns a Solution.
+
+    a:     a list of rows
+    cost:  None: any solution will do
+    limit: most pivots; 0: as many as it takes
+    Raises ValueError where lengths differ, KernError where it is undecided.
 
     >>> best = lp_solve([[1, 1, 1, 0], [1, 3, 0, 1]], [4, 6], [-3, -5, 0, 0])
     >>> [round(x, 9) for x in best.x]
