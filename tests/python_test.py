@@ -130,8 +130,6 @@ class Program(unittest.TestCase):
         """They are those of the program, but for the caption."""
         for path in FILES:
             s = kern.read(path)
-            if s.lives:
-                continue  # the program alone draws a live load
             with tempfile.TemporaryDirectory() as folder:
                 program = pathlib.Path(folder, "p.svg")
                 subprocess.run([PROGRAM, "--svg", program, path],
@@ -289,7 +287,13 @@ class Calls(unittest.TestCase):
         s.lives = load
         self.assertEqual(s.live_least(), least)
         self.assertIsNone(s.live_least([("top", (0, 1), (0.75, 2))]))
-        self.assertIsNone(s.live(load))
+        self.assertEqual(s.live(load), math.inf)  # above the end of the contact
+        ladder = kern.read(ROOT / "examples" / "structures" / "ladder.kern")
+        self.assertAlmostEqual(ladder.live_least(), 61.752, delta=1e-3)
+        most = ladder.live()  # foot and top slide up the wall
+        wall = 1100 / (2 * math.sqrt(3) - 0.2 * 2)
+        self.assertAlmostEqual(most, wall + 0.3 * (800 + 0.2 * wall), delta=1e-3)
+        self.assertEqual(len(most.forces), 2)
         least = Structure(two(0.2)).live_least(load)
         self.assertEqual((least, least.motion), (0, None))
 

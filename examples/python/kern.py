@@ -352,7 +352,8 @@ int kern_py_draw(const char *path, const kern_structure *s, char *const *names,
                  const char *force_name, const kern_motion *motion,
                  const kern_motion *hinges, double hinged,
                  const char *motion_name, int limiting,
-                 const kern_real *value, double most, const char *caption)
+                 const kern_real *value, double most, const char *caption,
+                 const kern_wrench *live)
 {
     FILE *out = fopen(path, "wb");
     struct draw_scene scene = { 0 };
@@ -372,6 +373,7 @@ int kern_py_draw(const char *path, const kern_structure *s, char *const *names,
     scene.most = most;
     scene.value_name = "margin of a stone";
     scene.caption = caption;
+    scene.live = live;
     bad = !out || draw_svg(out, &scene);
     return (out && fclose(out)) || bad;
 }
@@ -510,7 +512,7 @@ _drawing_free = _declare("kern_py_drawing_free", None, _p)
 _many = _declare("kern_py_many", _i, _p, _i, _i)
 _falls = _declare("kern_py_falls", None, _p, _r, _p)
 _draw = _declare("kern_py_draw", _i, c_char_p, _p, _p, _i, _r, _p, c_char_p, _p,
-                 _p, _r, c_char_p, _i, _p, _r, c_char_p)
+                 _p, _r, c_char_p, _i, _p, _r, c_char_p, _p)
 
 
 def _statuses() -> Any:
@@ -1977,18 +1979,36 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
 
     def live(self, loads: Optional[Iterable[Tuple[str, Point, Point]]] = None,
              shrink: float = 0.0, raised: bool = False) -> Optional[Factor]:
-        """Returns the factor by which a live load may grow, a Factor.
+        """Returns the largest factor of a live load that the structure bears, a
+        Factor; live_least() is the least. None where it falls at every factor.
 
         loads:  (name of a block, force [N], point [m]) each; None: `lives`,
                 which are those of the file. None at all raise ValueError
         shrink: by how much contacts are shortened at both ends [m]
-        raised: by raised_load(), not by load_factor()
+        raised: by raised_load(), not by load_factor(); from 0
 
         >>> round(example().live([("top", (1, 0), (0.7, 1))]), 4)
         3.924
         """
-        ask = self.raised_load if raised else self.load_factor
-        return ask(SHRINK, shrink, self._live_pattern("live", loads))
+        pattern = self._live_pattern("live", loads)
+        if raised:
+            return self.raised_load(SHRINK, shrink, pattern)
+        least = self.least_load(pattern, shrink)
+        if least is None:
+            return None
+        if not least > 0:
+            return self.load_factor(SHRINK, shrink, pattern)
+
+        # It falls without the load: what it bears on top of the least.
+        blocks = [b.copy() for b in self.blocks]
+        for b, row in zip(blocks, pattern):
+            if not b.fixed:
+                b.load = (b.load[0] + least * row[0], b.load[1] + least * row[1],
+                          b.load[2] + least * row[2])
+        more = Structure(blocks, contacts=self.given, options=self.options,
+                         gravity=self.gravity
+                         ).load_factor(SHRINK, shrink, pattern)
+        return more and Factor._of(least + more, more._force, more._motion)
 
     def live_least(self, loads: Optional[Iterable[Tuple[str, Point, Point]]]
                    = None, shrink: float = 0.0) -> Optional[Factor]:
@@ -2185,7 +2205,9 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
                      else None, -1 if limiting is None else limiting,
                      _numbers(values) if values else None,
                      max((v for v in values or () if v < math.inf), default=0),
-                     caption.encode()):
+                     caption.encode(),
+                     _rows(self._live_pattern("svg", None), len(self.blocks), 3,
+                           "a live load") if self.lives else None):
                 raise OSError("cannot write %s" % path)
             return pathlib.Path(path).read_text(encoding="utf-8")
 
