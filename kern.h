@@ -1254,9 +1254,9 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
        own     the larger
        load    the larger
        x turn  the smaller, so that any order of places gives the same best
-   In 77 states of walls with places of which some stay in a simulator and some
-   move, the stone stays in the place of the largest margin in 0.78 and 0.68 of
-   two halves; of those with a chance of at least 0.9, in 0.91 and 0.90. */
+   In 46 states of walls with places of which some stay in all six runs of a
+   simulator and some do not, the best place stays in 40 and moves in some runs
+   in 6. The place of the largest margin stays in 35. */
 KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
                                 kern_real alone);
 
@@ -10799,13 +10799,12 @@ static void kern_descent_sweep(kern_descent *r, kern_course *c)
 {
     int i;
     r->side = 1;
+    r->swept = r->pose->block.box;
     c->low = KERN_INFINITY;
     c->high = -c->low;
     for (i = 0; i < r->shape->vertices; i++) {
         const kern_real across = kern_vec_cross(c->way, r->vertex[i]);
         const kern_box box = kern_descent_way(r, c, r->vertex[i]);
-        if (i == 0)
-            r->swept = box;
         kern_box_add(&r->swept, box.low);
         kern_box_add(&r->swept, box.high);
         c->low = kern_min(c->low, across + r->graze);
