@@ -1257,9 +1257,9 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
        own     the larger
        load    the larger
        x turn  the smaller, so that any order of places gives the same best
-   In 77 states of walls with places of which some stay in a simulator and some
-   move, the stone stays in the place of the largest margin in 0.78 and 0.68 of
-   two halves; of those with a chance of at least 0.9, in 0.91 and 0.90. */
+   In 46 states of walls with places of which some stay in all six runs of a
+   simulator and some do not, the best place stays in 40 and moves in some runs
+   in 6. The place of the largest margin stays in 35. */
 KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
                                 kern_real alone);
 
@@ -10829,13 +10829,12 @@ static void kern_descent_sweep(kern_descent *r, kern_course *c)
 {
     int i;
     r->side = 1;
+    r->swept = r->pose->block.box;
     c->low = KERN_INFINITY;
     c->high = -c->low;
     for (i = 0; i < r->shape->vertices; i++) {
         const kern_real across = kern_vec_cross(c->way, r->vertex[i]);
         const kern_box box = kern_descent_way(r, c, r->vertex[i]);
-        if (i == 0)
-            r->swept = box;
         kern_box_add(&r->swept, box.low);
         kern_box_add(&r->swept, box.high);
         c->low = kern_min(c->low, across + r->graze);
@@ -10914,20 +10913,19 @@ static void kern_descent_prefer(const kern_descent *r, kern_course *best,
 }
 
 /* Prefers a slide down the edge of a footing. It ends where a vertex runs off
-   an edge that it slides along. */
+   that edge. */
 static void kern_descent_slope(const kern_descent *r, const kern_footing *f,
                                kern_course *best)
 {
+    const kern_edge *e = &f->edge;
+    const kern_real foot = kern_edge_foot(e, f->p);
+    const int along = kern_vec_dot(e->d, r->down) > 0 ? 1 : -1;
+    const kern_vec way = kern_vec_scale(e->d, KERN_R(along));
+    const kern_motion m = {way.x, way.y, 0};
     kern_course c;
-    kern_motion m;
-    const kern_real foot = kern_edge_foot(&f->edge, f->p);
-    const int along = kern_vec_dot(f->edge.d, r->down) > 0 ? 1 : -1;
     c.kind = KERN_COURSE_SLIDE;
-    c.way = kern_vec_scale(f->edge.d, KERN_R(along));
-    c.end = 2 * r->touch + (along == f->side ? f->edge.length - foot : foot);
-    m.vx = c.way.x;
-    m.vy = c.way.y;
-    m.spin = KERN_R(0);
+    c.way = way;
+    c.end = 2 * r->touch + (along == f->side ? e->length - foot : foot);
     kern_descent_prefer(r, best, &c, m);
 }
 
@@ -10939,16 +10937,15 @@ static void kern_descent_tip(const kern_descent *r, const kern_footing *f,
     const kern_vec arm = kern_vec_sub(r->pose->block.centre, f->p);
     const kern_real length = kern_vec_length(arm);
     const kern_real lever = kern_vec_cross(arm, r->down);
+    const kern_real spin = KERN_R(lever < 0 ? -1 : 1);
+    const kern_motion m = {-spin * arm.y / length, spin * arm.x / length,
+                           spin / length};
     kern_course c;
-    kern_motion m;
     c.kind = KERN_COURSE_TURN;
     c.way = f->p;
-    c.spin = KERN_R(lever < 0 ? -1 : 1);
-    c.end = kern_abs(lever) / (length + kern_vec_dot(arm, r->down));
-    c.end = kern_min(c.end, KERN_REST_TURN);
-    m.spin = c.spin / length;
-    m.vx = -m.spin * arm.y;
-    m.vy = m.spin * arm.x;
+    c.spin = spin;
+    c.end = kern_min(KERN_REST_TURN,
+                     spin * lever / (length + kern_vec_dot(arm, r->down)));
     kern_descent_prefer(r, best, &c, m);
 }
 
@@ -10987,10 +10984,10 @@ static kern_status kern_descent_begin(kern_descent *r, kern_real x)
     of.block = r->shape;
     of.blocks = 1;
     of.from = 0;
-    status = kern_search_survey(&of);
+    status = r->shape->vertices ? kern_search_survey(&of) : KERN_FEW_VERTICES;
     of.fault->block = s->blocks;
-    if (status != KERN_OK || !r->shape->vertices)
-        return status != KERN_OK ? status : KERN_FEW_VERTICES;
+    if (status != KERN_OK)
+        return status;
     of.block = s->block;
     of.blocks = of.from = s->blocks;
     status = kern_search_survey(&of);
