@@ -79,14 +79,16 @@ static const char help[] =
     "Table: share of the frame that is filled; level, margin (a length); limit: load\n"
     "factor in g with a friction of 0.58, in head joints 0; collapse: level of\n"
     "shaking, 0.059 g each; Q: margin in stones times what the filling is worth;\n"
-    "bed: mean length of a stone's bed, in its sizes; upright: share of the long\n"
-    "stones that stand on end; on two: share of the stones above the ground that\n"
-    "rest on two or more, or on one and the ground; ends: share of the two ends that\n"
-    "are four stones or more, each on the one below alone; joint: shortest way up\n"
-    "through the joints over the height, 1 is a running joint. Stones of less than a\n"
-    "fifth of the square of the mean size are pins: best keeps them back until one\n"
-    "makes a stone rest on two, or fits into a joint; in the table, from bed to ends,\n"
-    "they are no stones.\n"
+    "tilted: share of the stones whose longest face is more than 15 degrees off\n"
+    "level; of the stones above the ground, on two: share with beds of 0.15 mean\n"
+    "stones on two or more, no bed: share without any; corner: share of their\n"
+    "supports that are shorter; gape: share of the head joints wider than 0.1 mean\n"
+    "stones; uneven: deviation of the tops of a course, in mean stones; ends: share\n"
+    "of the two ends that are four stones or more, each on the one below alone;\n"
+    "joint: shortest way up through the joints over the height, 1 is a running\n"
+    "joint. Stones of less than a fifth of the square of the mean size are pins:\n"
+    "best keeps them back until one makes a stone rest on two, or fits into a joint;\n"
+    "in the table, from tilted to ends, they are no stones.\n"
     "\n"
     "Exit status: 0 done, 1 no stone could be laid, 2 bad use or input.\n";
 
@@ -454,9 +456,11 @@ struct row {
 
 static void print_head(void)
 {
-    printf("%-24s %6s %7s %6s %7s %9s %9s %7s %5s %7s %6s %4s %5s\n", "wall",
-           "stones", "filling", "level", "margin", "limit", "collapse", "Q",
-           "bed", "upright", "on two", "ends", "joint");
+    printf(
+        "%-24s %6s %7s %6s %7s %9s %9s %7s %6s %6s %6s %6s %5s %6s %4s %5s\n",
+        "wall", "stones", "filling", "level", "margin", "limit", "collapse",
+        "Q", "tilted", "on two", "no bed", "corner", "gape", "uneven", "ends",
+        "joint");
 }
 
 static void print_row(const char *name, const struct row *r)
@@ -473,9 +477,10 @@ static void print_row(const char *name, const struct row *r)
         printf("%8s%d ", ">", TABLE_LEVELS);
     else
         printf("%9.3g ", r->collapse);
-    printf("%7.4f %5.2f %7.2f %6.2f %4.1f %5.2f\n",
-           stack_quality(r->m.margin / r->size, r->fill), r->masonry.bed,
-           r->masonry.upright, r->masonry.on_two, r->masonry.end_columns,
+    printf("%7.4f %6.2f %6.2f %6.2f %6.2f %5.2f %6.2f %4.1f %5.2f\n",
+           stack_quality(r->m.margin / r->size, r->fill), r->masonry.off_level,
+           r->masonry.on_two, r->masonry.bedless, r->masonry.corners,
+           r->masonry.gaping, r->masonry.uneven, r->masonry.end_columns,
            r->masonry.joint);
 }
 
@@ -552,10 +557,12 @@ static void print_json(const struct settings *o, const struct row *r,
         printf("\"limit\": %.4g, ", r->limit);
     else
         printf("\"limit\": null, ");
-    printf("\"bed\": %.4g, \"bedless\": %.4g, \"upright\": %.4g, "
-           "\"on_two\": %.4g, \"end_columns\": %.4g, ",
-           r->masonry.bed, r->masonry.bedless, r->masonry.upright,
-           r->masonry.on_two, r->masonry.end_columns);
+    printf("\"off_level\": %.4g, \"on_two\": %.4g, \"bedless\": %.4g, "
+           "\"corners\": %.4g, \"gaping\": %.4g, \"uneven\": %.4g, "
+           "\"end_columns\": %.4g, ",
+           r->masonry.off_level, r->masonry.on_two, r->masonry.bedless,
+           r->masonry.corners, r->masonry.gaping, r->masonry.uneven,
+           r->masonry.end_columns);
     if (r->masonry.joint < HUGE_VAL)
         printf("\"joint\": %.4g, ", r->masonry.joint);
     else

@@ -657,8 +657,8 @@ static double stack_value_of_masonry(const struct stack_wall *w)
         return 0;
     bond = pow(fmin(1, m.on_two / half), 4);
     return stack_worth_of_filling(w) * fmin(1, 0.7 + 3 * (m.joint - 1))
-         * (1 - m.upright) * (1 - m.bedless) * bond * (1 - 0.8 * m.end_columns)
-         * pow(runs, m.running);
+         * (1 - m.off_level) * (1 - m.bedless) * bond
+         * (1 - 0.8 * m.end_columns) * pow(runs, m.running);
 }
 
 /* What `best` wants to be high. A wall that lacks stones that were asked for is

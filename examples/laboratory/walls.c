@@ -178,14 +178,15 @@ static void walls_list(const struct walls *f, int level, int set, int planner)
     const struct walls_one *o = walls_at(f, level, set, planner);
     fprintf(f->list,
             "%d,%d,%s,%d,%.4f,%.0f,%.4f,%.4g,%.5f,%.5f,%.4f,%.4f,"
-            "%.4f,%.4f,%.4f,%.1f,%.3g,%.0f,%d,%d,%.0f",
+            "%.4f,%.4f,%.4f,%.4f,%.4f,%.1f,%.3g,%.0f,%d,%d,%.0f",
             walls_percent(level), f->first + set, stack_planner_name[planner],
             o->laid, o->fill, o->stability[WALLS_LEVEL],
             o->stability[WALLS_MARGIN], o->stability[WALLS_COLLAPSE],
             walls_quality(o, WALLS_COLLAPSE), walls_quality(o, WALLS_MARGIN),
-            o->masonry.bed, o->masonry.bedless, o->masonry.upright,
-            o->masonry.joint, o->masonry.on_two, o->masonry.end_columns,
-            o->seconds, o->masonry.running, o->tried, o->asked,
+            o->masonry.off_level, o->masonry.on_two, o->masonry.bedless,
+            o->masonry.corners, o->masonry.gaping, o->masonry.uneven,
+            o->masonry.joint, o->masonry.end_columns, o->seconds,
+            o->masonry.running, o->tried, o->asked,
             o->asked / fmax(o->asking, 1e-9));
     if (o->tested)
         fprintf(f->list, ",%d,%d,%d\n", o->some, o->all, o->falls);
@@ -199,11 +200,12 @@ static int walls_open_list(struct walls *f)
     f->list = plot_open(f->folder, "walls.csv");
     if (!f->list)
         return -1;
-    fprintf(f->list,
-            "irregularity,seed,planner,stones,filling,level,"
-            "margin_sizes,collapse,Q,Q_margin,bed,bedless,upright,joint,"
-            "on_two,end_columns,seconds,running,candidates,asked,"
-            "asked_a_second,moves_some,moves_all,finished_moves\n");
+    fprintf(
+        f->list,
+        "irregularity,seed,planner,stones,filling,level,"
+        "margin_sizes,collapse,Q,Q_margin,off_level,on_two,bedless,"
+        "corners,gaping,uneven,joint,end_columns,seconds,running,candidates,asked,"
+        "asked_a_second,moves_some,moves_all,finished_moves\n");
     return 0;
 }
 
@@ -216,19 +218,20 @@ static void walls_line(const struct walls *f, const char *line)
         found = sscanf(
             line,
             "%d,%d,%19[a-z],%d,%lf,%lf,%lf,%lf,"
-            "%*f,%*f,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%d,%d,%*f,%d,%d,%d",
+            "%*f,%*f,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%d,%d,%*f,%d,%d,"
+            "%d",
             &level, &seed, planner, &o.laid, &o.fill, &o.stability[WALLS_LEVEL],
             &o.stability[WALLS_MARGIN], &o.stability[WALLS_COLLAPSE],
-            &o.masonry.bed, &o.masonry.bedless, &o.masonry.upright,
-            &o.masonry.joint, &o.masonry.on_two, &o.masonry.end_columns,
-            &o.seconds, &o.masonry.running, &o.tried, &o.asked, &o.some, &o.all,
-            &o.falls);
+            &o.masonry.off_level, &o.masonry.on_two, &o.masonry.bedless,
+            &o.masonry.corners, &o.masonry.gaping, &o.masonry.uneven,
+            &o.masonry.joint, &o.masonry.end_columns, &o.seconds,
+            &o.masonry.running, &o.tried, &o.asked, &o.some, &o.all, &o.falls);
     const int set = seed - f->first;
     level = level / 10 - 1;
-    if (found < 18 || set < 0 || set >= f->sets || level < 0
+    if (found < 20 || set < 0 || set >= f->sets || level < 0
         || level >= WALLS_LEVELS)
         return;
-    o.tested = found == 21;
+    o.tested = found == 23;
     for (int p = 0; p < f->planners; p++)
         if (strcmp(planner, stack_planner_name[p]) == 0)
             *walls_at(f, level, set, p) = o;
@@ -476,45 +479,58 @@ static void walls_differences(const struct walls *f, FILE *out, int more,
     }
 }
 
-enum { WALLS_FIGURES = 14 };
+enum { WALLS_FIGURES = 12 };
 
-/* What the table of means has of a wall, from left to right. */
+/* Writes what the table of means has of a wall, from left to right. */
 static void walls_figures(const struct walls_one *o, double x[WALLS_FIGURES])
 {
     /* clang-format off */
     const double all[WALLS_FIGURES] = {
-        o->laid, o->fill, o->stability[WALLS_COLLAPSE],
-        walls_quality(o, WALLS_COLLAPSE), o->stability[WALLS_MARGIN],
-        walls_quality(o, WALLS_MARGIN), o->masonry.bed, o->masonry.bedless,
-        o->masonry.upright, o->masonry.joint, o->masonry.on_two,
-        o->masonry.end_columns, o->masonry.running, o->seconds
+        o->laid, o->fill, o->stability[WALLS_COLLAPSE], o->masonry.off_level,
+        o->masonry.on_two, o->masonry.bedless, o->masonry.corners,
+        o->masonry.gaping, o->masonry.uneven, o->masonry.end_columns,
+        o->masonry.running, o->seconds
     };
     /* clang-format on */
     memcpy(x, all, sizeof all);
 }
 
-/* Means over all sets of a level. */
+static const struct {
+    const char *name;
+    int digits;
+} walls_column[WALLS_FIGURES] = {
+    {"stones", 1}, {"filling", 3}, {"collapse", 1}, {"tilted", 2},
+    {"on two", 2}, {"no bed", 2},  {"corners", 2},  {"gaping", 2},
+    {"uneven", 2}, {"ends", 2},    {"running", 2},  {"seconds", 1}};
+
+/* Writes means over all sets of a level, with 95 % intervals. */
 static void walls_means(const struct walls *f, FILE *out)
 {
-    fprintf(out,
-            "| irregularity | planner | stones | filling | collapse | "
-            "Q | margin / size | Q, margin | bed | without bed | upright | "
-            "joints | on two | end columns | running | seconds |\n|---|---|"
-            "---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-    for (int l = 0; l < WALLS_LEVELS; l++)
-        for (int p = 0; p < f->planners; p++) {
-            double sum[WALLS_FIGURES] = {0}, x[WALLS_FIGURES];
+    double *x = malloc((size_t)f->sets * sizeof *x);
+    fprintf(out, "| irregularity | planner |");
+    for (int k = 0; k < WALLS_FIGURES; k++)
+        fprintf(out, " %s |", walls_column[k].name);
+    fprintf(out, "\n|---|---|");
+    for (int k = 0; k < WALLS_FIGURES; k++)
+        fprintf(out, "---|");
+    fprintf(out, "\n");
+    for (int row = 0; x && row < WALLS_LEVELS * f->planners; row++) {
+        const int l = row / f->planners, p = row % f->planners;
+        fprintf(out, "| %d | %s |", walls_percent(l), stack_planner_name[p]);
+        for (int k = 0; k < WALLS_FIGURES; k++) {
+            const int digits = walls_column[k].digits;
+            double all[WALLS_FIGURES], mean, sd;
             for (int set = 0; set < f->sets; set++) {
-                walls_figures(walls_at(f, l, set, p), x);
-                for (int k = 0; k < WALLS_FIGURES; k++)
-                    sum[k] += x[k] / f->sets;
+                walls_figures(walls_at(f, l, set, p), all);
+                x[set] = all[k];
             }
-            fprintf(out, "| %d | %s | %.1f |", walls_percent(l),
-                    stack_planner_name[p], sum[0]);
-            for (int k = 1; k < WALLS_FIGURES; k++)
-                fprintf(out, " %.*f |", k == 2 || k == 13 ? 1 : 3, sum[k]);
-            fprintf(out, "\n");
+            walls_moments(x, f->sets, &mean, &sd);
+            fprintf(out, " %.*f ± %.*f |", digits, mean, digits,
+                    walls_interval(sd, f->sets));
         }
+        fprintf(out, "\n");
+    }
+    free(x);
 }
 
 /* The step test, in sums over all levels. */
