@@ -44,10 +44,8 @@ struct masonry {
     double running;     /* joints that run up through three courses     */
 };
 
-static const double masonry_long = 1.25;   /* aspect of a long stone         */
 static const double masonry_off = 0.25882; /* slope off level: sine of 15 deg */
 static const double masonry_wide = 0.1;    /* width of a joint that gapes    */
-static const double masonry_level = 0.866; /* normal of a bed: 30 degrees   */
 static const double masonry_point = 0.15;  /* a shorter bed is none          */
 static const double masonry_rests = 0.5;   /* normal of what carries: 60 deg  */
 static const double masonry_pin = 0.2;     /* below so much of a mean square */
@@ -56,35 +54,7 @@ static const double masonry_step = 0.06;   /* of the ways, in mean sizes     */
 static const double masonry_side = 0.6;    /* no way runs nearer to the ends */
 static const double masonry_high = 0.8;    /* of the mean top: the end       */
 
-/* ---- Stones on end ------------------------------------------------------- */
-
-/* The angle of a polygon's long axis against the horizontal, in degrees from
-   0 to 90, and its aspect: the ratio of the axes of the ellipse with the same
-   second moments of area. */
-MASONRY_API double masonry_axis(const kern_vec *v, int n, kern_vec centre,
-                                double *aspect)
-{
-    const double degree = 3.14159265358979323846 / 180;
-    double xx = 0, yy = 0, xy = 0, mean, half;
-    for (int i = 0; i < n; i++) {
-        const kern_vec *a = &v[i], *b = &v[i + 1 < n ? i + 1 : 0];
-        double px = a->x - centre.x, py = a->y - centre.y;
-        double qx = b->x - centre.x, qy = b->y - centre.y;
-        double cross = px * qy - py * qx;
-        xx += cross * (px * px + px * qx + qx * qx);
-        yy += cross * (py * py + py * qy + qy * qy);
-        xy += cross * (2 * px * py + px * qy + qx * py + 2 * qx * qy) / 2;
-    }
-    if (xx < 0) { /* clockwise */
-        xx = -xx;
-        yy = -yy;
-        xy = -xy;
-    }
-    mean = (xx + yy) / 2;
-    half = sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
-    *aspect = sqrt((mean + half) / (mean - half));
-    return fabs(atan2(2 * xy, xx - yy)) / 2 / degree;
-}
+/* ---- Stones ------------------------------------------------------------- */
 
 /* Is a block one of the stones, neither fixed nor a pin where these are of this
    mean size? */
@@ -605,18 +575,27 @@ static int masonry_joints(const kern_structure *s, double size,
     return 0;
 }
 
-/* All figures of a structure with its contacts, whose stones stand on y = 0 and
-   are of this mean size. Returns 0, or -1 where memory is lacking. */
-MASONRY_API int masonry_of(const kern_structure *s, double size,
-                           struct masonry *m)
+/* Counts everything but the way through the joints, of a structure with its
+   contacts, whose stones stand on y = 0 and are of this mean size. Returns 0, or
+   -1 where memory is lacking. */
+MASONRY_API int masonry_count(const kern_structure *s, double size,
+                              struct masonry *m)
 {
+    m->joint = HUGE_VAL;
     m->off_level = masonry_off_level(s, size);
     m->gaping = masonry_gaping(s, size);
     masonry_beds(s, size, m);
     return masonry_columns(s, size, m) || masonry_uneven(s, size, m)
-                || masonry_running(s, size, m) || masonry_joints(s, size, m)
+                || masonry_running(s, size, m)
              ? -1
              : 0;
+}
+
+/* The same with the way through the joints, which takes the most time. */
+MASONRY_API int masonry_of(const kern_structure *s, double size,
+                           struct masonry *m)
+{
+    return masonry_count(s, size, m) || masonry_joints(s, size, m) ? -1 : 0;
 }
 
 #endif /* MASONRY_H */

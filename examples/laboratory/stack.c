@@ -49,7 +49,9 @@ static const char help[] =
     "      --boxes N         a frame of N mean bounding boxes each way instead\n"
     "      --most N          lay so many stones at the most\n"
     "      --look N          the next N stones of the stock are candidates;\n"
-    "                        default 6\n"
+    "                        default 6, of best all\n"
+    "      --dress S         best: a stone may lose the share S of its area along\n"
+    "                        its top, which is then level; default 0\n"
     "      --threshold F=T   how much worse than the best candidate one may be in\n"
     "                        a feature: edges, hole, neighbours, slope, bond\n"
     "      --levels K        combined: the kern filter comes after K of these\n"
@@ -60,9 +62,8 @@ static const char help[] =
     "      --walls N         best: so many walls are built; default: as many as\n"
     "                        some seconds allow\n"
     "      --goal G          best: what it wants to be high beside the filling:\n"
-    "                        shaking, the level that a table of its own says,\n"
-    "                        the default, drop, the one that the expected drop\n"
-    "                        predicts, or load\n"
+    "                        drop, the level of collapse that the expected drop\n"
+    "                        predicts, the default, or load\n"
     "      --beat F,M        best: a wall with more filling than F and a limit\n"
     "                        multiplier above M is wanted; implies --goal load\n"
     "      --out FILE        the wall; default stacked.kern\n"
@@ -222,6 +223,7 @@ static int read_option(struct settings *o, const char *name, const char *word)
                    {"--height", 1e-3, 1e6, &p->height},
                    {"-h", 1e-3, 1e6, &p->height},
                    {"--boxes", 1, 1000, &o->boxes},
+                   {"--dress", 0, 0.3, &p->dress},
                    {"--friction", 0, 10, &p->friction},
                    {"--joints", 0, 10, &p->joints}};
     const struct {
@@ -632,13 +634,11 @@ static void report(const struct stack_wall *w, double seconds)
 {
     fprintf(stderr, "\nstack: %d stones laid in %.2f s: %s\n", w->laid, seconds,
             w->message);
-    fprintf(
-        stderr,
-        "stack: %d candidates came to rest, %.0f a second; kern "
-        "was asked about %d, %.0f a second; %d were let go in the simulator, "
-        "%d moved\n",
-        w->tried, w->tried / fmax(seconds, 1e-9), w->asked,
-        w->asked / fmax(w->asking, 1e-9), w->swayed, w->slipped);
+    fprintf(stderr,
+            "stack: %d candidates came to rest, %.0f a second; kern "
+            "was asked about %d, %.0f a second, whether %d stay, %d do not\n",
+            w->tried, w->tried / fmax(seconds, 1e-9), w->asked,
+            w->asked / fmax(w->asking, 1e-9), w->held, w->slipped);
 }
 
 /* The wall as a structure and in pictures, and its line of the table. */

@@ -42,7 +42,7 @@
 
 static const char help[] =
     "usage: walls [--quick] [--settled] [--sets N] [--first S] [--steps N]\n"
-    "             [--from LIST] FOLDER\n"
+    "             [--dress P] [--from LIST] FOLDER\n"
     "Builds walls with the planners of stack.h from N stocks a level of\n"
     "irregularity (20), and writes Figs. 8 and 9 of the paper into FOLDER, which\n"
     "must hold a folder `walls`.\n"
@@ -52,6 +52,7 @@ static const char help[] =
     "  --first S   the seed of the first stock; default 1\n"
     "  --steps N   the step test, of the walls of the first N stocks a level: each\n"
     "              step is let go in six runs of the simulator; default 0\n"
+    "  --dress P   best may dress a stone by P per cent of its area; default 0\n"
     "  --from LIST builds nothing: Fig. 9 of walls that are listed, a walls.csv of one\n"
     "              run or of several\n";
 
@@ -96,6 +97,7 @@ struct walls {
     const char *from; /* a list of walls that were built before       */
     int sets, quick, settled;
     int planners;     /* the first of stack.h                         */
+    int dress;        /* per cent of a stone's area                   */
     int first, steps; /* seed of the first set; sets of the step test */
     FILE *list;
     /* one a level, set and planner */
@@ -146,6 +148,7 @@ static int walls_build(const struct walls *f, const struct stones *stock,
     clock_t start = clock();
     o.planner = (enum stack_planner)planner;
     o.seed = (uint64_t)(f->first + set);
+    o.dress = f->dress / 100.0;
     if (f->quick) {
         o.walls = 4;
         drop.drops = 40;
@@ -731,9 +734,10 @@ static int walls_option(void *set, char **argv, int *i)
         int most, *out;
     } number[] = {{"--sets", 1000, &f->sets},
                   {"--first", 1000000, &f->first},
+                  {"--dress", 30, &f->dress},
                   {"--steps", 1000000, &f->steps}};
     const char *word;
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 4; k++)
         if (args_value(argv, i, number[k].name, &word))
             return args_integer(&word, 1, number[k].most, number[k].out)
                         || *word
@@ -752,7 +756,7 @@ static int walls_option(void *set, char **argv, int *i)
 
 int main(int argc, char **argv)
 {
-    struct walls f = {NULL, NULL, 0, 0, 0, 0, 1, 0, NULL, NULL};
+    struct walls f = {NULL, NULL, 0, 0, 0, 0, 0, 1, 0, NULL, NULL};
     const int folders = args_read(argc, argv, walls_option, &f);
     if (folders == ARGS_HELP)
         return fputs(help, stdout) < 0 ? 2 : 0;
