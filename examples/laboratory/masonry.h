@@ -76,7 +76,7 @@ static double masonry_mean(const kern_structure *s, double size)
     return stones > 0 ? sum / stones : size;
 }
 
-/* ---- Faces off level ------------------------------------------------------ */
+/* ---- Faces off level ----------------------------------------------------- */
 
 /* Returns 1 if the longest face of a polygon is more than 15 degrees off the
    level. Of faces equally long the one that rises least counts. */
@@ -354,7 +354,7 @@ static int masonry_columns(const kern_structure *s, double size,
     return 0;
 }
 
-/* ---- Head joints and tops ------------------------------------------------- */
+/* ---- Head joints and tops ------------------------------------------------ */
 
 /* Finds the ends of what a block covers at height y; left is the larger where
    it covers nothing. */
@@ -576,8 +576,8 @@ static int masonry_joints(const kern_structure *s, double size,
 }
 
 /* Counts everything but the way through the joints, of a structure with its
-   contacts, whose stones stand on y = 0 and are of this mean size. Returns 0, or
-   -1 where memory is lacking. */
+   contacts, whose stones stand on y = 0 and are of this mean size. Returns 0,
+   or -1 where memory is lacking. */
 MASONRY_API int masonry_count(const kern_structure *s, double size,
                               struct masonry *m)
 {
@@ -591,7 +591,8 @@ MASONRY_API int masonry_count(const kern_structure *s, double size,
              : 0;
 }
 
-/* The same with the way through the joints, which takes the most time. */
+/* Counts everything, and finds the way through the joints, which takes the most
+   time. Returns 0, or -1 where memory is lacking. */
 MASONRY_API int masonry_of(const kern_structure *s, double size,
                            struct masonry *m)
 {

@@ -7,8 +7,8 @@
    stack_filter. The kern filter predicts the level of the wall with each
    candidate, by a plan of the wall, and drops those below the mean. Of what is
    left the planner takes the candidate with most of the first feature, if it
-   also stays there by kern_plan_stays(): a stone may slide although forces exist
-   that would hold it.
+   also stays there by kern_plan_stays(): a stone may slide although forces
+   exist that would hold it.
 
    Features and hierarchy are those that the heuristic planner of V. Thangavelu,
    Y. Liu, M. Saboia and N. Napp (Dry stacking for automated construction with
@@ -26,8 +26,8 @@
    stack_finish(); before that they ask kern_plan_stays() alone.
 
    stack_wall.h has the options, the wall and the features, stack_place.h the
-   candidates, what may be laid and the last look, stack_pin.h pins; this file has
-   the filters and the search. The same input gives the same wall.
+   candidates, what may be laid and the last look, stack_pin.h pins; this file
+   has the filters and the search. The same input gives the same wall.
 
    SPDX-License-Identifier: MIT */
 
@@ -628,9 +628,9 @@ static double stack_value_of_load(struct stack_wall *w)
     return limit * stack_worth(fill);
 }
 
-/* What of a wall is as masons want it, 0 to 1: filled, its joints crossed and none
-   through three courses, its faces level, every stone on a bed, many on two, and
-   no column at either end. */
+/* What of a wall is as masons want it, more than 0: filled, no joint through
+   three courses, its faces level, every stone on a bed, many on two, and no
+   column at either end. */
 static double stack_value_of_masonry(const struct stack_wall *w)
 {
     const double runs = 0.5;

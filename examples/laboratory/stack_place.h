@@ -157,10 +157,10 @@ static int stack_joints(const struct stack_wall *w, struct stack_anchor *a)
     return n;
 }
 
-/* Keeps of n anchors those where the course that is being laid goes on: from the
-   left, the first half a stone's width whose sky is at most w->course sizes above
-   that of the lowest, and so much to the right of it as the next stone may take.
-   Returns how many. */
+/* Keeps of n anchors those where the course that is being laid goes on. It goes
+   on where, from the left, the first half a stone's width of the sky is at most
+   w->course sizes above the lowest, and from there two stones to the right.
+   Returns how many are kept. */
 static int stack_course(const struct stack_wall *w, struct stack_anchor *a,
                         int n)
 {
@@ -225,8 +225,8 @@ static int stack_anchors(const struct stack_wall *w, double step,
     return stack_course(w, a, n);
 }
 
-/* Finds how far back along d a stone that was slid against the one beside it has
-   to go until one face may lie on both tops; 0 where it need not, or too far. */
+/* Finds how far back along d a stone that was slid against the one beside it
+   has to go until one face may lie on both tops; 0 where it need not, or too far. */
 static double stack_way_back(const struct stack_wall *w, const struct stone *s,
                              int side, kern_vec d)
 {
