@@ -27,6 +27,7 @@
 #define DROP_H
 
 #include "stack.h"
+#include "table.h"
 
 /* What a planner that drops stones may need; drop_defaults(). */
 struct drop_options {
@@ -219,7 +220,6 @@ static int drop_take(struct stack_wall *w, const struct stack_place *place,
             break;
         stack_raise(w, i);
         w->used[place[i].stone] = 1;
-        w->upright += stack_on_end(s);
         w->filled += stone_area_in(s, w->options.width, w->options.height);
         w->laid = i + 1;
     }
@@ -273,7 +273,7 @@ static int drop_lay(struct stack_wall *w, const struct drop_options *o,
         int rests;
         if (best < 0)
             return 0;
-        w->swayed++;
+        w->held++;
         rests = drop_settle(w, o->moved, &list->one[best], room);
         if (rests < 0)
             return -1;

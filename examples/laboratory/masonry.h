@@ -1,10 +1,10 @@
-/* masonry.h - what a mason sees in a wall, as figures: beds, stones on end,
-   the bond, and the way that a crack takes through the joints.
+/* masonry.h - counts what a mason sees in a wall: beds, faces off level, head
+   joints, the tops of courses, the bond, and the way that a crack takes through
+   the joints.
 
    Sizes of stones are the square roots of their areas. Gravity points to -y.
-   Pins, stones of less than a fifth of the square of the mean size, are no
-   stones in any of these figures: a stone that rests on a pin rests on what
-   carries the pin.
+   Pins are stones of less than a fifth of the square of the mean size. They are
+   counted in none of these figures, but a stone may have a bed on one.
 
    SPDX-License-Identifier: MIT */
 
@@ -23,23 +23,29 @@
 #define MASONRY_API static
 #endif
 
+/* Shares of stones are of those above the ground: nothing fixed carries them. A
+   support is a block that carries a stone; a bed is a support that touches it
+   along 0.15 mean sizes or more, a corner a support that does not. */
 struct masonry {
-    double bed;         /* mean length of a stone's bed, in its sizes   */
-    double bedless;     /* share of stones with a bed below 0.15        */
-    double upright;     /* share of the long stones that stand on end   */
-    double on_two;      /* share of the stones above the ground that rest
-                               on two or more stones, or on one and the
-                               ground                                       */
+    double on_two;      /* share of stones with beds on two blocks or more */
+    double bedless;     /* share of stones without a bed                */
+    double corners;     /* share of the supports that are corners       */
+    double off_level;   /* share of all stones whose longest face is more
+                           than 15 degrees off the level                */
+    double gaping;      /* share of the head joints wider than a tenth of
+                           a mean size, where the centre of the stone on
+                           their left is                                */
+    double uneven;      /* deviation of the tops from the mean top of their
+                           course, root of the mean square, in mean sizes */
     double end_columns; /* share of the two ends that hold a column: four
-                               stones or more, each on the one below alone  */
+                           stones or more, each on the one below alone  */
     double joint;       /* length of the shortest way up through the
-                               joints over its height: 1 is a running joint */
-    double running;     /* joints that run up through three courses      */
+                           joints over its height: 1 is a running joint */
+    double running;     /* joints that run up through three courses     */
 };
 
-static const double masonry_long = 1.25;   /* aspect of a long stone         */
-static const double masonry_steep = 65;    /* its axis, standing; degrees    */
-static const double masonry_level = 0.866; /* normal of a bed: 30 degrees   */
+static const double masonry_off = 0.25882; /* slope off level: sine of 15 deg */
+static const double masonry_wide = 0.1;    /* width of a joint that gapes    */
 static const double masonry_point = 0.15;  /* a shorter bed is none          */
 static const double masonry_rests = 0.5;   /* normal of what carries: 60 deg  */
 static const double masonry_pin = 0.2;     /* below so much of a mean square */
@@ -48,35 +54,7 @@ static const double masonry_step = 0.06;   /* of the ways, in mean sizes     */
 static const double masonry_side = 0.6;    /* no way runs nearer to the ends */
 static const double masonry_high = 0.8;    /* of the mean top: the end       */
 
-/* ---- Stones on end ------------------------------------------------------- */
-
-/* The angle of a polygon's long axis against the horizontal, in degrees from
-   0 to 90, and its aspect: the ratio of the axes of the ellipse with the same
-   second moments of area. */
-MASONRY_API double masonry_axis(const kern_vec *v, int n, kern_vec centre,
-                                double *aspect)
-{
-    const double degree = 3.14159265358979323846 / 180;
-    double xx = 0, yy = 0, xy = 0, mean, half;
-    for (int i = 0; i < n; i++) {
-        const kern_vec *a = &v[i], *b = &v[i + 1 < n ? i + 1 : 0];
-        double px = a->x - centre.x, py = a->y - centre.y;
-        double qx = b->x - centre.x, qy = b->y - centre.y;
-        double cross = px * qy - py * qx;
-        xx += cross * (px * px + px * qx + qx * qx);
-        yy += cross * (py * py + py * qy + qy * qy);
-        xy += cross * (2 * px * py + px * qy + qx * py + 2 * qx * qy) / 2;
-    }
-    if (xx < 0) { /* clockwise */
-        xx = -xx;
-        yy = -yy;
-        xy = -xy;
-    }
-    mean = (xx + yy) / 2;
-    half = sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
-    *aspect = sqrt((mean + half) / (mean - half));
-    return fabs(atan2(2 * xy, xx - yy)) / 2 / degree;
-}
+/* ---- Stones ------------------------------------------------------------- */
 
 /* Is a block one of the stones, neither fixed nor a pin where these are of this
    mean size? */
@@ -85,56 +63,124 @@ static int masonry_is_stone(const kern_block *b, double size)
     return !b->fixed && fabs(b->area) >= masonry_pin * size * size;
 }
 
-/* The share of the long stones whose axis is steep. */
-static double masonry_upright(const kern_structure *s, double size)
+/* Returns the mean size of the stones. */
+static double masonry_mean(const kern_structure *s, double size)
 {
-    int longs = 0, upright = 0;
+    double sum = 0;
+    int stones = 0;
+    for (int i = 0; i < s->blocks; i++)
+        if (masonry_is_stone(&s->block[i], size)) {
+            sum += sqrt(fabs(s->block[i].area));
+            stones++;
+        }
+    return stones > 0 ? sum / stones : size;
+}
+
+/* ---- Faces off level ----------------------------------------------------- */
+
+/* Returns 1 if the longest face of a polygon is more than 15 degrees off the
+   level. Of faces equally long the one that rises least counts. */
+MASONRY_API int masonry_is_off(const kern_vec *v, int n)
+{
+    double longest = -1, least = 0;
+    for (int i = 0; i < n; i++) {
+        const kern_vec *a = &v[i], *b = &v[i + 1 < n ? i + 1 : 0];
+        const double length = hypot(b->x - a->x, b->y - a->y);
+        const double rise = fabs(b->y - a->y);
+        if (length < longest * (1 - 1e-9))
+            continue;
+        least = length > longest * (1 + 1e-9) ? rise : fmin(least, rise);
+        longest = fmax(longest, length);
+    }
+    return least > masonry_off * longest;
+}
+
+static double masonry_off_level(const kern_structure *s, double size)
+{
+    int stones = 0, off = 0;
     for (int i = 0; i < s->blocks; i++) {
         const kern_block *b = &s->block[i];
-        double aspect, angle;
         if (!masonry_is_stone(b, size))
             continue;
-        angle = masonry_axis(b->vertex, b->vertices, b->centre, &aspect);
-        if (aspect <= masonry_long)
-            continue;
-        longs++;
-        upright += angle > masonry_steep;
+        stones++;
+        off += masonry_is_off(b->vertex, b->vertices);
     }
-    return longs > 0 ? (double)upright / longs : 0;
+    return stones > 0 ? (double)off / stones : 0;
 }
 
 /* ---- Beds ---------------------------------------------------------------- */
 
-/* Mean length of the contacts that carry a stone face to face, at most 30
-   degrees off the level; the share of stones without. */
-static int masonry_beds(const kern_structure *s, double size, struct masonry *m)
+/* Returns 1 if contact k carries block `over` on block `under`, at most 60
+   degrees off the level. */
+static int masonry_is_support(const kern_contact *c, int over, int under)
 {
-    double *bed = calloc((size_t)s->blocks + 1, sizeof *bed);
-    int stones = 0;
-    if (!bed)
-        return -1;
-    for (int k = 0; k + 1 < s->contacts; k++) {
-        const kern_contact *c = &s->contact[k], *d = c + 1;
-        if (!c->line || !d->line || c->a != d->a || c->b != d->b)
+    return c->a + c->b == over + under && (c->n.y > 0 ? c->b : c->a) == over
+        && fabs(c->n.y) >= masonry_rests;
+}
+
+/* Returns how far the contact points are apart at which one block carries
+   another, or -1 where it does not. */
+static double masonry_support(const kern_structure *s, int over, int under)
+{
+    double longest = -1;
+    for (int k = 0; k < s->contacts; k++) {
+        const kern_contact *c = &s->contact[k];
+        if (!masonry_is_support(c, over, under))
             continue;
-        k++;
-        if (fabs(c->n.y) >= masonry_level)
-            bed[c->n.y > 0 ? c->b : c->a] += hypot(c->p.x - d->p.x,
-                                                   c->p.y - d->p.y);
+        longest = fmax(longest, 0);
+        for (int j = k + 1; j < s->contacts; j++) {
+            const kern_contact *d = &s->contact[j];
+            if (masonry_is_support(d, over, under))
+                longest = fmax(longest,
+                               hypot(c->p.x - d->p.x, c->p.y - d->p.y));
+        }
     }
-    m->bed = m->bedless = 0;
+    return longest;
+}
+
+/* Supports and beds of a stone; ground: a fixed block is one of them. */
+struct masonry_bedding {
+    int supports, beds, ground;
+};
+
+/* Counts the supports of block i; a bed has this length or more. */
+static struct masonry_bedding masonry_bedding_of(const kern_structure *s, int i,
+                                                 double least)
+{
+    struct masonry_bedding b = {0, 0, 0};
+    for (int k = 0; k < s->blocks; k++) {
+        const double length = k == i ? -1 : masonry_support(s, i, k);
+        if (length < 0)
+            continue;
+        b.supports++;
+        b.beds += length >= least;
+        b.ground |= s->block[k].fixed;
+    }
+    return b;
+}
+
+/* Counts the beds of the stones above the ground. */
+static void masonry_beds(const kern_structure *s, double size,
+                         struct masonry *m)
+{
+    const double least = masonry_point * masonry_mean(s, size);
+    int above = 0, two = 0, none = 0, supports = 0, beds = 0;
     for (int i = 0; i < s->blocks; i++) {
-        const double sizes = bed[i] / sqrt(fabs(s->block[i].area));
+        struct masonry_bedding b;
         if (!masonry_is_stone(&s->block[i], size))
             continue;
-        stones++;
-        m->bed += sizes;
-        m->bedless += sizes < masonry_point;
+        b = masonry_bedding_of(s, i, least);
+        if (b.ground)
+            continue;
+        above++;
+        two += b.beds >= 2;
+        none += b.beds == 0;
+        supports += b.supports;
+        beds += b.beds;
     }
-    free(bed);
-    m->bed /= stones;
-    m->bedless /= stones;
-    return 0;
+    m->on_two = above > 0 ? (double)two / above : 0;
+    m->bedless = above > 0 ? (double)none / above : 0;
+    m->corners = supports > 0 ? (double)(supports - beds) / supports : 0;
 }
 
 /* ---- The bond ------------------------------------------------------------ */
@@ -293,25 +339,109 @@ static int masonry_running(const kern_structure *s, double size,
     return left > 0 ? -1 : 0;
 }
 
-static int masonry_bond(const kern_structure *s, double size, struct masonry *m)
+static int masonry_columns(const kern_structure *s, double size,
+                           struct masonry *m)
 {
     struct masonry_rest *r = malloc(((size_t)s->blocks + 1) * sizeof *r);
-    int above = 0, bonded = 0;
     if (!r)
         return -1;
-    for (int i = 0; i < s->blocks; i++) {
+    for (int i = 0; i < s->blocks; i++)
         r[i] = masonry_rest_on(s, i, size);
-        if (!masonry_is_stone(&s->block[i], size) || r[i].stones == 0)
-            continue;
-        above++;
-        bonded += r[i].stones + r[i].ground >= 2;
-    }
-    m->on_two = above > 0 ? (double)bonded / above : 0;
     m->end_columns = ((masonry_column(s, size, r, -1) >= MASONRY_COLUMN)
                       + (masonry_column(s, size, r, 1) >= MASONRY_COLUMN))
                    / 2.0;
     free(r);
     return 0;
+}
+
+/* ---- Head joints and tops ------------------------------------------------ */
+
+/* Finds the ends of what a block covers at height y; left is the larger where
+   it covers nothing. */
+static void masonry_ends(const kern_block *b, double y, double *left,
+                         double *right)
+{
+    *left = HUGE_VAL;
+    *right = -HUGE_VAL;
+    for (int i = 0; i < b->vertices; i++) {
+        const kern_vec p = b->vertex[i];
+        const kern_vec q = b->vertex[i + 1 < b->vertices ? i + 1 : 0];
+        double x;
+        if ((p.y < y) == (q.y < y))
+            continue;
+        x = p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x);
+        *left = fmin(*left, x);
+        *right = fmax(*right, x);
+    }
+}
+
+/* Returns the width of the head joint to the right of block i, at the height of
+   its centre; HUGE_VAL where no block is there. */
+static double masonry_gap(const kern_structure *s, int i)
+{
+    const kern_vec at = s->block[i].centre;
+    double left, right, next = HUGE_VAL, end;
+    masonry_ends(&s->block[i], at.y, &left, &right);
+    end = right;
+    for (int k = 0; k < s->blocks; k++) {
+        if (k == i || s->block[k].fixed)
+            continue;
+        masonry_ends(&s->block[k], at.y, &left, &right);
+        if (left < HUGE_VAL && right > end)
+            next = fmin(next, fmax(left, end));
+    }
+    return next - end;
+}
+
+static double masonry_gaping(const kern_structure *s, double size)
+{
+    const double wide = masonry_wide * masonry_mean(s, size);
+    int joints = 0, gape = 0;
+    for (int i = 0; i < s->blocks; i++) {
+        const double gap = masonry_is_stone(&s->block[i], size)
+                             ? masonry_gap(s, i)
+                             : HUGE_VAL;
+        joints += gap < HUGE_VAL;
+        gape += gap < HUGE_VAL && gap > wide;
+    }
+    return joints > 0 ? (double)gape / joints : 0;
+}
+
+/* The tops of a course: how many, their mean, and the sum of the squares of
+   their deviations. */
+struct masonry_tops {
+    int stones;
+    double mean, squares;
+};
+
+static int masonry_uneven(const kern_structure *s, double size,
+                          struct masonry *m)
+{
+    const size_t blocks = (size_t)s->blocks + 1;
+    struct masonry_tops *tops = calloc(blocks, sizeof *tops);
+    int *course = malloc(blocks * sizeof *course), stones = 0;
+    double squares = 0;
+    if (tops && course)
+        masonry_courses(s, size, course);
+    for (int i = 0; tops && course && i < s->blocks; i++) {
+        struct masonry_tops *t = &tops[course[i]];
+        const double away = s->block[i].box.high.y - t->mean;
+        if (!masonry_is_stone(&s->block[i], size))
+            continue;
+        t->stones++;
+        t->mean += away / t->stones;
+        t->squares += away * (s->block[i].box.high.y - t->mean);
+    }
+    for (int i = 0; tops && course && i < s->blocks; i++)
+        if (tops[i].stones > 1) {
+            stones += tops[i].stones;
+            squares += tops[i].squares;
+        }
+    m->uneven = stones > 0 ? sqrt(squares / stones) / masonry_mean(s, size) : 0;
+    stones = tops && course ? 0 : -1;
+    free(course);
+    free(tops);
+    return stones;
 }
 
 /* ---- The way through the joints ------------------------------------------ */
@@ -445,16 +575,28 @@ static int masonry_joints(const kern_structure *s, double size,
     return 0;
 }
 
-/* All figures of a structure with its contacts, whose stones stand on y = 0 and
-   are of this mean size. Returns 0, or -1 where memory is lacking. */
+/* Counts everything but the way through the joints, of a structure with its
+   contacts, whose stones stand on y = 0 and are of this mean size. Returns 0,
+   or -1 where memory is lacking. */
+MASONRY_API int masonry_count(const kern_structure *s, double size,
+                              struct masonry *m)
+{
+    m->joint = HUGE_VAL;
+    m->off_level = masonry_off_level(s, size);
+    m->gaping = masonry_gaping(s, size);
+    masonry_beds(s, size, m);
+    return masonry_columns(s, size, m) || masonry_uneven(s, size, m)
+                || masonry_running(s, size, m)
+             ? -1
+             : 0;
+}
+
+/* Counts everything, and finds the way through the joints, which takes the most
+   time. Returns 0, or -1 where memory is lacking. */
 MASONRY_API int masonry_of(const kern_structure *s, double size,
                            struct masonry *m)
 {
-    m->upright = masonry_upright(s, size);
-    return masonry_beds(s, size, m) || masonry_bond(s, size, m)
-                || masonry_running(s, size, m) || masonry_joints(s, size, m)
-             ? -1
-             : 0;
+    return masonry_count(s, size, m) || masonry_joints(s, size, m) ? -1 : 0;
 }
 
 #endif /* MASONRY_H */

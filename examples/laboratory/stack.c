@@ -49,7 +49,9 @@ static const char help[] =
     "      --boxes N         a frame of N mean bounding boxes each way instead\n"
     "      --most N          lay so many stones at the most\n"
     "      --look N          the next N stones of the stock are candidates;\n"
-    "                        default 6\n"
+    "                        default 6, of best all\n"
+    "      --dress S         best: a stone may lose the share S of its area along\n"
+    "                        its top, which is then level; default 0\n"
     "      --threshold F=T   how much worse than the best candidate one may be in\n"
     "                        a feature: edges, hole, neighbours, slope, bond\n"
     "      --levels K        combined: the kern filter comes after K of these\n"
@@ -60,9 +62,8 @@ static const char help[] =
     "      --walls N         best: so many walls are built; default: as many as\n"
     "                        some seconds allow\n"
     "      --goal G          best: what it wants to be high beside the filling:\n"
-    "                        shaking, the level that a table of its own says,\n"
-    "                        the default, drop, the one that the expected drop\n"
-    "                        predicts, or load\n"
+    "                        drop, the level of collapse that the expected drop\n"
+    "                        predicts, the default, or load\n"
     "      --beat F,M        best: a wall with more filling than F and a limit\n"
     "                        multiplier above M is wanted; implies --goal load\n"
     "      --out FILE        the wall; default stacked.kern\n"
@@ -79,14 +80,16 @@ static const char help[] =
     "Table: share of the frame that is filled; level, margin (a length); limit: load\n"
     "factor in g with a friction of 0.58, in head joints 0; collapse: level of\n"
     "shaking, 0.059 g each; Q: margin in stones times what the filling is worth;\n"
-    "bed: mean length of a stone's bed, in its sizes; upright: share of the long\n"
-    "stones that stand on end; on two: share of the stones above the ground that\n"
-    "rest on two or more, or on one and the ground; ends: share of the two ends that\n"
-    "are four stones or more, each on the one below alone; joint: shortest way up\n"
-    "through the joints over the height, 1 is a running joint. Stones of less than a\n"
-    "fifth of the square of the mean size are pins: best keeps them back until one\n"
-    "makes a stone rest on two, or fits into a joint; in the table, from bed to ends,\n"
-    "they are no stones.\n"
+    "tilted: share of the stones whose longest face is more than 15 degrees off\n"
+    "level; of the stones above the ground, on two: share with beds of 0.15 mean\n"
+    "stones on two or more, no bed: share without any; corner: share of their\n"
+    "supports that are shorter; gape: share of the head joints wider than 0.1 mean\n"
+    "stones; uneven: deviation of the tops of a course, in mean stones; ends: share\n"
+    "of the two ends that are four stones or more, each on the one below alone;\n"
+    "joint: shortest way up through the joints over the height, 1 is a running\n"
+    "joint. Stones of less than a fifth of the square of the mean size are pins:\n"
+    "best keeps them back until one makes a stone rest on two, or fits into a joint;\n"
+    "in the table, from tilted to ends, they are no stones.\n"
     "\n"
     "Exit status: 0 done, 1 no stone could be laid, 2 bad use or input.\n";
 
@@ -220,6 +223,7 @@ static int read_option(struct settings *o, const char *name, const char *word)
                    {"--height", 1e-3, 1e6, &p->height},
                    {"-h", 1e-3, 1e6, &p->height},
                    {"--boxes", 1, 1000, &o->boxes},
+                   {"--dress", 0, 0.3, &p->dress},
                    {"--friction", 0, 10, &p->friction},
                    {"--joints", 0, 10, &p->joints}};
     const struct {
@@ -454,9 +458,11 @@ struct row {
 
 static void print_head(void)
 {
-    printf("%-24s %6s %7s %6s %7s %9s %9s %7s %5s %7s %6s %4s %5s\n", "wall",
-           "stones", "filling", "level", "margin", "limit", "collapse", "Q",
-           "bed", "upright", "on two", "ends", "joint");
+    printf(
+        "%-24s %6s %7s %6s %7s %9s %9s %7s %6s %6s %6s %6s %5s %6s %4s %5s\n",
+        "wall", "stones", "filling", "level", "margin", "limit", "collapse",
+        "Q", "tilted", "on two", "no bed", "corner", "gape", "uneven", "ends",
+        "joint");
 }
 
 static void print_row(const char *name, const struct row *r)
@@ -473,9 +479,10 @@ static void print_row(const char *name, const struct row *r)
         printf("%8s%d ", ">", TABLE_LEVELS);
     else
         printf("%9.3g ", r->collapse);
-    printf("%7.4f %5.2f %7.2f %6.2f %4.1f %5.2f\n",
-           stack_quality(r->m.margin / r->size, r->fill), r->masonry.bed,
-           r->masonry.upright, r->masonry.on_two, r->masonry.end_columns,
+    printf("%7.4f %6.2f %6.2f %6.2f %6.2f %5.2f %6.2f %4.1f %5.2f\n",
+           stack_quality(r->m.margin / r->size, r->fill), r->masonry.off_level,
+           r->masonry.on_two, r->masonry.bedless, r->masonry.corners,
+           r->masonry.gaping, r->masonry.uneven, r->masonry.end_columns,
            r->masonry.joint);
 }
 
@@ -552,10 +559,12 @@ static void print_json(const struct settings *o, const struct row *r,
         printf("\"limit\": %.4g, ", r->limit);
     else
         printf("\"limit\": null, ");
-    printf("\"bed\": %.4g, \"bedless\": %.4g, \"upright\": %.4g, "
-           "\"on_two\": %.4g, \"end_columns\": %.4g, ",
-           r->masonry.bed, r->masonry.bedless, r->masonry.upright,
-           r->masonry.on_two, r->masonry.end_columns);
+    printf("\"off_level\": %.4g, \"on_two\": %.4g, \"bedless\": %.4g, "
+           "\"corners\": %.4g, \"gaping\": %.4g, \"uneven\": %.4g, "
+           "\"end_columns\": %.4g, ",
+           r->masonry.off_level, r->masonry.on_two, r->masonry.bedless,
+           r->masonry.corners, r->masonry.gaping, r->masonry.uneven,
+           r->masonry.end_columns);
     if (r->masonry.joint < HUGE_VAL)
         printf("\"joint\": %.4g, ", r->masonry.joint);
     else
@@ -625,13 +634,11 @@ static void report(const struct stack_wall *w, double seconds)
 {
     fprintf(stderr, "\nstack: %d stones laid in %.2f s: %s\n", w->laid, seconds,
             w->message);
-    fprintf(
-        stderr,
-        "stack: %d candidates came to rest, %.0f a second; kern "
-        "was asked about %d, %.0f a second; %d were let go in the simulator, "
-        "%d moved\n",
-        w->tried, w->tried / fmax(seconds, 1e-9), w->asked,
-        w->asked / fmax(w->asking, 1e-9), w->swayed, w->slipped);
+    fprintf(stderr,
+            "stack: %d candidates came to rest, %.0f a second; kern "
+            "was asked about %d, %.0f a second, whether %d stay, %d do not\n",
+            w->tried, w->tried / fmax(seconds, 1e-9), w->asked,
+            w->asked / fmax(w->asking, 1e-9), w->held, w->slipped);
 }
 
 /* The wall as a structure and in pictures, and its line of the table. */

@@ -7,8 +7,8 @@
    stack_filter. The kern filter predicts the level of the wall with each
    candidate, by a plan of the wall, and drops those below the mean. Of what is
    left the planner takes the candidate with most of the first feature, if it
-   also stays there in the simulator: a stone may slide although forces exist
-   that would hold it.
+   also stays there by kern_plan_stays(): a stone may slide although forces
+   exist that would hold it.
 
    Features and hierarchy are those that the heuristic planner of V. Thangavelu,
    Y. Liu, M. Saboia and N. Napp (Dry stacking for automated construction with
@@ -18,14 +18,16 @@
    what is meant here.
 
    The planners: `heuristic` has no kern filter, `combined` has. `best` builds
-   several walls, see stack_best(), by a cost of what masons want: long faces
-   down, beds, level courses, crossed joints; small stones it keeps back, as pins
-   that it lays below and beside others. All of them take the last stones
-   off again until the finished wall stays, see stack_finish().
+   several walls, see stack_best(), as a mason does: in courses from the left,
+   each stone where the lowest course is open, by a cost of beds on two stones,
+   level faces, and tops on which the next stone finds two beds. It may dress a
+   stone level, and keeps small ones back as pins. All planners take the last
+   stones off again until the finished wall stays in the simulator, see
+   stack_finish(); before that they ask kern_plan_stays() alone.
 
    stack_wall.h has the options, the wall and the features, stack_place.h the
-   candidates, the simulator and what may be laid, stack_pin.h pins; this file has
-   the filters and the search. The same input gives the same wall.
+   candidates, what may be laid and the last look, stack_pin.h pins; this file
+   has the filters and the search. The same input gives the same wall.
 
    SPDX-License-Identifier: MIT */
 
@@ -65,7 +67,7 @@ static void stack_sift(const struct stack_wall *w, struct stack_list *list,
    lone points would shrink first. */
 static int stack_level_of(const struct stack_candidate *c)
 {
-    return c->bed < masonry_point ? 0 : c->m.level;
+    return c->bed.beds == 0 ? 0 : c->m.level;
 }
 
 /* Drops candidates whose level is below the mean, but for fillers. */
@@ -157,9 +159,11 @@ struct stack_weights {
     double slope, bond, edges; /* the features                             */
     double bed, step;          /* length of beds; unevenness of a course      */
     double end;                /* area of what ends a course                  */
-    double one;                /* a stone on one alone, while these are many  */
+    double one;                /* a stone that has no two beds                */
+    double match;              /* a side on which the next one may have two   */
     double noise;
-    double share; /* of the candidates that are looked at        */
+    double course; /* height of a course that is being laid, sizes */
+    double share;  /* of the candidates that are looked at        */
 };
 
 /* Room for the skies that a cost compares. */
@@ -217,7 +221,6 @@ static void stack_cut(struct stack_wall *w, int keep)
 {
     while (w->laid > keep) {
         const int stone = w->place[--w->laid].stone;
-        w->upright -= stack_on_end(&w->stone[w->laid]);
         w->pins -= stack_keeps_back(w, stone);
         w->used[stone] = 0;
         w->filled -= stone_area_in(&w->stone[w->laid], w->options.width,
@@ -262,7 +265,7 @@ static void stack_give_up(struct stack_wall *w)
 
 /* ---- Search: one wall by the filters ------------------------------------- */
 
-/* Where so many candidates that stand are not raised or move, none is laid; the
+/* Where so many candidates that stand do not stay, none is laid; the
    second is for `best`, where a few stones may be the next one. */
 enum { STACK_TRIES = 128, STACK_FEW_TRIES = 16 };
 
@@ -459,23 +462,6 @@ static int stack_column_of(const struct stack_wall *w, const struct stone *s,
     return most - 1;
 }
 
-static const double stack_bonded = 0.53; /* share on two of a wall in bond */
-
-/* The share of the stones above the ground that rest on two or more. */
-static double stack_on_two(const struct stack_wall *w)
-{
-    int above = 0, two = 0;
-    for (int i = 1; i <= w->laid; i++) {
-        const struct masonry_rest r = masonry_rest_on(&w->plan.task.s, i,
-                                                      w->stock->size);
-        if (stack_keeps_back(w, w->place[i - 1].stone))
-            continue;
-        above += r.stones > 0;
-        two += r.stones > 0 && r.stones + r.ground > 1;
-    }
-    return above > 0 ? (double)two / above : 0;
-}
-
 /* Would a stone of less than a third of the mean area lie in the foundation?
    None is laid there. */
 static int stack_founds_badly(const struct stack_wall *w,
@@ -487,18 +473,17 @@ static int stack_founds_badly(const struct stack_wall *w,
         && s.area < small * w->stock->area;
 }
 
-/* A fixed cost for each fault, whatever the weights: a stone without a bed, a
-   long one on end, a joint that runs on, and every stone beyond two of a column
-   at an end of the wall. */
+/* A fixed cost for each fault, whatever the weights: a stone without a bed, one
+   whose longest face is off level, each corner, a joint that runs on, and every
+   stone beyond two of a column at an end of the wall. */
 static double stack_fault(const struct stack_wall *w, const struct stone *s,
                           const struct stack_candidate *c)
 {
-    const double fault = 0.5, bond = 0.15;
-    const double column = 1;
-    return fault
-             * ((c->bed < masonry_point) + (c->upright != 0)
-                + (c->feature[STACK_BOND] < bond))
-         + column * stack_column_of(w, s, c->alone);
+    const double bedless = 4, off = 3, corner = 0.2, runs = 0.4;
+    const double bond = 0.15, column = 1;
+    return bedless * (c->bed.beds == 0) + off * c->off + corner * c->bed.corners
+         + runs * (c->feature[STACK_BOND] < bond)
+         + column * stack_column_of(w, s, c->bed.alone);
 }
 
 /* What a stone at a side of the frame has more than the mean area, as a share
@@ -508,12 +493,12 @@ static double stack_end(const struct stack_wall *w, const struct stone *s)
     return stack_at_side(w, s, 0.1) ? s->area / w->stock->area - 1 : 0;
 }
 
-/* Is a stone on one alone that could rest on two? Where courses end, every other
-   one ends so. */
+/* Returns 1 if a stone has one bed where it could have two. Where courses end,
+   every other one ends so. */
 static int stack_on_one(const struct stack_wall *w, const struct stone *s,
                         const struct stack_candidate *c)
 {
-    return c->alone > 0 && !stack_at_side(w, s, 0.1);
+    return c->bed.beds < 2 && !c->bed.ground && !stack_at_side(w, s, 0.1);
 }
 
 /* What a candidate costs before kern is asked; `low` is the lowest sky. */
@@ -528,8 +513,8 @@ static double stack_cost(const struct stack_wall *w,
     return stack_dead(w, &s, c->inside, k, r) / (size * size)
          + g->height * (s.high.y - low) / size
          - g->slope * c->feature[STACK_SLOPE] - g->bond * c->feature[STACK_BOND]
-         - g->edges * c->feature[STACK_EDGES] - g->bed * fmin(c->bed, 1)
-         + g->step * c->step - g->end * stack_end(w, &s)
+         - g->edges * c->feature[STACK_EDGES] - g->bed * fmin(c->bed.length, 1)
+         - g->match * c->matches + g->step * c->step - g->end * stack_end(w, &s)
          + g->one * stack_on_one(w, &s, c) + stack_fault(w, &s, c);
 }
 
@@ -538,9 +523,8 @@ static int stack_tries(const struct stack_wall *w)
     return w->options.look > STACK_LOOK ? STACK_TRIES : STACK_FEW_TRIES;
 }
 
-/* The candidate of least cost that may be laid; -1: none. A stone on one alone
-   costs more until the wall is in bond. The load factor is weighed among the
-   cheapest that stand. */
+/* The candidate of least cost that may be laid; -1: none. The load factor is
+   weighed among the cheapest that stand. */
 static int stack_pick(struct stack_wall *w, struct stack_search *s,
                       struct stack_weights g)
 {
@@ -549,8 +533,6 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
     const int most = stack_tries(w);
     int stand = 0, tries = 0;
     double low = HUGE_VAL;
-    if (stack_on_two(w) > stack_bonded)
-        g.one = 0;
     for (int i = 0; i < w->columns; i++)
         low = fmin(low, w->sky[i]);
     stack_close(w->sky, w->columns, (int)(g.notch * STACK_COLUMNS),
@@ -597,7 +579,8 @@ static int stack_grow(struct stack_wall *w, struct stack_search *s,
         if (w->options.progress)
             w->options.progress(w, w->walls + 1);
         for (int all = 0; all < 2 && best < 0 && !bad; all++) {
-            w->lie = !all || w->upright + 1 > stack_soldiers * (w->laid + 1);
+            w->course = all ? HUGE_VAL : g->course;
+            w->lie = !all;
             bad = stack_propose(w, &s->list, g->share, &s->chance, all);
             if (!bad)
                 best = stack_pick(w, s, *g);
@@ -645,39 +628,29 @@ static double stack_value_of_load(struct stack_wall *w)
     return limit * stack_worth(fill);
 }
 
-/* What of a wall is as masons want it, 0 to 1: filled, its joints crossed and none
-   through three courses, its long stones lying, every stone on a bed, half of its
-   stones on two others and a few more, and no column at either end. */
+/* What of a wall is as masons want it, more than 0: filled, no joint through
+   three courses, its faces level, every stone on a bed, many on two, and no
+   column at either end. */
 static double stack_value_of_masonry(const struct stack_wall *w)
 {
-    const double half = 0.51, runs = 0.5;
+    const double runs = 0.5;
     struct masonry m;
-    double bond;
-    if (masonry_of(&w->plan.task.s, w->stock->size, &m))
+    if (masonry_count(&w->plan.task.s, w->stock->size, &m))
         return 0;
-    bond = pow(fmin(1, m.on_two / half), 4);
-    return stack_worth_of_filling(w) * fmin(1, 0.7 + 3 * (m.joint - 1))
-         * (1 - m.upright) * (1 - m.bedless) * bond * (1 - 0.8 * m.end_columns)
+    return stack_worth_of_filling(w) * pow(1 - m.off_level, 3)
+         * pow(1 - m.bedless, 3) * (0.2 + m.on_two) * (1 - 0.8 * m.end_columns)
          * pow(runs, m.running);
 }
 
 /* What `best` wants to be high. A wall that lacks stones that were asked for is
-   worth less than any that has them. It is not shaken where its value could not
-   be more than `most`. */
-static double stack_value(struct stack_wall *w, double most)
+   worth less than any that has them. */
+static double stack_value(struct stack_wall *w)
 {
-    const double better = 1.05; /* less is chance */
-    double worth;
     if (stack_asked(w) && w->laid - w->pins < w->options.most)
         return w->laid - w->pins - w->options.most;
     if (w->options.goal == STACK_LOAD)
         return stack_value_of_load(w);
-    worth = stack_value_of_masonry(w);
-    if (w->options.goal == STACK_DROP)
-        return worth * fmax(0, stack_predicted_level(w));
-    return worth * stack_endured_high > most
-             ? worth * stack_endured_level(w, better * most / worth)
-             : 0;
+    return stack_value_of_masonry(w) * fmax(0, stack_predicted_level(w));
 }
 
 /* Weights that a search multiplies, and between what it draws them first. */
@@ -692,7 +665,8 @@ static const struct {
                      {offsetof(struct stack_weights, bed), 0.15, 0.9},
                      {offsetof(struct stack_weights, step), 0.2, 1.2},
                      {offsetof(struct stack_weights, end), 0.15, 1},
-                     {offsetof(struct stack_weights, one), 0.8, 1.6},
+                     {offsetof(struct stack_weights, one), 0.8, 3},
+                     {offsetof(struct stack_weights, match), 1, 5},
                      {offsetof(struct stack_weights, noise), 0.005, 0.1}};
 enum { STACK_FACTORS = sizeof stack_factors / sizeof stack_factors[0] };
 
@@ -705,13 +679,14 @@ static struct stack_weights stack_weigh(const struct stack_options *o,
                                         uint64_t *chance)
 {
     struct stack_weights g;
-    g.notch = random_uniform(chance, 1.15, 1.75);
+    g.notch = random_uniform(chance, 1.2, 1.75);
     for (int i = 0; i < STACK_FACTORS; i++) {
         const double low = stack_factors[i].low, high = stack_factors[i].high;
         *stack_factor(&g, i) = low
                              * pow(high / low, random_uniform(chance, 0, 1));
     }
-    g.share = random_uniform(chance, 0.15, 0.6);
+    g.share = random_uniform(chance, 0.7, 1);
+    g.course = random_uniform(chance, 0.15, 0.6);
     if (o->goal == STACK_LOAD)
         g.share = fmin(1, 2 * g.share);
     return g;
@@ -728,41 +703,14 @@ static struct stack_weights stack_vary(struct stack_weights g, uint64_t *chance)
     return g;
 }
 
-/* Was the effort spent: candidates, questions to kern and passes of the
-   simulator, each by the time that it takes? A wall has more candidates where more
-   stones may be the next one: the limit grows with these. */
+/* Returns 1 if the effort was spent: candidates and questions to kern, each by
+   the time that it takes. */
 static int stack_spent(const struct stack_wall *w)
 {
     const struct stack_options *o = &w->options;
-    const double share = fmin(2, fmax(1, (double)o->look / STACK_LOOK));
     const double spent = w->tried + (double)STACK_ASKING * w->asked
-                       + (double)STACK_RAISING * w->raised
-                       + w->passes / STACK_PASSES;
-    return o->effort > 0 && spent > share * o->effort;
-}
-
-/* Builds on stones that are known to stay, and returns the value of the wall;
-   -HUGE_VAL: memory is lacking. Some of the runs are asked only of a wall that
-   would be kept: from the first stone on that moves it is built again, and all
-   are asked. */
-static double stack_grown(struct stack_wall *w, struct stack_search *s,
-                          const struct stack_weights *g, int known)
-{
-    double value = -HUGE_VAL;
-    w->runs = STACK_FIRST_RUNS;
-    for (int stay = -1; stay < w->laid;) {
-        if (stay >= 0) {
-            stack_cut(w, stay);
-            w->runs = STACK_RUNS;
-        }
-        if (stack_grow(w, s, g))
-            value = -HUGE_VAL;
-        else
-            value = stack_value(w, s->value);
-        stay = value > s->value ? stack_stay(w, known) : w->laid;
-    }
-    w->runs = STACK_RUNS;
-    return value;
+                       + (double)STACK_HOLDING * w->held;
+    return o->effort > 0 && spent > o->effort;
 }
 
 /* Builds one more wall: from the ground, or by taking stones off the best one
@@ -781,17 +729,35 @@ static int stack_next_wall(struct stack_wall *w, struct stack_search *s,
     }
     if (stack_restore(w, s->kept, from))
         return -1;
-    value = stack_grown(w, s, &g, from);
+    if (stack_grow(w, s, &g))
+        return -1;
+    value = stack_value(w);
     if (value > s->value) {
         s->value = value;
         s->good = g;
         stack_keep(w, s);
     }
-    return value > -HUGE_VAL ? 0 : -1;
+    return 0;
 }
 
-/* So many walls at least begin at the ground. */
-enum { STACK_FRESH = 6 };
+/* Takes off the last stones until what is left stays in the last look: what a
+   stone does to a wall may show late. Returns 0, or -1 where memory is
+   lacking. */
+STACK_API int stack_finish(struct stack_wall *w)
+{
+    struct stack_wall part = *w;
+    while (part.laid > 0 && !stack_rests(&part))
+        part.laid--;
+    if (part.laid == w->laid)
+        return 0;
+    stack_give_up(&part);
+    memcpy(w->message, part.message, sizeof w->message);
+    return stack_restore(w, w->place, part.laid);
+}
+
+/* So many walls at least begin at the ground; so often the best one is built on
+   where the last look took stones off it, each time from two stones fewer. */
+enum { STACK_FRESH = 6, STACK_AGAIN = 8 };
 
 /* Builds one wall after the other, the first ones from the ground, and leaves
    the best. Returns 0, or -1 where memory is lacking. */
@@ -804,27 +770,16 @@ STACK_API int stack_best(struct stack_wall *w)
          w->walls++)
         bad = stack_next_wall(w, &s, s.keep == 0 || w->walls < STACK_FRESH);
     bad = bad || stack_restore(w, s.kept, s.keep);
+    for (int i = 0; i < STACK_AGAIN && !bad && !stack_rests(w); i++) {
+        const struct stack_weights g = stack_vary(s.good, &s.chance);
+        bad = stack_finish(w);
+        stack_cut(w, w->laid > 2 * i ? w->laid - 2 * i : 0);
+        bad = bad || stack_grow(w, &s, &g);
+    }
     if (!stack_ends(w))
         stack_give_up(w);
     stack_search_free(&s);
     return bad ? -1 : 0;
-}
-
-/* Takes off the last stones, a few at the most, so that what is left stays in the
-   last look: what a stone does to a wall may show late. Where it takes more, all
-   are left. Returns 0, or -1 where memory is lacking. */
-STACK_API int stack_finish(struct stack_wall *w)
-{
-    enum { FEW = 6 };
-    struct stack_wall part = *w;
-    while (part.laid > 0 && !stack_rests(&part))
-        if (--part.laid < w->laid - FEW)
-            return 0;
-    if (part.laid == w->laid)
-        return 0;
-    stack_give_up(&part);
-    memcpy(w->message, part.message, sizeof w->message);
-    return stack_restore(w, w->place, part.laid);
 }
 
 /* Lays pins in a finished wall: below what rests on one, and in the joints. It

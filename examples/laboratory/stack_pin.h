@@ -235,7 +235,8 @@ static void stack_find_pin(struct stack_wall *w, double x, double y,
 static void stack_pin_at(struct stack_wall *w, int block, int alone, double x,
                          double y)
 {
-    struct stack_pinned p = {block, alone, 0, HUGE_VAL, 0, {0, {0, 0}, {1, 0}}};
+    struct stack_pinned p = {block,    alone, 0,
+                             HUGE_VAL, 0,     {0, {0, 0}, {1, 0}, HUGE_VAL}};
     for (int i = 0; i < STACK_PINS_ASKED; i++) {
         struct stack_candidate c;
         p.area = 0;

@@ -1,6 +1,6 @@
 /* stack_place.h - places for the next stone of a wall: where it comes to rest,
-   what the library says of the wall with it, what the simulator does, and
-   which of these places it may be laid at.
+   what the library says of the wall with it, which of these places it may be
+   laid at, and the last look of the simulator at a finished wall.
 
    Lengths are those of the stock, in the simulator sizes of a stone.
 
@@ -12,7 +12,6 @@
 #include "../../kern.h"
 #include "../parts/random.h"
 #include "rigid.h"
-#include "table.h"
 #include "stack_wall.h"
 
 #include <time.h>
@@ -22,17 +21,16 @@
 struct stack_candidate {
     struct stack_place place;
     double feature[STACK_FILTERS]; /* signed so that more is better      */
-    double inside;    /* area within the frame                     */
-    double bed, step; /* of stack_bed() and stack_step_up()        */
-    int upright;      /* stands on end                             */
-    int alone;        /* the one stone that carries it; 0: several,
-                               or the ground                             */
-    double cost;      /* to `best`                                 */
-    int out;          /* a filter dropped it, or it falls          */
-    int known;        /* kern was asked: what follows is the wall's
-                               with it                                   */
+    double inside;                 /* area within the frame              */
+    struct stack_bedding bed;
+    double step; /* of stack_step_up()                                   */
+    int matches; /* of stack_matches()                                   */
+    int off;     /* its longest face is off level                        */
+    double cost; /* to `best`                                            */
+    int out;     /* a filter dropped it, or it falls                     */
+    int known;   /* kern was asked: what follows is the wall's with it   */
     kern_margin m;
-    double stable; /* its load factor, where that is the goal   */
+    double stable; /* its load factor, where that is the goal            */
 };
 
 struct stack_list {
@@ -49,41 +47,46 @@ static int stack_same(const struct stack_place *a, const struct stack_place *b,
         && fabs(a->turn.y - b->turn.y) < within;
 }
 
-/* Notes a stone at rest, if it lies in the frame and is not known yet; one of
-   many corners finds a hold anywhere, so that places a little apart are one.
-   Returns -1 where memory is lacking. */
+/* Notes a stone at rest, dressed, if it lies in the frame and is not known yet;
+   one of many corners finds a hold anywhere, so that places a little apart are
+   one. Returns -1 where memory is lacking. */
 static int stack_note(struct stack_wall *w, struct stack_list *list, int stone,
-                      const struct stone *s)
+                      const struct stone *rests)
 {
-    const double within = (s->n > STONES_BEDS ? 0.03 : 1e-3) * w->stock->size;
+    const double within = (rests->n > STONES_BEDS ? 0.03 : 1e-3)
+                        * w->stock->size;
     const int best = w->options.planner == STACK_BEST;
+    struct stone dressed = *rests;
+    const struct stone *s = &dressed;
     struct stack_candidate *more, c;
     if (s->low.x < -rest_touch || s->high.x > w->options.width + rest_touch)
         return 0;
     c.place.stone = stone;
     c.place.at = s->centre;
     c.place.turn = s->turn;
+    for (int i = list->count - 1; i >= 0 && list->one[i].place.stone == stone;
+         i--)
+        if (stack_same(&list->one[i].place, &c.place, within))
+            return 0;
+    c.place.top = stack_dressed(w, s);
+    if (c.place.top < s->high.y
+        && stone_dress(&dressed, stones_vec(0, 1), c.place.top))
+        return 0;
     c.out = c.known = 0;
     c.inside = s->high.y <= w->options.height
                  ? s->area
                  : stone_area_in(s, w->options.width, w->options.height);
     if (c.inside < s->area / 2)
         return 0;
-    for (int i = list->count - 1; i >= 0 && list->one[i].place.stone == stone;
-         i--)
-        if (stack_same(&list->one[i].place, &c.place, within))
-            return 0;
     c.feature[STACK_EDGES] = stack_edges(&w->around, s);
     c.feature[STACK_HOLE] = best ? 0 : -stack_hole(w, s); /* has no use of it */
     c.feature[STACK_NEIGHBOURS] = best ? 0 : stack_neighbours(w, s);
     c.feature[STACK_SLOPE] = -stack_slope(s);
     c.feature[STACK_BOND] = stack_bond(w, s);
-    c.bed = stack_bed(&w->around, s);
+    c.bed = stack_bedding_of(w, s);
     c.step = stack_step_up(w, s);
-    c.upright = stack_on_end(s);
-    c.alone = 0;
-    if (stack_carriers(&w->around, s, &c.alone) > 1)
-        c.alone = 0;
+    c.matches = stack_matches(w, stone, s);
+    c.off = masonry_is_off(s->v, s->n);
     more = rigid_room(list->one, list->count, 1, &list->room, sizeof *more);
     if (!more)
         return -1;
@@ -99,9 +102,8 @@ struct stack_anchor {
     kern_vec along;
 };
 
-static const double stack_grid = 0.4; /* between anchors, in sizes          */
-static const double stack_fine = 0.1; /* where none of these will do        */
-static const double stack_soldiers = 0.1; /* share of stones on end, `best`  */
+static const double stack_grid = 0.4;   /* between anchors, in sizes          */
+static const double stack_fine = 0.1;   /* where none of these will do        */
 static const double stack_slide = 0.8;  /* most that a stone slides, in sizes */
 static const double stack_level = 0.1;  /* depth of a notch, in sizes         */
 static const double stack_across = 0.3; /* unevenness that a stone crosses    */
@@ -155,6 +157,41 @@ static int stack_joints(const struct stack_wall *w, struct stack_anchor *a)
     return n;
 }
 
+/* Keeps of n anchors those where the course that is being laid goes on. It goes
+   on where, from the left, the first half a stone's width of the sky is at most
+   w->course sizes above the lowest, and from there two stones to the right.
+   Returns how many are kept. */
+static int stack_course(const struct stack_wall *w, struct stack_anchor *a,
+                        int n)
+{
+    const int wide = STACK_COLUMNS / 2, reach = 2 * STACK_COLUMNS;
+    double low = HUGE_VAL, least;
+    int first = 0, kept = 0;
+    for (int c = w->columns - wide; c >= 0; c--) {
+        double high = 0;
+        for (int k = c; k < c + wide; k++)
+            high = rigid_most(high, w->sky[k]);
+        low = rigid_least(low, high);
+    }
+    least = low + w->course * w->stock->size;
+    for (int c = w->columns - wide; c >= 0; c--) {
+        double high = 0;
+        for (int k = c; k < c + wide; k++)
+            high = rigid_most(high, w->sky[k]);
+        if (high <= least)
+            first = c;
+    }
+    for (int i = 0; i < n; i++) {
+        int c = stack_column(w, a[i].x);
+        if (c == w->columns)
+            c--;
+        if (w->sky[c] <= least
+            && (!(w->course < HUGE_VAL) || (c >= first && c < first + reach)))
+            a[kept++] = a[i];
+    }
+    return kept;
+}
+
 /* The faces that look upward and can be seen from there, the longer ones of a
    stone of many corners, and a grid; for `best` also the notches, and the joints
    between tops of about one height, that a stone may cross. */
@@ -184,7 +221,30 @@ static int stack_anchors(const struct stack_wall *w, double step,
     if (w->options.planner != STACK_BEST)
         return n;
     n += stack_notches(w, a + n);
-    return n + stack_joints(w, a + n);
+    n += stack_joints(w, a + n);
+    return stack_course(w, a, n);
+}
+
+/* Finds how far back along d a stone that was slid against the one beside it
+   has to go until one face may lie on both tops; 0 where it need not, or too far. */
+static double stack_way_back(const struct stack_wall *w, const struct stone *s,
+                             int side, kern_vec d)
+{
+    const double size = w->stock->size, turned = 0.011, wide = 0.12 * size;
+    const struct stone *t = stack_beside(w, s, side);
+    kern_vec own[2], other[2], a, b;
+    double rise, off, back;
+    if (!t || !stack_top_face(s, side, size, own)
+        || !stack_top_face(t, -side, size, other))
+        return 0;
+    rise = stack_rise(other[0], other[1]);
+    if (fabs(stack_rise(own[0], own[1]) - rise) > turned)
+        return 0;
+    a = own[side > 0];
+    b = other[side < 0];
+    off = a.y - b.y - rise * (a.x - b.x);
+    back = off / (d.y - rise * d.x);
+    return back > 0 && back < wide ? back : 0;
 }
 
 /* Slides a stone at rest to one side until something, or the side of the frame,
@@ -206,6 +266,16 @@ static int stack_slide_on(struct stack_wall *w, struct stack_list *list,
     if (!(way > 0.01 * w->stock->size && way < stack_slide * w->stock->size))
         return 0;
     stone_move(&s, stones_vec(way * d.x, way * d.y));
+    if (!rest_settle(&w->around, &s))
+        return 0;
+    if (stack_note(w, list, stone, &s))
+        return -1;
+    way = w->options.planner == STACK_BEST
+            ? stack_way_back(w, &s, side > 0 ? 1 : -1, d)
+            : 0;
+    if (!(way > 0))
+        return 0;
+    stone_move(&s, stones_vec(-way * d.x, -way * d.y));
     return rest_settle(&w->around, &s) ? stack_note(w, list, stone, &s) : 0;
 }
 
@@ -217,7 +287,8 @@ static int stack_let_down(struct stack_wall *w, struct stack_list *list,
     const kern_vec b = s.bed[bed];
     double x, high = 0;
     stone_turn(&s, s.centre, stones_turned(a->along, stones_vec(b.x, -b.y)));
-    if (s.high.x - s.low.x > w->options.width || (w->lie && stack_on_end(&s)))
+    if (s.high.x - s.low.x > w->options.width
+        || (w->lie && masonry_is_off(s.v, s.n)))
         return 0;
     x = fmin(fmax(a->x, -s.low.x), w->options.width - s.high.x);
     for (int i = 0; i < w->around.edges; i++)
@@ -414,21 +485,6 @@ struct stack_run {
     double least, seconds; /* it ends after so long where all are calm    */
 };
 
-/* How far a stone may go, in steps longer than 1/90 s and in others. */
-static const double stack_soft = 0.04, stack_still = 0.02;
-
-/* The runs that a planner asks, first those that find most of what moves: in the
-   steps that game engines take, where springs are softer and stones sink in by
-   more, with an error in each pose and a push to either side, in long steps for
-   longer, and as the stones lie. `best` asks the first ones of every stone. */
-enum { STACK_FIRST_RUNS = 3 };
-static const struct stack_run stack_runs[STACK_RUNS] = {
-    {60, 4, 1e-4, 0, 1, 6},
-    {120, 6, 2e-4, -0.02, 0, 4},
-    {240, 4, 2e-4, 0.02, 0, 4},
-    {90, 6, 2e-4, 0, 0.5, 6},
-    {240, 4, 0, 0, 0, 4}};
-
 /* The runs of the step test, which no planner sees, and how far a stone may go
    there. */
 enum { STACK_TESTS = 6 };
@@ -506,7 +562,6 @@ STACK_API double stack_sway(struct stack_wall *w, const struct stone *last,
          i++) {
         if (rigid_step(&r))
             sway = HUGE_VAL;
-        w->passes += r.substeps * r.contacts;
         if (i % look > 0)
             continue;
         fast = 0;
@@ -521,24 +576,9 @@ STACK_API double stack_sway(struct stack_wall *w, const struct stone *last,
     return sway;
 }
 
-/* Does the wall stay where it is with one more stone, in runs from one to
-   another? */
-static int stack_stays(struct stack_wall *w, const struct stone *last, int from,
-                       int to)
-{
-    int stays = 1;
-    for (int i = from; i < to && stays; i++) {
-        const double most = stack_runs[i].rate < 90 ? stack_soft : stack_still;
-        stays = stack_sway(w, last, &stack_runs[i], (uint64_t)i, most) <= most;
-    }
-    w->swayed++;
-    w->slipped += !stays;
-    return stays;
-}
-
-/* The last look at a finished wall: four times with errors larger than in any
-   run before, twice in the steps that game engines take if nothing else is asked
-   for. */
+/* The last look at a finished wall: four times with errors of every pose, twice
+   in the steps that game engines take if nothing else is asked for. No planner
+   asks the simulator before. */
 enum { STACK_LAST = 6 };
 static const struct stack_run stack_last[STACK_LAST] = {
     {240, 16, 5e-4, 0, 1, 4}, {240, 16, 5e-4, 0, 1, 4},
@@ -569,72 +609,7 @@ STACK_API int stack_moves(const struct stack_wall *w, int stones)
     return moves;
 }
 
-/* Between what levels stack_endured_level() looks, and by what factor it goes up;
-   the table stops after so many seconds, in full motion: what falls late is not
-   seen in fewer. */
-static const double stack_endured_low = 2, stack_endured_high = 21,
-                    stack_endured_step = 1.12, stack_endured_ends = 7.5;
-
-/* Do the stones keep their places, within a quarter of a size in the mean, when
-   the ground runs along the figure of eight of table.h at some level? It begins
-   at another moment than the shaking test, and stones lie otherwise. */
-static int stack_endures(struct stack_wall *w, double level, uint64_t seed)
-{
-    const double unit = w->stock->size, allowed = 0.25;
-    struct rigid_world r;
-    double time = 0, mean = 0;
-    int bad = stack_world(&r, w, NULL, table_noise, seed);
-    const struct rigid_pt from = bad ? rigid_vec(0, 0) : r.block[0].at;
-    const struct rigid_pt on = rigid_unit(2 * table_pi * table_frequency
-                                          * r.step);
-    struct rigid_pt q = rigid_unit(2 * table_pi * (double)seed / 5);
-    for (int i = 1; !bad && time < stack_endured_ends && mean < 2 * allowed;
-         i++) {
-        struct rigid_pt to, *at = &r.block[0].at;
-        time = i * r.step;
-        to = table_eight(q, table_amplitude * level * table_strength(time));
-        r.block[0].v = rigid_vec((from.x + to.x - at->x) / r.step,
-                                 (from.y + to.y - at->y) / r.step);
-        bad = rigid_step(&r);
-        w->passes += r.substeps * r.contacts;
-        q = rigid_turned(q, on);
-        if (i % table_look_every > 0)
-            continue;
-        mean = 0;
-        for (int k = 1; k < r.blocks; k++) {
-            struct rigid_block b = r.block[k];
-            b.at = rigid_vec(b.at.x - to.x, b.at.y - to.y);
-            mean += stack_gone(&b, &w->stone[k - 1], unit) / (r.blocks - 1);
-        }
-    }
-    rigid_free(&r);
-    return !bad && mean <= allowed;
-}
-
-/* In two runs? */
-static int stack_endures_twice(struct stack_wall *w, double level)
-{
-    return stack_endures(w, level, 1) && stack_endures(w, level, 2);
-}
-
-/* The level of shaking up to which the wall endures every one twice, from `least`
-   on; 0 where it does not endure that. */
-STACK_API double stack_endured_level(struct stack_wall *w, double least)
-{
-    double level = fmax(least, stack_endured_low);
-    if (!stack_endures_twice(w, level))
-        return least > stack_endured_low ? 0 : stack_endured_low;
-    while (level < stack_endured_high
-           && stack_endures_twice(w, level * stack_endured_step))
-        level *= stack_endured_step;
-    return level;
-}
-
 /* ---- What may be laid ---------------------------------------------------- */
-
-/* The share of gravity that may push sideways while the load still raises the
-   forces: what the library recommends. */
-static const double stack_reserve = 0.0055;
 
 /* Does a block touch another at points that are no face but shrink toward each
    other, as a stone does that sticks in a notch? What they can carry may grow
@@ -653,34 +628,24 @@ static int stack_sticks(struct stack_wall *w, const kern_block *block)
     return sticks;
 }
 
-/* The load itself must raise the forces that hold the wall with a candidate,
-   with that reserve, and nothing may move in the simulator. */
+/* The least chance that a stone stays where it is let go, of one that is laid. */
+static const double stack_chance = 0.5;
+
+/* Returns 1 if a candidate may be laid: it sticks in no notch, and by
+   kern_plan_stays() it stays where it is let go. */
 static int stack_holds(struct stack_wall *w, const struct stack_candidate *c)
 {
     struct stone s = stack_placed(w, &c->place);
     kern_block block;
-    kern_raising raising;
-    kern_real reserve;
-    w->raised++;
-    return kern_block_init(&block, s.v, s.n, 1, NULL) == KERN_OK
-        && !stack_sticks(w, &block)
-        && kern_plan_raised(&w->plan, &block, &raising, &reserve, NULL)
-               == KERN_STANDS
-        && raising == KERN_RAISED && reserve >= stack_reserve
-        && stack_stays(w, &s, 0, w->runs);
-}
-
-/* How many of the stones of a wall, whose first ones are known to, stay when they
-   are laid in the runs that were not asked then. */
-static int stack_stay(struct stack_wall *w, int known)
-{
-    struct stack_wall part = *w;
-    for (part.laid = known;
-         part.laid < w->laid
-         && stack_stays(&part, &w->stone[part.laid], w->runs, STACK_RUNS);)
-        part.laid++;
-    w->passes = part.passes;
-    return part.laid;
+    kern_real chance;
+    int holds;
+    w->held++;
+    holds = kern_block_init(&block, s.v, s.n, 1, NULL) == KERN_OK
+         && !stack_sticks(w, &block)
+         && kern_plan_stays(&w->plan, &block, &chance) == KERN_STANDS
+         && chance >= stack_chance;
+    w->slipped += !holds;
+    return holds;
 }
 
 #endif /* STACK_PLACE_H */

@@ -68,28 +68,18 @@ enum stack_planner {
 static const char *const stack_planner_name[] = {"heuristic", "combined",
                                                  "best"};
 
-/* What `best` wants to be high beside the filling: the level of shaking that a
-   finished wall endures in the simulator, the one that the expected drop
-   predicts, or the load factor. */
-enum stack_goal { STACK_SHAKING, STACK_DROP, STACK_LOAD, STACK_GOALS };
+/* What `best` wants to be high beside the filling: the level of collapse that
+   the expected drop predicts, or the load factor. */
+enum stack_goal { STACK_DROP, STACK_LOAD, STACK_GOALS };
 
-static const char *const stack_goal_name[] = {"shaking", "drop", "load"};
+static const char *const stack_goal_name[] = {"drop", "load"};
 
 struct stack_wall;
 
-/* How many passes of the simulator over a contact take as long as a candidate; as
-   how many candidates it takes to ask whether the wall stands with one, and
-   whether its load raises the forces; and how many stones of the stock may be the
-   next one, if nothing else is asked for. */
-enum {
-    STACK_PASSES = 160,
-    STACK_ASKING = 2,
-    STACK_RAISING = 70,
-    STACK_LOOK = 6
-};
-
-/* Runs of the simulator that are asked of a stone, see stack_place.h. */
-enum { STACK_RUNS = 5 };
+/* As how many candidates it takes to ask whether the wall stands with one, and
+   whether it stays; and how many stones of the stock may be the next one, if
+   nothing else is asked for. */
+enum { STACK_ASKING = 2, STACK_HOLDING = 20, STACK_LOOK = 6 };
 
 struct stack_options {
     enum stack_planner planner;
@@ -97,14 +87,14 @@ struct stack_options {
     int most;             /* stones that are laid at the most           */
     int look;             /* stones of the stock that may be the next   */
     double threshold[STACK_FILTERS];
-    int levels; /* filters before that by kern's levels       */
+    int levels;   /* filters before that by kern's levels       */
+    double dress; /* share of its area that a stone may lose at its top */
     double friction;
     double joints;        /* friction in head joints; < 0: the same     */
     uint64_t seed;        /* of what `best` leaves to chance            */
     int walls;            /* that `best` builds                         */
-    int effort;           /* where it begins no further one, see
-                               stack_spent(): in candidates, in proportion to
-                               `look`, up to twice as much; 0: no limit   */
+    int effort;           /* no further wall is begun beyond, in candidates,
+                               see stack_spent(); 0: no limit             */
     enum stack_goal goal; /* what it wants to be high                   */
     double beat[2];       /* with STACK_LOAD: a filling and a limit
                                multiplier that both are to be exceeded    */
@@ -114,9 +104,11 @@ struct stack_options {
 
 STACK_API struct stack_options stack_defaults(void)
 {
+    /* clang-format off */
     struct stack_options o = {
-        STACK_BEST, 8, 4.5, STONES_MOST, STACK_LOOK,    {0},    0,   0.4,
-        -1,         1, 400, 420000,      STACK_SHAKING, {0, 0}, NULL};
+        STACK_BEST, 8, 4.5, STONES_MOST, 0, {0}, 0, 0, 0.4, -1, 1, 400, 185000,
+        STACK_DROP, {0, 0}, NULL};
+    /* clang-format on */
     for (int k = 0; k < STACK_FILTERS; k++)
         o.threshold[k] = stack_threshold[k];
     return o;
@@ -130,6 +122,14 @@ static const double stack_filler = 0.25;
 struct stack_place {
     int stone;         /* of the stock                     */
     kern_vec at, turn; /* centre; cosine and sine          */
+    double top;        /* dressed level at this height; HUGE_VAL: not  */
+};
+
+/* A corner of a stone of the stock between two faces that may both be beds, on
+   two tops that meet at the same angle: the sine of its turn. */
+struct stack_bend {
+    int stone;
+    double turn;
 };
 
 struct stack_wall {
@@ -138,9 +138,11 @@ struct stack_wall {
     struct stone *stone; /* as they lie; block i + 1 of the plan      */
     struct stack_place *place;
     int laid;
-    int pins;           /* of them: stack_keeps_back()               */
-    kern_vec ground[4]; /* block 0                                   */
-    char *used;         /* one a stone of the stock                  */
+    int pins;                /* of them: stack_keeps_back()               */
+    kern_vec ground[4];      /* block 0                                   */
+    char *used;              /* one a stone of the stock                  */
+    struct stack_bend *bend; /* of all stones                        */
+    int bends;
     kern_plan plan;
     kern_work work;
     kern_motion *motion; /* room for what a plan knows                */
@@ -149,20 +151,19 @@ struct stack_wall {
     double filled;       /* area within the frame                     */
     double *sky;         /* height of what is highest, column by column */
     int *owner;          /* block which that is                       */
-    int upright;         /* long stones that stand on end             */
-    int lie;             /* nonzero: no further stone may stand so    */
+    int lie;             /* nonzero: the longest face of a stone is level */
+    double course;       /* a stone is laid so far above the lowest place, in
+                            sizes                                        */
     kern_contact *close; /* room for contacts that are nearly closed  */
     kern_real *load;     /* and for the load factor of every block    */
     int columns;
     struct rest_near around; /* room for the edges of all                 */
     int walls;               /* that `best` has built                     */
-    int runs;                /* of the simulator before a stone is laid   */
     int tried;               /* stones let down that came to rest         */
     int asked;               /* candidates that kern was asked about      */
-    int raised;              /* of them, whether they are raised          */
+    int held;                /* of them, whether they stay                */
     double asking;           /* CPU seconds that took                     */
-    int swayed, slipped;     /* let go in the simulator; moved            */
-    double passes;           /* of the simulator over a contact           */
+    int slipped;             /* of them, those that do not                */
     char message[200];       /* why the wall ended                        */
 };
 
@@ -173,6 +174,7 @@ STACK_API void stack_free(struct stack_wall *w)
     free(w->stone);
     free(w->place);
     free(w->used);
+    free(w->bend);
     room_free_plan(&w->plan);
     free(w->motion);
     free(w->force);
@@ -200,10 +202,32 @@ static int stack_begin(struct stack_wall *w)
     w->plan.task.known.fails = 0;
     w->laid = w->pins = 0;
     w->filled = 0;
-    w->upright = 0;
     memset(w->used, 0, (size_t)w->stock->stones);
     stack_clear_sky(w);
     return kern_plan_add(&w->plan, &ground) < 0 ? -1 : 0;
+}
+
+/* Finds the bends of all stones of the stock between faces that may be beds. */
+static void stack_find_bends(struct stack_wall *w)
+{
+    const double least = 0.25 * w->stock->size, most = 0.42; /* sine */
+    w->bends = 0;
+    for (int i = 0; i < w->stock->stones; i++) {
+        const struct stone *s = &w->stock->stone[i];
+        for (int k = 0; k < s->n; k++) {
+            const int next = k + 1 < s->n ? k + 1 : 0;
+            const struct rest_edge a = rest_edge_at(s, k);
+            const struct rest_edge b = rest_edge_at(s, next);
+            const kern_vec p = stones_sub(a.b, a.a), q = stones_sub(b.b, b.a);
+            const double turn = stones_cross(a.n, b.n);
+            if (turn <= 0 || turn > most || stones_dot(a.n, b.n) < 0
+                || stones_dot(p, p) < least * least
+                || stones_dot(q, q) < least * least)
+                continue;
+            w->bend[w->bends].stone = i;
+            w->bend[w->bends++].turn = turn;
+        }
+    }
 }
 
 /* An empty wall. Returns 0, or -1 where memory is lacking. */
@@ -215,9 +239,11 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     const int blocks = stock->stones + 2, contacts = 40 * blocks;
     int corners = 4;
     *w = empty;
-    w->runs = STACK_RUNS;
     w->stock = stock;
     w->options = *options;
+    if (w->options.look == 0)
+        w->options.look = options->planner == STACK_BEST ? STONES_MOST
+                                                         : STACK_LOOK;
     for (int i = 0; i < stock->stones; i++)
         corners += stock->stone[i].n;
     w->plan = room_plan(blocks, contacts, &w->work);
@@ -231,14 +257,16 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->stone = malloc(stones * sizeof *w->stone);
     w->place = malloc(stones * sizeof *w->place);
     w->used = malloc(stones);
+    w->bend = malloc((size_t)corners * sizeof *w->bend);
     w->columns = (int)ceil(options->width / stock->size * STACK_COLUMNS);
     w->sky = malloc((size_t)w->columns * sizeof *w->sky);
     w->owner = malloc((size_t)w->columns * sizeof *w->owner);
     w->around.edge = malloc((size_t)corners * sizeof *w->around.edge);
     if (!room_is_there(&w->plan) || !w->stone || !w->motion || !w->place
-        || !w->force || !w->used || !w->sky || !w->owner || !w->around.edge
-        || !w->close || !w->load)
+        || !w->force || !w->used || !w->bend || !w->sky || !w->owner
+        || !w->around.edge || !w->close || !w->load)
         return -1;
+    stack_find_bends(w);
     w->ground[0] = stones_vec(-1, -0.5);
     w->ground[1] = stones_vec(options->width + 1, -0.5);
     w->ground[2] = stones_vec(options->width + 1, 0);
@@ -281,6 +309,8 @@ STACK_API struct stone stack_placed(const struct stack_wall *w,
     struct stone s = w->stock->stone[place->stone];
     stone_turn(&s, s.centre, place->turn);
     stone_move(&s, place->at);
+    if (place->top < s.high.y)
+        stone_dress(&s, stones_vec(0, 1), place->top);
     return s;
 }
 
@@ -315,14 +345,6 @@ static int stack_add(struct stack_wall *w, const kern_block *block)
     return found;
 }
 
-/* Does a long stone stand on end, or lean so far that it hardly lies? */
-static int stack_on_end(const struct stone *s)
-{
-    const double steep = 50; /* degrees */
-    double aspect, angle = masonry_axis(s->v, s->n, s->centre, &aspect);
-    return aspect > masonry_long && angle > steep;
-}
-
 /* Is a stone of the stock a pin, that `best` keeps back for others? */
 STACK_API int stack_keeps_back(const struct stack_wall *w, int stone)
 {
@@ -353,7 +375,6 @@ STACK_API int stack_lay(struct stack_wall *w, const struct stack_place *place)
     stack_raise(w, w->laid);
     w->used[place->stone] = 1;
     w->pins += stack_keeps_back(w, place->stone);
-    w->upright += stack_on_end(s);
     w->filled += stone_area_in(s, w->options.width, w->options.height);
     w->place[w->laid++] = *place;
     return 0;
@@ -438,24 +459,26 @@ STACK_API void stack_look(struct stack_wall *w, double left, double right,
     }
 }
 
-/* Length along which two edges touch: face to face within 1 degree, and within
-   `gap` of each other. */
+/* Returns the length along which two edges touch: antiparallel within 1 degree,
+   the part where they are within `gap` of each other. */
 STACK_API double stack_common(const struct rest_edge *a,
                               const struct rest_edge *b, double gap)
 {
     const double cosine = 0.99984769515639127; /* of 1 degree */
-    kern_vec t = stones_vec(-a->n.y, a->n.x);
-    double from, to, length = stones_dot(t, stones_sub(a->b, a->a));
+    const kern_vec t = stones_vec(-a->n.y, a->n.x);
+    double from, to, at, rise;
     if (stones_dot(a->n, b->n) > -cosine)
         return 0;
     from = rigid_most(0, stones_dot(t, stones_sub(b->b, a->a)));
-    to = rigid_least(length, stones_dot(t, stones_sub(b->a, a->a)));
-    if (to <= from)
-        return 0;
-    /* the gap in the middle of what they share */
-    kern_vec m = stones_vec(a->a.x + (from + to) / 2 * t.x,
-                            a->a.y + (from + to) / 2 * t.y);
-    return fabs(stones_dot(b->n, stones_sub(m, b->a))) <= gap ? to - from : 0;
+    to = rigid_least(stones_dot(t, stones_sub(a->b, a->a)),
+                     stones_dot(t, stones_sub(b->a, a->a)));
+    at = stones_dot(b->n, stones_sub(a->a, b->a));
+    rise = stones_dot(b->n, t);
+    if (fabs(rise) < 1e-12)
+        return fabs(at) <= gap ? rigid_most(0, to - from) : 0;
+    from = rigid_most(from, -at / rise - gap / fabs(rise));
+    to = rigid_least(to, -at / rise + gap / fabs(rise));
+    return rigid_most(0, to - from);
 }
 
 /* Length of all edges that a stone shares with what is near, over its
@@ -547,23 +570,6 @@ STACK_API double stack_bond(const struct stack_wall *w, const struct stone *s)
     return least / w->stock->size;
 }
 
-/* Length of the beds that carry a stone, in its sizes: edges at most 30 degrees
-   off the level that lie on others. */
-STACK_API double stack_bed(const struct rest_near *around,
-                           const struct stone *s)
-{
-    const double size = sqrt(s->area);
-    double sum = 0;
-    for (int i = 0; i < s->n; i++) {
-        struct rest_edge own = rest_edge_at(s, i);
-        if (own.n.y > -masonry_level)
-            continue;
-        for (int k = 0; k < around->edges; k++)
-            sum += stack_common(&own, &around->edge[k], 1e-3 * size);
-    }
-    return sum / size;
-}
-
 /* Do two edges touch within `gap`, the second below the first? */
 static int stack_carries(const struct rest_edge *own, const struct rest_edge *e,
                          double gap)
@@ -574,24 +580,213 @@ static int stack_carries(const struct rest_edge *own, const struct rest_edge *e,
             && fabs(stones_dot(own->n, stones_sub(e->a, own->a))) < gap);
 }
 
-/* How many blocks carry a stone, two for more; *below is the first of them, as
-   masonry_rest_on() counts when it is laid. */
-STACK_API int stack_carriers(const struct rest_near *around,
-                             const struct stone *s, int *below)
+/* What carries a stone: blocks on beds of masonry_point or more, at corners,
+   whether the ground is one of them, the one block that carries it alone or 0,
+   and the length of all beds, in sizes. */
+struct stack_bedding {
+    int beds, corners, ground, alone;
+    double length;
+};
+
+STACK_API struct stack_bedding stack_bedding_of(const struct stack_wall *w,
+                                                const struct stone *s)
 {
-    int count = 0;
-    for (int i = 0; i < s->n && count < 2; i++) {
+    enum { MOST = 8 };
+    struct stack_bedding b = {0, 0, 0, 0, 0};
+    double length[MOST] = {0};
+    int below[MOST], count = 0;
+    for (int i = 0; i < s->n; i++) {
         const struct rest_edge own = rest_edge_at(s, i);
-        for (int k = 0; k < around->edges && count < 2; k++) {
-            const struct rest_edge *e = &around->edge[k];
-            if ((count > 0 && e->block == *below)
-                || !stack_carries(&own, e, 1e-3 * sqrt(s->area)))
+        for (int k = 0; k < w->around.edges; k++) {
+            const struct rest_edge *e = &w->around.edge[k];
+            const double other = e->block > 0 ? w->stone[e->block - 1].area
+                                              : s->area;
+            const double gap = 1e-3 * sqrt(rigid_least(s->area, other));
+            double common;
+            int at = 0;
+            if (!rest_is_beside(e, s, gap))
                 continue;
-            if (count++ == 0)
-                *below = e->block;
+            common = own.n.y <= -masonry_rests ? stack_common(&own, e, gap) : 0;
+            if (common <= 0 && !stack_carries(&own, e, gap))
+                continue;
+            while (at < count && below[at] != e->block)
+                at++;
+            if (at == count && count == MOST)
+                continue;
+            if (at == count)
+                below[count++] = e->block;
+            length[at] = rigid_most(length[at], common);
         }
     }
+    for (int i = 0; i < count; i++) {
+        const int bed = length[i] >= masonry_point * w->stock->size;
+        b.beds += bed;
+        b.corners += !bed;
+        b.ground |= below[i] == 0;
+        b.length += length[i] / sqrt(s->area);
+    }
+    b.alone = count == 1 ? below[0] : 0;
+    return b;
+}
+
+/* Finds the face of a stone that looks up and ends nearest to a side (-1 left,
+   1 right), up to half a size long: its ends from left to right. Returns 0
+   where there is none of 0.15 sizes. */
+static int stack_top_face(const struct stone *s, int side, double size,
+                          kern_vec end[2])
+{
+    const double up = 0.94, least = masonry_point * size, most = 0.5 * size;
+    double best = -HUGE_VAL;
+    for (int i = 0; i < s->n; i++) {
+        const struct rest_edge e = rest_edge_at(s, i);
+        const double at = side < 0 ? -e.b.x : e.a.x;
+        if (e.n.y < up || e.a.x - e.b.x < least || at <= best)
+            continue;
+        best = at;
+        end[0] = e.b;
+        end[1] = e.a;
+    }
+    if (best > -HUGE_VAL && end[1].x - end[0].x > most) {
+        const double share = most / (end[1].x - end[0].x);
+        const kern_vec way = stones_vec(share * (end[1].x - end[0].x),
+                                        share * (end[1].y - end[0].y));
+        if (side < 0)
+            end[1] = stones_vec(end[0].x + way.x, end[0].y + way.y);
+        else
+            end[0] = stones_vec(end[1].x - way.x, end[1].y - way.y);
+    }
+    return best > -HUGE_VAL;
+}
+
+static double stack_rise(kern_vec a, kern_vec b)
+{
+    return (b.y - a.y) / (b.x - a.x);
+}
+
+/* Returns 1 if one straight face may have beds on two faces: their common
+   tangent turns off neither by more than a bed of 0.15 sizes allows. */
+static int stack_is_one_bed(const kern_vec left[2], const kern_vec right[2])
+{
+    const double most = 0.0055; /* 1e-3 sizes in 0.15, and a little less */
+    for (int k = 0; k < 4; k++) {
+        const kern_vec a = left[k / 2], b = right[k % 2];
+        const double rise = stack_rise(a, b);
+        int above = b.x > a.x;
+        for (int i = 0; i < 2 && above; i++)
+            above = left[i].y - a.y <= rise * (left[i].x - a.x) + 1e-9
+                 && right[i].y - a.y <= rise * (right[i].x - a.x) + 1e-9;
+        if (above)
+            return fabs(rise - stack_rise(left[0], left[1])) <= most
+                && fabs(rise - stack_rise(right[0], right[1])) <= most;
+    }
+    return 0;
+}
+
+/* Returns 1 if another stone that is left has a bend that fits between two
+   faces: their lines meet near the joint, at its angle. */
+static int stack_is_notch(const struct stack_wall *w, int stone,
+                          const kern_vec left[2], const kern_vec right[2])
+{
+    const double size = w->stock->size, error = 0.005, room = 0.2 * size;
+    const double a = stack_rise(left[0], left[1]);
+    const double b = stack_rise(right[0], right[1]);
+    const double turn = (b - a) / sqrt((1 + a * a) * (1 + b * b));
+    double x;
+    if (turn < error)
+        return 0;
+    x = (left[1].y - right[0].y + b * right[0].x - a * left[1].x) / (b - a);
+    if (x < left[0].x + room || x > right[1].x - room || x > left[1].x + room
+        || x < right[0].x - room)
+        return 0;
+    for (int i = 0; i < w->bends; i++)
+        if (!w->used[w->bend[i].stone] && w->bend[i].stone != stone
+            && fabs(w->bend[i].turn - turn) < error)
+            return 1;
+    return 0;
+}
+
+/* Finds the stone whose top is beside a stone on a side; NULL: there is none. */
+static const struct stone *stack_beside(const struct stack_wall *w,
+                                        const struct stone *s, int side)
+{
+    const double aside = w->stock->size / 8;
+    const double x = side < 0 ? s->low.x - aside : s->high.x + aside;
+    const int c = stack_column(w, x);
+    return x > 0 && c < w->columns && w->owner[c] > 0
+             ? &w->stone[w->owner[c] - 1]
+             : NULL;
+}
+
+/* Returns on how many sides of a stone, of this number in the stock, another one
+   may have beds on it and on the one beside it. */
+STACK_API int stack_matches(const struct stack_wall *w, int stone,
+                            const struct stone *s)
+{
+    const double size = w->stock->size;
+    int count = 0;
+    for (int side = -1; side < 2; side += 2) {
+        const struct stone *t = stack_beside(w, s, side);
+        kern_vec own[2], other[2], *left, *right;
+        if (!t || fabs(t->high.y - s->high.y) > 0.2 * size
+            || !stack_top_face(s, side, size, own)
+            || !stack_top_face(t, -side, size, other))
+            continue;
+        left = side < 0 ? other : own;
+        right = side < 0 ? own : other;
+        count += stack_is_one_bed(left, right)
+              || stack_is_notch(w, stone, left, right);
+    }
     return count;
+}
+
+/* ---- Dressing ------------------------------------------------------------ */
+
+/* Returns the least height at which a stone may be dressed level. */
+static double stack_lowest_top(const struct stack_wall *w,
+                               const struct stone *s)
+{
+    double low = (s->low.y + s->high.y) / 2, high = s->high.y;
+    for (int i = 0; i < 24; i++) {
+        const double middle = (low + high) / 2;
+        if (stone_area_below(s, middle) < (1 - w->options.dress) * s->area)
+            low = middle;
+        else
+            high = middle;
+    }
+    return high;
+}
+
+/* Returns the lowest of the corners between the faces of a stone that look up. */
+static double stack_shoulder(const struct stone *s)
+{
+    const double up = 0.7;
+    double low = HUGE_VAL;
+    for (int i = 0; i < s->n; i++) {
+        const struct rest_edge e = rest_edge_at(s, i);
+        if (e.n.y >= up)
+            low = fmin(low, fmin(e.a.y, e.b.y));
+    }
+    return low;
+}
+
+/* Returns the height at which a stone in place is dressed: that of a top beside
+   it if so much may go, else that makes its top level, or nearly; HUGE_VAL: it
+   is not dressed. */
+STACK_API double stack_dressed(const struct stack_wall *w,
+                               const struct stone *s)
+{
+    const double least = 1e-6 * w->stock->size;
+    double low, top;
+    if (!(w->options.dress > 0) || w->options.planner != STACK_BEST)
+        return HUGE_VAL;
+    low = stack_lowest_top(w, s);
+    for (int side = -1; side < 2; side += 2) {
+        const struct stone *t = stack_beside(w, s, side);
+        if (t && t->high.y >= low && t->high.y <= s->high.y + least)
+            return t->high.y;
+    }
+    top = fmax(low, stack_shoulder(s));
+    return top < s->high.y - least ? top : HUGE_VAL;
 }
 
 /* How far the top of a stone is from those beside it, in sizes, at most 0.5:

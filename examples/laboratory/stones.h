@@ -221,6 +221,38 @@ STONES_API double stone_area_in(const struct stone *s, double width,
     return sum;
 }
 
+/* Returns the area of a stone in place below a height. */
+STONES_API double stone_area_below(const struct stone *s, double height)
+{
+    const kern_vec up = {0, 1};
+    kern_vec v[2 * STONES_CORNERS];
+    const int n = stones_cut(s->v, s->n, up, height, v);
+    double sum = 0;
+    for (int i = 1; i + 1 < n; i++)
+        sum += stones_cross(stones_sub(v[i], v[0]), stones_sub(v[i + 1], v[0]))
+             / 2;
+    return sum;
+}
+
+/* Takes away the part of a stone in place where n.p > limit. Returns 0, or -1
+   where nothing that is a stone is left. */
+STONES_API int stone_dress(struct stone *s, kern_vec n, double limit)
+{
+    kern_vec v[2 * STONES_CORNERS];
+    const int corners = stones_cut(s->v, s->n, n, limit, v);
+    kern_block b;
+    if (corners > STONES_CORNERS
+        || kern_block_init(&b, v, corners, 1, NULL) != KERN_OK)
+        return -1;
+    s->n = corners;
+    s->area = fabs(b.area);
+    s->centre = b.centre;
+    for (int i = 0; i < corners; i++)
+        s->v[i] = v[i];
+    stone_frame(s);
+    return 0;
+}
+
 /* ---- Stocks -------------------------------------------------------------- */
 
 STONES_API void stones_free(struct stones *s)

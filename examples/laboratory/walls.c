@@ -42,7 +42,7 @@
 
 static const char help[] =
     "usage: walls [--quick] [--settled] [--sets N] [--first S] [--steps N]\n"
-    "             [--from LIST] FOLDER\n"
+    "             [--dress P] [--from LIST] FOLDER\n"
     "Builds walls with the planners of stack.h from N stocks a level of\n"
     "irregularity (20), and writes Figs. 8 and 9 of the paper into FOLDER, which\n"
     "must hold a folder `walls`.\n"
@@ -52,6 +52,7 @@ static const char help[] =
     "  --first S   the seed of the first stock; default 1\n"
     "  --steps N   the step test, of the walls of the first N stocks a level: each\n"
     "              step is let go in six runs of the simulator; default 0\n"
+    "  --dress P   best may dress a stone by P per cent of its area; default 0\n"
     "  --from LIST builds nothing: Fig. 9 of walls that are listed, a walls.csv of one\n"
     "              run or of several\n";
 
@@ -96,6 +97,7 @@ struct walls {
     const char *from; /* a list of walls that were built before       */
     int sets, quick, settled;
     int planners;     /* the first of stack.h                         */
+    int dress;        /* per cent of a stone's area                   */
     int first, steps; /* seed of the first set; sets of the step test */
     FILE *list;
     /* one a level, set and planner */
@@ -146,6 +148,7 @@ static int walls_build(const struct walls *f, const struct stones *stock,
     clock_t start = clock();
     o.planner = (enum stack_planner)planner;
     o.seed = (uint64_t)(f->first + set);
+    o.dress = f->dress / 100.0;
     if (f->quick) {
         o.walls = 4;
         drop.drops = 40;
@@ -178,14 +181,15 @@ static void walls_list(const struct walls *f, int level, int set, int planner)
     const struct walls_one *o = walls_at(f, level, set, planner);
     fprintf(f->list,
             "%d,%d,%s,%d,%.4f,%.0f,%.4f,%.4g,%.5f,%.5f,%.4f,%.4f,"
-            "%.4f,%.4f,%.4f,%.1f,%.3g,%.0f,%d,%d,%.0f",
+            "%.4f,%.4f,%.4f,%.4f,%.4f,%.1f,%.3g,%.0f,%d,%d,%.0f",
             walls_percent(level), f->first + set, stack_planner_name[planner],
             o->laid, o->fill, o->stability[WALLS_LEVEL],
             o->stability[WALLS_MARGIN], o->stability[WALLS_COLLAPSE],
             walls_quality(o, WALLS_COLLAPSE), walls_quality(o, WALLS_MARGIN),
-            o->masonry.bed, o->masonry.bedless, o->masonry.upright,
-            o->masonry.joint, o->masonry.on_two, o->masonry.end_columns,
-            o->seconds, o->masonry.running, o->tried, o->asked,
+            o->masonry.off_level, o->masonry.on_two, o->masonry.bedless,
+            o->masonry.corners, o->masonry.gaping, o->masonry.uneven,
+            o->masonry.joint, o->masonry.end_columns, o->seconds,
+            o->masonry.running, o->tried, o->asked,
             o->asked / fmax(o->asking, 1e-9));
     if (o->tested)
         fprintf(f->list, ",%d,%d,%d\n", o->some, o->all, o->falls);
@@ -199,11 +203,12 @@ static int walls_open_list(struct walls *f)
     f->list = plot_open(f->folder, "walls.csv");
     if (!f->list)
         return -1;
-    fprintf(f->list,
-            "irregularity,seed,planner,stones,filling,level,"
-            "margin_sizes,collapse,Q,Q_margin,bed,bedless,upright,joint,"
-            "on_two,end_columns,seconds,running,candidates,asked,"
-            "asked_a_second,moves_some,moves_all,finished_moves\n");
+    fprintf(
+        f->list,
+        "irregularity,seed,planner,stones,filling,level,"
+        "margin_sizes,collapse,Q,Q_margin,off_level,on_two,bedless,"
+        "corners,gaping,uneven,joint,end_columns,seconds,running,candidates,asked,"
+        "asked_a_second,moves_some,moves_all,finished_moves\n");
     return 0;
 }
 
@@ -216,19 +221,20 @@ static void walls_line(const struct walls *f, const char *line)
         found = sscanf(
             line,
             "%d,%d,%19[a-z],%d,%lf,%lf,%lf,%lf,"
-            "%*f,%*f,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%d,%d,%*f,%d,%d,%d",
+            "%*f,%*f,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%d,%d,%*f,%d,%d,"
+            "%d",
             &level, &seed, planner, &o.laid, &o.fill, &o.stability[WALLS_LEVEL],
             &o.stability[WALLS_MARGIN], &o.stability[WALLS_COLLAPSE],
-            &o.masonry.bed, &o.masonry.bedless, &o.masonry.upright,
-            &o.masonry.joint, &o.masonry.on_two, &o.masonry.end_columns,
-            &o.seconds, &o.masonry.running, &o.tried, &o.asked, &o.some, &o.all,
-            &o.falls);
+            &o.masonry.off_level, &o.masonry.on_two, &o.masonry.bedless,
+            &o.masonry.corners, &o.masonry.gaping, &o.masonry.uneven,
+            &o.masonry.joint, &o.masonry.end_columns, &o.seconds,
+            &o.masonry.running, &o.tried, &o.asked, &o.some, &o.all, &o.falls);
     const int set = seed - f->first;
     level = level / 10 - 1;
-    if (found < 18 || set < 0 || set >= f->sets || level < 0
+    if (found < 20 || set < 0 || set >= f->sets || level < 0
         || level >= WALLS_LEVELS)
         return;
-    o.tested = found == 21;
+    o.tested = found == 23;
     for (int p = 0; p < f->planners; p++)
         if (strcmp(planner, stack_planner_name[p]) == 0)
             *walls_at(f, level, set, p) = o;
@@ -476,45 +482,58 @@ static void walls_differences(const struct walls *f, FILE *out, int more,
     }
 }
 
-enum { WALLS_FIGURES = 14 };
+enum { WALLS_FIGURES = 12 };
 
-/* What the table of means has of a wall, from left to right. */
+/* Writes what the table of means has of a wall, from left to right. */
 static void walls_figures(const struct walls_one *o, double x[WALLS_FIGURES])
 {
     /* clang-format off */
     const double all[WALLS_FIGURES] = {
-        o->laid, o->fill, o->stability[WALLS_COLLAPSE],
-        walls_quality(o, WALLS_COLLAPSE), o->stability[WALLS_MARGIN],
-        walls_quality(o, WALLS_MARGIN), o->masonry.bed, o->masonry.bedless,
-        o->masonry.upright, o->masonry.joint, o->masonry.on_two,
-        o->masonry.end_columns, o->masonry.running, o->seconds
+        o->laid, o->fill, o->stability[WALLS_COLLAPSE], o->masonry.off_level,
+        o->masonry.on_two, o->masonry.bedless, o->masonry.corners,
+        o->masonry.gaping, o->masonry.uneven, o->masonry.end_columns,
+        o->masonry.running, o->seconds
     };
     /* clang-format on */
     memcpy(x, all, sizeof all);
 }
 
-/* Means over all sets of a level. */
+static const struct {
+    const char *name;
+    int digits;
+} walls_column[WALLS_FIGURES] = {
+    {"stones", 1}, {"filling", 3}, {"collapse", 1}, {"tilted", 2},
+    {"on two", 2}, {"no bed", 2},  {"corners", 2},  {"gaping", 2},
+    {"uneven", 2}, {"ends", 2},    {"running", 2},  {"seconds", 1}};
+
+/* Writes means over all sets of a level, with 95 % intervals. */
 static void walls_means(const struct walls *f, FILE *out)
 {
-    fprintf(out,
-            "| irregularity | planner | stones | filling | collapse | "
-            "Q | margin / size | Q, margin | bed | without bed | upright | "
-            "joints | on two | end columns | running | seconds |\n|---|---|"
-            "---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-    for (int l = 0; l < WALLS_LEVELS; l++)
-        for (int p = 0; p < f->planners; p++) {
-            double sum[WALLS_FIGURES] = {0}, x[WALLS_FIGURES];
+    double *x = malloc((size_t)f->sets * sizeof *x);
+    fprintf(out, "| irregularity | planner |");
+    for (int k = 0; k < WALLS_FIGURES; k++)
+        fprintf(out, " %s |", walls_column[k].name);
+    fprintf(out, "\n|---|---|");
+    for (int k = 0; k < WALLS_FIGURES; k++)
+        fprintf(out, "---|");
+    fprintf(out, "\n");
+    for (int row = 0; x && row < WALLS_LEVELS * f->planners; row++) {
+        const int l = row / f->planners, p = row % f->planners;
+        fprintf(out, "| %d | %s |", walls_percent(l), stack_planner_name[p]);
+        for (int k = 0; k < WALLS_FIGURES; k++) {
+            const int digits = walls_column[k].digits;
+            double all[WALLS_FIGURES], mean, sd;
             for (int set = 0; set < f->sets; set++) {
-                walls_figures(walls_at(f, l, set, p), x);
-                for (int k = 0; k < WALLS_FIGURES; k++)
-                    sum[k] += x[k] / f->sets;
+                walls_figures(walls_at(f, l, set, p), all);
+                x[set] = all[k];
             }
-            fprintf(out, "| %d | %s | %.1f |", walls_percent(l),
-                    stack_planner_name[p], sum[0]);
-            for (int k = 1; k < WALLS_FIGURES; k++)
-                fprintf(out, " %.*f |", k == 2 || k == 13 ? 1 : 3, sum[k]);
-            fprintf(out, "\n");
+            walls_moments(x, f->sets, &mean, &sd);
+            fprintf(out, " %.*f ± %.*f |", digits, mean, digits,
+                    walls_interval(sd, f->sets));
         }
+        fprintf(out, "\n");
+    }
+    free(x);
 }
 
 /* The step test, in sums over all levels. */
@@ -715,9 +734,10 @@ static int walls_option(void *set, char **argv, int *i)
         int most, *out;
     } number[] = {{"--sets", 1000, &f->sets},
                   {"--first", 1000000, &f->first},
+                  {"--dress", 30, &f->dress},
                   {"--steps", 1000000, &f->steps}};
     const char *word;
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 4; k++)
         if (args_value(argv, i, number[k].name, &word))
             return args_integer(&word, 1, number[k].most, number[k].out)
                         || *word
@@ -736,7 +756,7 @@ static int walls_option(void *set, char **argv, int *i)
 
 int main(int argc, char **argv)
 {
-    struct walls f = {NULL, NULL, 0, 0, 0, 0, 1, 0, NULL, NULL};
+    struct walls f = {NULL, NULL, 0, 0, 0, 0, 0, 1, 0, NULL, NULL};
     const int folders = args_read(argc, argv, walls_option, &f);
     if (folders == ARGS_HELP)
         return fputs(help, stdout) < 0 ? 2 : 0;
