@@ -482,17 +482,27 @@ python_sanitized() { # no call of the module touches memory that is not its own
     asan=$(gcc -print-file-name=libasan.so)
     XDG_CACHE_HOME="$out/cache" CC="gcc -g -O1 -fsanitize=address" \
         ASAN_OPTIONS=detect_leaks=0 LD_PRELOAD="$asan" PYTHONMALLOC=malloc \
-        /usr/bin/python3 tests/python_test.py "$kern" Calls BadInput
+        /usr/bin/python3 tests/python_test.py "$kern" Calls BadInput ManyWalls
 }
 
-python_installed() { # pip, without the network, then the doctests
+python_installed() { # pip, without the network, then the doctests: the wheel of
+    # the folder and of the source archive, then the folder itself
+    local pip="$out/venv/bin/pip" of=(--no-index --no-build-isolation) what cache
     /usr/bin/python3 -m venv "$out/venv" &&
-        "$out/venv/bin/pip" install --no-index --no-build-isolation \
-            ./examples/python &&
-        (cd "$out" && XDG_CACHE_HOME=/nowhere venv/bin/python -c '
+        (cd examples/python && /usr/bin/python3 -c "
+import backend
+backend.build_sdist('$out')") || return 1
+    for what in ./examples/python "$out"/kern_dry_stone-*.tar.gz \
+        "-e ./examples/python"; do
+        cache=/nowhere # an installed library is not compiled again
+        [[ $what != -e* ]] || cache=$out/cache
+        "$pip" install "${of[@]}" --force-reinstall $what &&
+            "$pip" show kern-dry-stone | grep '^License: MIT' &&
+            (cd "$out" && XDG_CACHE_HOME="$cache" venv/bin/python -c '
 import doctest, kern
 assert doctest.testmod(kern).failed == 0
-print(kern.__version__, kern.__file__)')
+print(kern.__version__, kern.__file__)') || return 1
+    done
 }
 
 page() { # is built, no larger than it may be, and works in Chromium
