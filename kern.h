@@ -247,7 +247,8 @@
    Kerns shrink to a point, and a point still carries: a stone one end of which
    rests on 2 micrometres has the margin of the other end. The bearing length
    sees the sliver; a robot that places stones less exactly than that cannot
-   count on it. A saturated margin, half the longest contact, tells no safety.
+   count on it. Ask it on kern_stretches(): the contacts of a block on two feet
+   are one, from end to end. A saturated margin, half the longest contact, tells no safety.
 
    Collapse under shaking. All but the profile tell when the first stone falls,
    not when half of a wall does. A stone that rocks soon meets the next one, so
@@ -418,6 +419,7 @@ typedef float kern_real;
 #define kern_near kern_near_f32
 #define kern_measured_options kern_measured_options_f32
 #define kern_certain kern_certain_f32
+#define kern_stretches kern_stretches_f32
 #define kern_overlaps kern_overlaps_f32
 #define kern_outline_simplify kern_outline_simplify_f32
 #define kern_plan_add kern_plan_add_f32
@@ -798,7 +800,8 @@ KERN_API kern_options kern_near(const kern_options *options,
               block 3.5 theta r is added for both blocks, as squares (>>tol)
      angle    7 theta, at least 1 degree and below 0.5; a corner may stand 3 e
               beyond the end of an edge
-     overlap  8 e, and 3.5 theta r for r half the diagonal of both boxes;
+     overlap  8 e, and 3.5 theta r for r half the diagonal of both boxes, of a
+              fixed block at most the other's: the ground does not turn;
               contacts lie at half the depth. Set it higher to accept more
    Verdicts are then those of the structure as it most likely rests. Every call
    returns KERN_BAD_OPTION for these options unless e > 0 and theta >= 0. */
@@ -886,6 +889,17 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work);
 
+/* Finds the stretches of the contacts, of which kern_bearing() tells how long
+   those are that it needs: as kern_contacts(), but no hollow wider than the gap
+   divides a line, and contacts with any fixed block are given as contacts with
+   the first of these. Where a fixed block is cut in two nothing changes. A block
+   on two feet has one contact, as wide as the feet are apart, and two stretches.
+   Margins are those of kern_contacts(). Time: also O(C) for each interface of
+   points and, with several fixed blocks, for each contact. */
+KERN_API int kern_stretches(const kern_block *block, int blocks,
+                            const kern_options *options, kern_contact *out,
+                            int room, kern_work *work);
+
 /* The contacts of block b with the blocks before it: those of kern_contacts(),
    unless a later block lies so far out that the rounding of its coordinates
    counts. Returns the same; KERN_STALE is found of block b and of what it may
@@ -940,13 +954,13 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
      low   Margin without doubtful contacts: of the blocks that carry a block
            only that with the widest bed, as gravity sees it, is kept; kerns are
            shorter by 3.5 e, friction angles less by 3 theta.
-     high  Margin with every contact that may exist, found anew (given ones and
-           friction of their own do not count): gaps and angles of twice the
-           error, kerns longer by 3.5 e, friction angles more by 3 theta. Where
-           it stands, at least `margin` + 3.5 e (relative: `margin`).
-   A larger error never makes a fall certain, and lowers `low` for the same
-   contacts. Errors are absolute in relative mode too. contact[0..room) receives
-   the contacts for `high`; work memory is for `room` contact points.
+     high  Margin with every contact that may exist: those of the task, and of
+           each edge and corner within gaps and angles of twice the error, kerns
+           longer by 3.5 e; friction angles are more by 3 theta. Where it
+           stands, at least `margin` + 3.5 e (relative: `margin`).
+   What stands by forces on the contacts of the task never falls for certain.
+   Errors are absolute in relative mode too. contact[0..room) receives the
+   contacts for `high`; work memory is for `room` contact points.
    Below 0: what kern_contacts() or kern_measure() returns, KERN_BAD_OPTION also
    where the options are not those of kern_measured_options(). *out then means
    nothing, but with KERN_LIMIT, of the whole call, what is proven by then.
@@ -1053,7 +1067,8 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
    structure is not proven to fall yet. */
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 
-/* The length [m] of the shortest contact that the structure needs: it stands on
+/* The length [m] of the shortest contact that the structure needs, of those of
+   kern_contacts() or, where faces may be hollow, kern_stretches(): it stands on
    its contacts of at least this length alone, but not on the longer ones
    alone. A point of an interface of several counts with twice its travel; a
    lone point that stays is never left out. KERN_STANDS: *length, KERN_INFINITY
@@ -9645,6 +9660,7 @@ typedef struct kern_pair {
     kern_real reach; /* no gap or overlap is wider [m]              */
     kern_real least; /* a line is longer [m]                        */
     kern_real foot;  /* a foot on an edge is so far inside [m]      */
+    kern_real apart; /* widest hollow of a face [m]                 */
     kern_real sine;  /* of the angle of the options                 */
     const kern_options *options;
     kern_contact *out;
@@ -9800,7 +9816,8 @@ static void kern_pair_edges(kern_pair *pair)
 /* Contacts of a pair are in order of length, points last. The first leads a
    face. All others with its normal and on its line join it. A point about as
    inclined as a line, and within the gap of what has joined it, is left out.
-   The first of the rest leads the next face. */
+   The first of the rest leads the next face. A stretch is a face that no
+   hollow wider than the gap divides. */
 
 /* Makes a face of contact i and all that join it. */
 KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
@@ -9822,22 +9839,26 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
         const kern_real sine = kern_abs(kern_vec_cross(lead->n, c->n));
         const kern_real along = kern_vec_cross(lead->n, r);
         const kern_real off = kern_abs(kern_vec_dot(lead->n, r));
+        const kern_real hollow = kern_same_blocks(lead, c)
+                                   ? kern_max(least - along, along - most)
+                                   : KERN_INFINITY;
+        half = c->travel * cosine;
 
         /* the line holds this point's place */
         if (lead->line && !c->line && cosine > 0 && sine < KERN_SAME_FACE
-            && kern_max(off, kern_max(least - along, along - most))
-                   <= pair->gap)
+            && kern_max(off, hollow) <= pair->gap)
             continue;
 
         /* it is of another face */
         if (!(cosine > 0) || sine > pair->sine
-            || off + c->travel * sine > pair->gap) {
+            || kern_max(off + c->travel * sine - pair->gap,
+                        hollow - half - pair->apart)
+                   > 0) {
             at[rest++] = *c;
             continue;
         }
 
         /* it joins: the outermost points are the ends of the face */
-        half = c->travel * cosine;
         if (along - half < least) {
             least = along - half;
             low = kern_line_end(c, -1);
@@ -9856,6 +9877,18 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
     half = kern_vec_cross(at[i].n, kern_vec_sub(high, low)) / 2;
     at[i].line = 2 * half > pair->foot;
     at[i].travel = at[i].line ? half : KERN_R(0);
+}
+
+/* Makes faces of the contacts from the first of the pair on. What joins a
+   stretch may close a hollow for others, so each is made until it stays. */
+static void kern_pair_faces(kern_pair *pair)
+{
+    int i, count;
+    for (i = pair->first; i < pair->count; i++)
+        do {
+            count = pair->count;
+            kern_pair_face(pair, i);
+        } while (pair->apart < KERN_INFINITY && pair->count < count);
 }
 
 /* ---- travels ---- */
@@ -9929,7 +9962,9 @@ static void kern_point_travels(kern_contact *contact, int contacts,
 
 typedef enum kern_search_kind {
     KERN_SEARCH_CONTACTS,
-    KERN_SEARCH_OVERLAPS
+    KERN_SEARCH_OVERLAPS,
+    KERN_SEARCH_EDGES,    /* contacts of edges and corners, no faces       */
+    KERN_SEARCH_STRETCHES /* faces end where they are hollow               */
 } kern_search_kind;
 
 typedef struct kern_search {
@@ -9965,16 +10000,20 @@ static kern_real kern_search_gap(const kern_search *s, kern_real size)
 static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
 {
     const kern_block *a = pair->outline[0].block, *b = pair->outline[1].block;
+    const kern_real half_a = kern_box_half(a), half_b = kern_box_half(b);
     const kern_real size = KERN_SQRT(
         kern_min(a->fixed ? KERN_INFINITY : kern_abs(a->area),
                  b->fixed ? KERN_INFINITY : kern_abs(b->area)));
     pair->gap = kern_search_gap(s, size);
     pair->deep = kern_max(pair->gap, pair->options->overlap)
-               + pair->swing * (kern_box_half(a) + kern_box_half(b));
+               + pair->swing
+                     * ((a->fixed ? kern_min(half_a, half_b) : half_a)
+                        + (b->fixed ? kern_min(half_a, half_b) : half_b));
     pair->reach = kern_max(s->reach, pair->deep);
     pair->least = kern_max(kern_min(pair->gap, KERN_LINE_LEAST * size),
                            s->floor);
     pair->foot = kern_max(KERN_FOOT_INSET * size, s->floor);
+    pair->apart = s->kind == KERN_SEARCH_CONTACTS ? KERN_INFINITY : pair->gap;
 }
 
 /* Returns 1 if box or area of the vertices changed since kern_block_init(). */
@@ -10006,7 +10045,6 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     kern_pair *pair = &s->pair;
     const kern_block *a = &s->block[i], *b = &s->block[j];
     kern_real depth;
-    int k;
     KERN_ASSERT(i >= 0 && i < j && j < s->blocks);
 
     if (kern_search_is_apart(s, a, b)) /* as most pairs are */
@@ -10043,11 +10081,40 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     kern_pair_edges(pair);
     if (pair->count > pair->room)
         return KERN_NO_SPACE;
-    for (k = pair->first; k < pair->count; k++)
-        kern_pair_face(pair, k);
+    if (s->kind != KERN_SEARCH_EDGES)
+        kern_pair_faces(pair);
     kern_point_travels(pair->out + pair->first, pair->count - pair->first,
                        NULL);
     return KERN_OK;
+}
+
+/* Makes one ground of all fixed blocks, so that what is cut in two carries as
+   before: contacts with any of them become contacts with the first, and
+   stretches which follow each other one. Travels of points follow. */
+static void kern_search_ground(kern_search *s)
+{
+    kern_pair *pair = &s->pair;
+    kern_contact *out = pair->out;
+    int i, ground = KERN_OUT, more = 0;
+    for (i = 0; i < pair->count; i++) {
+        kern_contact *c = &out[i];
+        if (s->block[c->b].fixed) {
+            const int held = c->a;
+            c->a = c->b;
+            c->b = held;
+            c->n = kern_vec_scale(c->n, -1);
+        }
+        if (s->block[c->a].fixed) {
+            ground = ground < 0 ? c->a : ground;
+            more |= c->a != ground;
+            c->a = ground;
+        }
+    }
+    pair->first = 0;
+    pair->gap = pair->apart = kern_search_gap(s, KERN_R(0));
+    if (more)
+        kern_pair_faces(pair);
+    kern_point_travels(out, pair->count, NULL);
 }
 
 /* Makes two points of every line, from the last on. Returns how many points. */
@@ -10178,6 +10245,8 @@ static int kern_search_run(const kern_block *block, int blocks,
     /* lines become two points; lone points need all that carry their block */
     if (kind == KERN_SEARCH_OVERLAPS)
         return s.pair.count;
+    if (kind == KERN_SEARCH_STRETCHES)
+        kern_search_ground(&s);
     room = kern_search_close(&s);
     if (room > 0 && kern_vec_largest(options->lone) > 0)
         kern_point_travels(s.pair.out, room, &options->lone);
@@ -10190,6 +10259,14 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
 {
     return kern_search_run(block, blocks, options, out, room, work, 0,
                            KERN_SEARCH_CONTACTS);
+}
+
+KERN_API int kern_stretches(const kern_block *block, int blocks,
+                            const kern_options *options, kern_contact *out,
+                            int room, kern_work *work)
+{
+    return kern_search_run(block, blocks, options, out, room, work, 0,
+                           KERN_SEARCH_STRETCHES);
 }
 
 KERN_API int kern_touch(const kern_block *block, int b,
@@ -10595,6 +10672,29 @@ static kern_status kern_limit_less(kern_task *task, kern_status status)
     return task->work->units ? KERN_LIMIT : status;
 }
 
+/* Writes every contact that may exist to contact[0..room), and the options with
+   which it is found: those of edges and corners within twice the error, whose
+   kerns are longer, and those of the task, which hold what they held before.
+   Returns how many there are, or a status below 0. */
+static int kern_contacts_most(const kern_task *task, kern_options *options,
+                              kern_contact *contact, int room, kern_real by,
+                              kern_real turn)
+{
+    int i, n;
+    *options = kern_measured_options(options, 2 * task->options.pose_error,
+                                     2 * task->options.pose_turn);
+    n = kern_search_run(task->s.block, task->s.blocks, options, contact,
+                        room - task->s.contacts, task->work, 0,
+                        KERN_SEARCH_EDGES);
+    if (n < 0)
+        return n;
+    kern_contacts_err(contact, n, by, KERN_R(0));
+    for (i = 0; i < task->s.contacts; i++)
+        contact[n + i] = task->s.contact[i];
+    kern_contacts_err(contact, n + i, KERN_R(0), turn);
+    return n + i;
+}
+
 /* Returns what is wrong with the arguments of kern_certain(). */
 static kern_status kern_certain_check(const kern_task *task, kern_real margin,
                                       const kern_interval *out,
@@ -10650,13 +10750,10 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
 
     /* high: all contacts that may exist, with kerns and cones plus the error */
     if (status >= KERN_UNDECIDED) {
-        other.options = kern_measured_options(&other.options,
-                                              2 * task->options.pose_error,
-                                              2 * task->options.pose_turn);
-        other.s.contacts = kern_contacts(task->s.block, task->s.blocks,
-                                         &other.options, contact, room,
-                                         task->work);
-        kern_contacts_err(contact, other.s.contacts, -by, -turn);
+        other.s.contacts = kern_contacts_most(task, &other.options, contact,
+                                              room, -by, -turn);
+        if (other.s.contacts < 0)
+            return (kern_status)other.s.contacts;
         status = kern_measure(&other, &m, NULL);
         if (status == KERN_FALLS)
             out->low = out->high = KERN_R(0);

@@ -38,6 +38,7 @@
                 against.h    random structures against the twin
      bad input  bad.h  statuses.h  memory.h
      readers    profile.h    also what is near, measured, certain
+                measured.h   stretches, gross errors, laws of certainty
                 raised.h     raised forces and loads
                 pose.h       pose errors
                 push.h  sensitivity.h
@@ -95,6 +96,7 @@
 #include "unit/statuses.h"
 #include "unit/memory.h"
 #include "unit/profile.h"
+#include "unit/measured.h"
 #include "unit/raised.h"
 #include "unit/pose.h"
 #include "unit/push.h"
@@ -119,16 +121,17 @@ static const room rooms[] = {
 #ifdef ONLY
     TESTS_IN(ONLY),
 #else
-    TESTS_OF(polygon), TESTS_OF(contact),     TESTS_OF(turned),
-    TESTS_OF(steps),   TESTS_OF(simplify),    TESTS_OF(outlines),
-    TESTS_OF(engine),  TESTS_OF(lp),          TESTS_OF(bases),
-    TESTS_OF(proof),   TESTS_OF(digits),      TESTS_OF(margin),
-    TESTS_OF(load),    TESTS_OF(plan),        TESTS_OF(plan_fuzz),
-    TESTS_OF(jams),    TESTS_OF(bearing),     TESTS_OF(limits),
-    TESTS_OF(known),   TESTS_OF(laws),        TESTS_OF(against),
-    TESTS_OF(bad),     TESTS_OF(statuses),    TESTS_OF(memory),
-    TESTS_OF(profile), TESTS_OF(raised),      TESTS_OF(pose),
-    TESTS_OF(push),    TESTS_OF(sensitivity), TESTS_OF(forces),
+    TESTS_OF(polygon),  TESTS_OF(contact),     TESTS_OF(turned),
+    TESTS_OF(steps),    TESTS_OF(simplify),    TESTS_OF(outlines),
+    TESTS_OF(engine),   TESTS_OF(lp),          TESTS_OF(bases),
+    TESTS_OF(proof),    TESTS_OF(digits),      TESTS_OF(margin),
+    TESTS_OF(load),     TESTS_OF(plan),        TESTS_OF(plan_fuzz),
+    TESTS_OF(jams),     TESTS_OF(bearing),     TESTS_OF(limits),
+    TESTS_OF(known),    TESTS_OF(laws),        TESTS_OF(against),
+    TESTS_OF(bad),      TESTS_OF(statuses),    TESTS_OF(memory),
+    TESTS_OF(profile),  TESTS_OF(raised),      TESTS_OF(pose),
+    TESTS_OF(push),     TESTS_OF(sensitivity), TESTS_OF(forces),
+    TESTS_OF(measured),
 #endif
 };
 

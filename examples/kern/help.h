@@ -137,7 +137,7 @@ static const char help_json[] =
 "  margin, holds, fails   a length (-r: share), and its proven bracket\n"
 "  saturated           true: stands with every contact a point\n"
 "  deficit, signed_margin   by what contacts must grow; margin or -deficit\n"
-"  bearing             length of the shortest contact that it needs\n"
+"  bearing             length of the shortest stretch of contact that it needs\n"
 "  peak_stress         largest of a line contact: its force at the margin over\n"
 "                      twice the margin (or its length)\n"
 "  limited_by          contacts of a and b at x, y that limit the margin,\n"

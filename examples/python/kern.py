@@ -399,6 +399,7 @@ _outline_simplify = _declare("kern_outline_simplify", _i, _p, _i, _r, _p, _p,
 _contacts = _declare("kern_contacts", _i, _p, _i, _p, _p, _i, _p)
 _overlaps = _declare("kern_overlaps", _i, _p, _i, _p, _p, _i, _p)
 _certain = _declare("kern_certain", _i, _p, _r, _p, _p, _i)
+_stretches = _declare("kern_stretches", _i, _p, _i, _p, _p, _i, _p)
 _touch = _declare("kern_touch", _i, _p, _i, _p, _p, _i, _p)
 _contact_make = _declare("kern_contact_make", _i, _p, _Vec, _p)
 _contact_travels = _declare("kern_contact_travels", None, _p, _i)
@@ -1514,8 +1515,25 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     @_asks
     def bearing(self) -> Optional[Factor]:
         """kern_bearing(): the length of the shortest contact that it needs, inf
-        where it needs none. None: it falls with all of them."""
-        return self._factor(_bearing)
+        where it needs none. None: it falls with all of them. Its forces are
+        those of the stretches (kern_stretches()), unless contacts are given."""
+        task, n = _Task.from_buffer_copy(self._task), len(self.blocks)
+        points, found = task.s.contacts, int(Status.NO_SPACE)
+        while self.given is None and found == Status.NO_SPACE:
+            points = 2 * points + 12 * n
+            held = _Held(n, points)
+            task.work = addressof(held.work)
+            found = _stretches(self._held.block, n, byref(task.options),
+                               held.contact, points, task.work)
+            task.s.contact = addressof(held.contact)
+            task.s.contacts = found
+        self._check(found if self.given is None else 0)
+        out, motion = c_double(), self._motions()
+        force = (c_double * (2 * task.s.contacts))()
+        status = self._check(_bearing(byref(task), byref(out), byref(
+            _Proof(addressof(force), addressof(motion)))))
+        return (Factor._of(out.value, bytes(force), bytes(motion))
+                if status == _STANDS else None)
 
     @_asks
     def load_factor(self, side: int, shrink: float = 0.0,
