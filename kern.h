@@ -10083,8 +10083,9 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
         return KERN_NO_SPACE;
     if (s->kind != KERN_SEARCH_EDGES)
         kern_pair_faces(pair);
-    kern_point_travels(pair->out + pair->first, pair->count - pair->first,
-                       NULL);
+    if (s->kind <= KERN_SEARCH_EDGES)
+        kern_point_travels(pair->out + pair->first, pair->count - pair->first,
+                           NULL);
     return KERN_OK;
 }
 
