@@ -138,7 +138,7 @@ class _Margin(ctypes.Structure):
 
 
 class _Interval(ctypes.Structure):
-    _fields_ = [("low", c_double), ("high", c_double)]
+    _fields_ = [("low", c_double), ("high", c_double), ("settles", c_double)]
 
 
 class _Collapse(ctypes.Structure):
@@ -1005,16 +1005,18 @@ class Margin(Verdict):
 
 @dataclass
 class Interval:
-    """kern_interval: between what the margin of a measured structure lies, and
-    whether it stands or falls for certain."""
+    """kern_interval: between what the margin of a measured structure lies,
+    whether it surely stands or falls, and how far its blocks may settle (inf:
+    not known)."""
     low: float
     high: float
-    stands: bool
-    falls: bool
+    settles: float
+    surely_stands: bool
+    surely_falls: bool
 
     @property
     def certain(self) -> bool:
-        return self.stands or self.falls
+        return self.surely_stands or self.surely_falls
 
 
 class Factor(float):
@@ -1391,7 +1393,7 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
                 break
             points *= 2
         self._check(status)
-        return Interval(out.low, out.high, status == _STANDS,
+        return Interval(out.low, out.high, out.settles, status == _STANDS,
                         status == _FALLS)
 
     @_asks
