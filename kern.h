@@ -248,7 +248,8 @@
    rests on 2 micrometres has the margin of the other end. The bearing length
    sees the sliver; a robot that places stones less exactly than that cannot
    count on it. Ask it on kern_stretches(): the contacts of a block on two feet
-   are one, from end to end. A saturated margin, half the longest contact, tells no safety.
+   are one, from end to end. A saturated margin, half the longest contact, tells
+   no safety.
 
    Collapse under shaking. All but the profile tell when the first stone falls,
    not when half of a wall does. A stone that rocks soon meets the next one, so
@@ -976,7 +977,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    kern_measured_options(). *out then means nothing, but with KERN_LIMIT, of the
    whole call, what is proven by then.
    Time: two searches for contacts, three margins or verdicts, and nine settlings
-   of at most 4,000 visits of every contact point. */
+   of at most 4,000 visits of every contact point: of walls about 100 times
+   that of kern_measure(). */
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
                                   int room);
@@ -10706,7 +10708,7 @@ static kern_real kern_rest_doubt(const kern_task *task)
     kern_real way = KERN_R(0);
     kern_rest r;
     int part, i, k;
-    for (part = 0; part < KERN_DOUBT_PARTS; part++) {
+    for (part = 0; part < KERN_DOUBT_PARTS && way < KERN_INFINITY; part++) {
         kern_rest_begin(&r, task);
         for (i = k = 0; i < task->s.contacts; i++) {
             if (k % KERN_DOUBT_PARTS == part)
@@ -10980,9 +10982,10 @@ KERN_API kern_options kern_near(const kern_options *options,
    0.2.0  kern_measured() is kern_measured_options() and has other tolerances,
           options.error and .turn are .pose_error and .pose_turn. kern_certain()
           takes the margin and fills in a kern_interval, with how far blocks
-          may settle. kern_known and kern_plan have fewer fields. options.limit is 10,000,000, was 0. More
-          is refused (>>api). New: kern_outline_simplify(), kern_stays(), kern_stretches(),
-          kern_plan_stays(), kern_raised_load(), options.reserve, .lone,
+          may settle. kern_known and kern_plan have fewer fields. options.limit
+          is 10,000,000, was 0. More is refused (>>api). New:
+          kern_outline_simplify(), kern_stays(), kern_plan_stays(),
+          kern_raised_load(), kern_stretches(), options.reserve, .lone,
           KERN_NO_INTERIOR.
    0.1.0  First version. */
 
