@@ -250,7 +250,9 @@
    Kerns shrink to a point, and a point still carries: a stone one end of which
    rests on 2 micrometres has the margin of the other end. The bearing length
    sees the sliver; a robot that places stones less exactly than that cannot
-   count on it. A saturated margin, half the longest contact, tells no safety.
+   count on it. Ask it on kern_stretches(): the contacts of a block on two feet
+   are one, from end to end. A saturated margin, half the longest contact, tells
+   no safety.
 
    Collapse under shaking. All but the profile tell when the first stone falls,
    not when half of a wall does. A stone that rocks soon meets the next one, so
@@ -303,12 +305,12 @@
    the discretisation decides them. Overlaps beyond the error are modelling
    errors (kern_overlaps()): measure again, or set options.overlap.
 
-   Certainty. kern_certain() tells whether the verdict is certain within the
-   error, and between what the margin lies. A gap below the error may be open,
-   so what needs two supports of a block never stands for certain: with one of
-   them half an error short it may fall and looks the same. How often it is
-   right: README; with noise of 0.5 % of the mean size 99 % of the verdicts are,
-   and of near misses 0.7 % at most stand for certain (tests/TRUST.md).
+   Certainty. What was measured is near a structure at rest: its stones settle by
+   a few errors. kern_certain() lets them settle, and tells at least how large
+   the margin is there, whether the verdict is certain within the error, and how
+   far stones may settle. What stands for certain stands on stretches of contact
+   that no error along them takes away, and comes to rest after a small motion
+   where any of these is open. How often that is right: tests/TRUST.md.
 
    LIMITS                                                            >>limits
 
@@ -421,6 +423,7 @@ typedef float kern_real;
 #define kern_near kern_near_f32
 #define kern_measured_options kern_measured_options_f32
 #define kern_certain kern_certain_f32
+#define kern_stretches kern_stretches_f32
 #define kern_overlaps kern_overlaps_f32
 #define kern_outline_simplify kern_outline_simplify_f32
 #define kern_place_compare kern_place_compare_f32
@@ -615,8 +618,10 @@ typedef struct kern_margin {
 
 /* Of the margin of a measured structure: kern_certain() [m; relative: 1]. */
 typedef struct kern_interval {
-    kern_real low;  /* 0: it may fall                                   */
-    kern_real high; /* 0: it falls; KERN_INFINITY: not known            */
+    kern_real low;     /* 0: it may fall                                   */
+    kern_real high;    /* 0: it falls; KERN_INFINITY: not known            */
+    kern_real settles; /* blocks may move by that [m]; KERN_INFINITY: by
+                          more, or not known                            */
 } kern_interval;
 
 /* By how much the margin grows when one datum of a contact point does by 1: its
@@ -825,7 +830,7 @@ KERN_API kern_options kern_near(const kern_options *options,
               block 3.5 theta r is added for both blocks, as squares (>>tol)
      angle    7 theta, at least 1 degree and below 0.5; a corner may stand 3 e
               beyond the end of an edge
-     overlap  8 e, and 3.5 theta r for r half the diagonal of both boxes;
+     overlap  8 e, and 3.5 theta r for r the diagonal of the smaller box;
               contacts lie at half the depth. Set it higher to accept more
    Verdicts are then those of the structure as it most likely rests. Every call
    returns KERN_BAD_OPTION for these options unless e > 0 and theta >= 0. */
@@ -913,6 +918,17 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work);
 
+/* Finds the stretches of the contacts, of which kern_bearing() tells how long
+   those are that it needs: as kern_contacts(), but no hollow wider than the gap
+   divides a line, and contacts with any fixed block are given as contacts with
+   the first of these. Where a fixed block is cut in two nothing changes. A block
+   on two feet has one contact, as wide as the feet are apart, and two stretches.
+   Margins are those of kern_contacts(). Time: also O(C) for each interface of
+   points and, with several fixed blocks, for each contact. */
+KERN_API int kern_stretches(const kern_block *block, int blocks,
+                            const kern_options *options, kern_contact *out,
+                            int room, kern_work *work);
+
 /* The contacts of block b with the blocks before it: those of kern_contacts(),
    unless a later block lies so far out that the rounding of its coordinates
    counts. Returns the same; KERN_STALE is found of block b and of what it may
@@ -961,23 +977,35 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
 /* The interval of the margin of a measured structure, from the error in its
-   options, and the verdict that is certain: KERN_STANDS (low is above 0 and its
-   forces are raised), KERN_FALLS (it falls with all that high allows), or
-   KERN_OK: neither. `margin` is that of kern_measure(), 0 where it falls.
-     low   Margin without doubtful contacts: of the blocks that carry a block
-           only that with the widest bed, as gravity sees it, is kept; kerns are
-           shorter by 3.5 e, friction angles less by 3 theta.
-     high  Margin with every contact that may exist, found anew (given ones and
-           friction of their own do not count): gaps and angles of twice the
-           error, kerns longer by 3.5 e, friction angles more by 3 theta. Where
-           it stands, at least `margin` + 3.5 e (relative: `margin`).
-   A larger error never makes a fall certain, and lowers `low` for the same
-   contacts. Errors are absolute in relative mode too. contact[0..room) receives
-   the contacts for `high`; work memory is for `room` contact points.
-   Below 0: what kern_contacts() or kern_measure() returns, KERN_BAD_OPTION also
-   where the options are not those of kern_measured_options(). *out then means
-   nothing, but with KERN_LIMIT, of the whole call, what is proven by then.
-   Time: a search for contacts, two margins and kern_raised(). */
+   options, and the verdict that is certain: KERN_STANDS, KERN_FALLS (it falls
+   with all that high allows), or KERN_OK: neither. `margin` is that of
+   kern_measure(), 0 where it falls.
+     low      The smaller of `margin` and of the margin on the contact points that
+              are closed once the blocks have settled, over 1 + 220 e / mean size.
+              0 where it may fall. The true margin is above it in 93 of 100 cases
+              and more; it tends to `margin` as e tends to 0.
+     high     Margin with every contact that may exist: those of the task, and of
+              each edge and corner within gaps and angles of twice the error,
+              kerns longer by 3.5 e; friction angles are more by 3 theta. At
+              least `margin`.
+     settles  Where it stands for certain: how far its blocks may move [m].
+              Stretches (kern_stretches()) are at least 5 e long, or so far inside
+              their edge, their kerns are shorter by 3.5 e, friction angles less
+              by 3 theta. On these it stands, and comes to rest within 0.2 mean
+              sizes where every eighth of them is open by 1.5 times the gap of
+              the options, each eighth in turn. KERN_INFINITY: it does not.
+   KERN_STANDS: low is above 0, and settles below infinity. What stands by forces
+   on the contacts of the task never falls for certain. Settling is without
+   inertia, and of blocks of the shape they were measured in: one that rocks from
+   one support to another is not seen. Errors are absolute in relative mode too.
+   contact[0..room) receives the contacts for `high`; work memory is for `room`
+   contact points. Below 0: what kern_contacts() or kern_measure() returns,
+   KERN_BAD_OPTION also where the options are not those of
+   kern_measured_options(). *out then means nothing, but with KERN_LIMIT, of the
+   whole call, what is proven by then.
+   Time: two searches for contacts, three margins or verdicts, and nine settlings
+   of at most 4,000 visits of every contact point: of walls about 100 times
+   that of kern_measure(). */
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
                                   int room);
@@ -1083,7 +1111,8 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
    structure is not proven to fall yet. */
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 
-/* The length [m] of the shortest contact that the structure needs: it stands on
+/* The length [m] of the shortest contact that the structure needs, of those of
+   kern_contacts() or, where faces may be hollow, kern_stretches(): it stands on
    its contacts of at least this length alone, but not on the longer ones
    alone. A point of an interface of several counts with twice its travel; a
    lone point that stays is never left out. KERN_STANDS: *length, KERN_INFINITY
@@ -9135,8 +9164,29 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
 /* How far a corner may stand beyond the end of an edge, in errors of place. */
 #define KERN_ERROR_EDGE KERN_R(3.0)
+/* How long a line, and how far inside an edge a foot is that no error along
+   them takes away, in errors of place. */
+#define KERN_ERROR_SURE KERN_R(5.0)
 /* By how many errors of angle kern_certain() narrows or widens cones. */
 #define KERN_ERROR_CONE KERN_R(3.0)
+/* Of a settling: the fall of a step, in errors of place; sweeps of a step over
+   all contacts, most, and a tenth of the share of a fall below which these
+   change nothing; steps, most; the share of a fall below which a step is rest; a contact is
+   closed up to so many errors. */
+#define KERN_SETTLE_FALL KERN_R(2.0)
+#define KERN_SETTLE_SWEEPS 100
+/* Area over the square of the radius of gyration of a square. */
+#define KERN_SETTLE_SPIN KERN_R(6.0)
+#define KERN_SETTLE_STEPS 40
+#define KERN_SETTLE_SLOW KERN_R(0.02)
+#define KERN_SETTLE_CLOSED KERN_R(0.5)
+/* Of doubt: every so many-th stretch is open at a time, by so many gaps of the
+   options; blocks settle by less than that share of their mean size. */
+#define KERN_DOUBT_PARTS 8
+#define KERN_DOUBT_GAPS KERN_R(1.5)
+#define KERN_DOUBT_MOST KERN_R(0.2)
+/* What an error takes of the margin, for each share of the mean size. */
+#define KERN_MARGIN_LOSS KERN_R(220.0)
 /* Share of KERN_ANGLE_MOST up to which a measured angle is raised. */
 #define KERN_ANGLE_SHARE KERN_R(0.99)
 /* Sine of 10 degrees: the normals of a line contact and of a vertex that
@@ -9768,6 +9818,8 @@ typedef struct kern_pair {
     kern_real reach; /* no gap or overlap is wider [m]              */
     kern_real least; /* a line is longer [m]                        */
     kern_real foot;  /* a foot on an edge is so far inside [m]      */
+    kern_real sure;  /* a line is as long, a foot as far inside [m] */
+    kern_real apart; /* widest hollow of a face [m]                 */
     kern_real sine;  /* of the angle of the options                 */
     const kern_options *options;
     kern_contact *out;
@@ -9849,7 +9901,7 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 
     /* short edges that match are a contact as well; it lies midway */
     least = kern_min(pair->least, kern_max(e->length, f->length) / 2);
-    if (!(high - low > kern_max(least, pair->foot)))
+    if (!(high - low > kern_max(least, kern_max(pair->foot, pair->sure))))
         return;
     p = kern_vec_step(kern_vec_step(e->p, (low + high) / 2, t), gap / 2, n);
     kern_pair_put(pair, p, n, (high - low) / 2);
@@ -9861,8 +9913,7 @@ static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
                            kern_vec p, kern_real gap)
 {
     const kern_real along = kern_edge_foot(e, p);
-    const kern_real inside = pair->foot
-                           - KERN_ERROR_EDGE * pair->options->pose_error;
+    const kern_real inside = pair->foot + pair->sure;
     int end, bears = along > inside && along < e->length - inside;
     for (end = 0; end < 2 && !bears; end++) {
         const kern_vec r = kern_vec_sub(p, end ? e->q : e->p);
@@ -9923,7 +9974,8 @@ static void kern_pair_edges(kern_pair *pair)
 /* Contacts of a pair are in order of length, points last. The first leads a
    face. All others with its normal and on its line join it. A point about as
    inclined as a line, and within the gap of what has joined it, is left out.
-   The first of the rest leads the next face. */
+   The first of the rest leads the next face. A stretch is a face that no
+   hollow wider than the gap divides. */
 
 /* Makes a face of contact i and all that join it. */
 KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
@@ -9945,22 +9997,26 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
         const kern_real sine = kern_abs(kern_vec_cross(lead->n, c->n));
         const kern_real along = kern_vec_cross(lead->n, r);
         const kern_real off = kern_abs(kern_vec_dot(lead->n, r));
+        const kern_real hollow = kern_same_blocks(lead, c)
+                                   ? kern_max(least - along, along - most)
+                                   : KERN_INFINITY;
+        half = c->travel * cosine;
 
         /* the line holds this point's place */
         if (lead->line && !c->line && cosine > 0 && sine < KERN_SAME_FACE
-            && kern_max(off, kern_max(least - along, along - most))
-                   <= pair->gap)
+            && kern_max(off, hollow) <= pair->gap)
             continue;
 
         /* it is of another face */
         if (!(cosine > 0) || sine > pair->sine
-            || off + c->travel * sine > pair->gap) {
+            || kern_max(off + c->travel * sine - pair->gap,
+                        hollow - half - pair->apart)
+                   > 0) {
             at[rest++] = *c;
             continue;
         }
 
         /* it joins: the outermost points are the ends of the face */
-        half = c->travel * cosine;
         if (along - half < least) {
             least = along - half;
             low = kern_line_end(c, -1);
@@ -9979,6 +10035,18 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
     half = kern_vec_cross(at[i].n, kern_vec_sub(high, low)) / 2;
     at[i].line = 2 * half > pair->foot;
     at[i].travel = at[i].line ? half : KERN_R(0);
+}
+
+/* Makes faces of the contacts from the first of the pair on. What joins a
+   stretch may close a hollow for others, so each is made until it stays. */
+static void kern_pair_faces(kern_pair *pair)
+{
+    int i, count;
+    for (i = pair->first; i < pair->count; i++)
+        do {
+            count = pair->count;
+            kern_pair_face(pair, i);
+        } while (pair->apart < KERN_INFINITY && pair->count < count);
 }
 
 /* ---- travels ---- */
@@ -10052,7 +10120,10 @@ static void kern_point_travels(kern_contact *contact, int contacts,
 
 typedef enum kern_search_kind {
     KERN_SEARCH_CONTACTS,
-    KERN_SEARCH_OVERLAPS
+    KERN_SEARCH_OVERLAPS,
+    KERN_SEARCH_EDGES,     /* contacts of edges and corners, no faces       */
+    KERN_SEARCH_STRETCHES, /* faces end where they are hollow               */
+    KERN_SEARCH_SURE       /* stretches that no error along them takes away */
 } kern_search_kind;
 
 typedef struct kern_search {
@@ -10093,11 +10164,15 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
                  b->fixed ? KERN_INFINITY : kern_abs(b->area)));
     pair->gap = kern_search_gap(s, size);
     pair->deep = kern_max(pair->gap, pair->options->overlap)
-               + pair->swing * (kern_box_half(a) + kern_box_half(b));
+               + 2 * pair->swing * kern_min(kern_box_half(a), kern_box_half(b));
     pair->reach = kern_max(s->reach, pair->deep);
     pair->least = kern_max(kern_min(pair->gap, KERN_LINE_LEAST * size),
                            s->floor);
     pair->foot = kern_max(KERN_FOOT_INSET * size, s->floor);
+    pair->sure = (s->kind == KERN_SEARCH_SURE ? KERN_ERROR_SURE
+                                              : -KERN_ERROR_EDGE)
+               * pair->options->pose_error;
+    pair->apart = s->kind == KERN_SEARCH_CONTACTS ? KERN_INFINITY : pair->gap;
 }
 
 /* Returns 1 if box or area of the vertices changed since kern_block_init(). */
@@ -10129,7 +10204,6 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     kern_pair *pair = &s->pair;
     const kern_block *a = &s->block[i], *b = &s->block[j];
     kern_real depth;
-    int k;
     KERN_ASSERT(i >= 0 && i < j && j < s->blocks);
 
     if (kern_search_is_apart(s, a, b)) /* as most pairs are */
@@ -10166,11 +10240,41 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     kern_pair_edges(pair);
     if (pair->count > pair->room)
         return KERN_NO_SPACE;
-    for (k = pair->first; k < pair->count; k++)
-        kern_pair_face(pair, k);
-    kern_point_travels(pair->out + pair->first, pair->count - pair->first,
-                       NULL);
+    if (s->kind != KERN_SEARCH_EDGES)
+        kern_pair_faces(pair);
+    if (s->kind <= KERN_SEARCH_EDGES)
+        kern_point_travels(pair->out + pair->first, pair->count - pair->first,
+                           NULL);
     return KERN_OK;
+}
+
+/* Makes one ground of all fixed blocks, so that what is cut in two carries as
+   before: contacts with any of them become contacts with the first, and
+   stretches which follow each other one. Travels of points follow. */
+static void kern_search_ground(kern_search *s)
+{
+    kern_pair *pair = &s->pair;
+    kern_contact *out = pair->out;
+    int i, ground = KERN_OUT, more = 0;
+    for (i = 0; i < pair->count; i++) {
+        kern_contact *c = &out[i];
+        if (s->block[c->b].fixed) {
+            const int held = c->a;
+            c->a = c->b;
+            c->b = held;
+            c->n = kern_vec_scale(c->n, -1);
+        }
+        if (s->block[c->a].fixed) {
+            ground = ground < 0 ? c->a : ground;
+            more |= c->a != ground;
+            c->a = ground;
+        }
+    }
+    pair->first = 0;
+    pair->gap = pair->apart = kern_search_gap(s, KERN_R(0));
+    if (more)
+        kern_pair_faces(pair);
+    kern_point_travels(out, pair->count, NULL);
 }
 
 /* Makes two points of every line, from the last on. Returns how many points. */
@@ -10301,6 +10405,8 @@ static int kern_search_run(const kern_block *block, int blocks,
     /* lines become two points; lone points need all that carry their block */
     if (kind == KERN_SEARCH_OVERLAPS)
         return s.pair.count;
+    if (kind >= KERN_SEARCH_STRETCHES)
+        kern_search_ground(&s);
     room = kern_search_close(&s);
     if (room > 0 && kern_vec_largest(options->lone) > 0)
         kern_point_travels(s.pair.out, room, &options->lone);
@@ -10313,6 +10419,14 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
 {
     return kern_search_run(block, blocks, options, out, room, work, 0,
                            KERN_SEARCH_CONTACTS);
+}
+
+KERN_API int kern_stretches(const kern_block *block, int blocks,
+                            const kern_options *options, kern_contact *out,
+                            int room, kern_work *work)
+{
+    return kern_search_run(block, blocks, options, out, room, work, 0,
+                           KERN_SEARCH_STRETCHES);
 }
 
 KERN_API int kern_touch(const kern_block *block, int b,
@@ -11061,6 +11175,164 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
     return order;
 }
 
+/* ---- Settling ------------------------------------------------- >>settle */
+/* What was measured is near a structure at rest. It comes to rest by steps of a
+   little fall, in each of which every contact in turn is held within its cone
+   (projected Gauss-Seidel). Nothing keeps its speed. Places and normals stay as
+   they were measured: the ways are a few errors long. */
+
+typedef struct kern_repose {
+    const kern_task *task;
+    kern_query q;
+    kern_real *gap;    /* of every contact point [m]                   */
+    kern_force *force; /* of every contact point in a step [kg m]      */
+    kern_motion *step; /* of every block in a step [m]                 */
+    kern_real fall;    /* of a block that nothing holds, in a step [m] */
+} kern_repose;
+
+/* Begins a settling without gaps. The work memory is long enough. */
+static void kern_repose_begin(kern_repose *r, const kern_task *task)
+{
+    const kern_structure *s = &task->s;
+    int i;
+    r->task = task;
+    kern_query_read(task, KERN_R(0), &r->q);
+    r->fall = KERN_SETTLE_FALL * task->options.pose_error;
+    r->gap = task->work->real;
+    r->force = (kern_force *)(void *)(r->gap + s->contacts);
+    r->step = (kern_motion *)(void *)(r->force + s->contacts);
+    kern_zero(r->gap, 3 * (s->contacts + s->blocks));
+    for (i = 0; i < s->blocks; i++)
+        if (!s->block[i].fixed && kern_vec_largest(s->gravity) > 0)
+            kern_add(&r->step[i], r->fall / kern_vec_length(s->gravity),
+                     &s->gravity, 2);
+}
+
+/* Holds contact i: changes its force, within its cone, so that its blocks come
+   no nearer than its gap in the step and do not slide. Returns by how much. */
+static kern_real kern_repose_hold(const kern_repose *r, int i)
+{
+    const kern_structure *s = &r->task->s;
+    const kern_contact *c = s->contact + i;
+    const int block[2] = {c->a, c->b};
+    const kern_vec t = kern_vec_turn(c->n);
+    const kern_vec u = kern_meeting_motion(s, &r->q, c, r->step);
+    const kern_force old = r->force[i];
+    kern_force *f = r->force + i;
+    kern_real each[2], spin[2], ease = KERN_R(0), most;
+    kern_vec arm[2], by;
+    int k;
+
+    /* how far a unit of force moves the blocks at most */
+    kern_arms(s, c, &r->q, arm);
+    for (k = 0; k < 2; k++) {
+        const kern_block *b = s->block + block[k];
+        each[k] = b->fixed ? KERN_R(0) : 1 / b->mass;
+        spin[k] = KERN_SETTLE_SPIN * each[k] / kern_abs(b->area);
+        ease += each[k] + spin[k] * kern_vec_dot(arm[k], arm[k]);
+    }
+    f->normal = kern_max(
+        old.normal - (r->gap[i] + kern_vec_dot(u, c->n)) / ease, KERN_R(0));
+    most = c->mu * f->normal;
+    f->tangential = kern_min(
+        kern_max(old.tangential - kern_vec_dot(u, t) / ease, -most), most);
+
+    /* what the change moves */
+    by = kern_vec_step(kern_vec_scale(c->n, f->normal - old.normal),
+                       f->tangential - old.tangential, t);
+    for (k = 0; k < 2; k++) {
+        const kern_motion moves = {each[k] * by.x, each[k] * by.y,
+                                   spin[k] * kern_vec_cross(arm[k], by)};
+        kern_add(r->step + block[k], KERN_R(k ? 1 : -1), &moves, 3);
+    }
+    return ease * kern_vec_largest(by);
+}
+
+/* Lets the blocks settle by steps. In each all contacts are held in turn until
+   that moves nothing, from the forces of the last step on. Returns how far they
+   move at most, KERN_INFINITY where that is beyond `most` or they do not come to
+   rest. */
+static kern_real kern_repose_settle(kern_repose *r, kern_real most)
+{
+    const kern_structure *s = &r->task->s;
+    kern_real way = KERN_R(0), moved = r->fall;
+    int i, step, sweep;
+    for (step = 0; step < KERN_SETTLE_STEPS && way <= most
+                   && moved > KERN_SETTLE_SLOW * r->fall;
+         step++) {
+        /* what holds this step */
+        for (sweep = 0; sweep < KERN_SETTLE_SWEEPS
+                        && 10 * moved > KERN_SETTLE_SLOW * r->fall
+                        && kern_spend(r->task->work, r->task->options.limit,
+                                      s->contacts / 8 + 1);
+             sweep++)
+            for (i = 0, moved = KERN_R(0); i < s->contacts; i++)
+                moved = kern_max(moved, kern_repose_hold(r, i));
+
+        /* the gaps, and how far it goes */
+        for (i = 0; i < s->contacts; i++)
+            r->gap[i] += kern_vec_dot(
+                s->contact[i].n,
+                kern_meeting_motion(s, &r->q, s->contact + i, r->step));
+        for (i = 0, moved = KERN_R(0); i < s->blocks; i++)
+            moved = kern_max(moved,
+                             kern_block_speed(&s->block[i], &r->step[i]));
+        way += moved;
+    }
+    return moved > KERN_SETTLE_SLOW * r->fall ? KERN_INFINITY : way;
+}
+
+/* Returns how far a structure settles where every few-th stretch is open at a
+   time, KERN_INFINITY where that is far. */
+static kern_real kern_rest_doubt(const kern_task *task)
+{
+    kern_real way = KERN_R(0);
+    kern_repose r;
+    int part, i, k;
+    for (part = 0; part < KERN_DOUBT_PARTS && way < KERN_INFINITY; part++) {
+        kern_repose_begin(&r, task);
+        for (i = k = 0; i < task->s.contacts; i++) {
+            if (k % KERN_DOUBT_PARTS == part)
+                r.gap[i] = KERN_DOUBT_GAPS
+                         * (task->options.gap
+                            + KERN_ERRORS * task->options.pose_turn * r.q.mean);
+            k += !kern_line_begins(task->s.contact, task->s.contacts, i);
+        }
+        way = kern_max(way, kern_repose_settle(&r, KERN_DOUBT_MOST * r.q.mean));
+    }
+    return way;
+}
+
+/* Lets the measured blocks settle from the gaps between their outlines. Writes
+   the contact points that are closed then to out. Returns how many there are. */
+static int kern_repose_contacts(const kern_task *task, kern_contact *out)
+{
+    const kern_structure *s = &task->s;
+    kern_outline outline;
+    kern_repose r;
+    int i, k, nearest, n = 0;
+    kern_repose_begin(&r, task);
+    for (i = 0; i < s->contacts; i++)
+        for (k = 0; k < 2; k++) {
+            const kern_contact *c = s->contact + i;
+            const kern_block *b = s->block + (k ? c->b : c->a);
+            nearest = 0;
+            if (!b->vertices)
+                continue;
+            kern_outline_set(&outline, b);
+            r.gap[i] -= kern_polygon_depth(&outline, c->p, &nearest);
+        }
+    kern_repose_settle(&r, KERN_INFINITY);
+    for (i = 0; i < s->contacts; i++)
+        if (r.gap[i] <= KERN_SETTLE_CLOSED * task->options.pose_error
+                            + KERN_GAP_SHARE * r.q.mean) {
+            out[n] = s->contact[i];
+            out[n++].line = 0;
+        }
+    kern_contact_travels(out, n);
+    return n;
+}
+
 /* ==== Part VII: Words ==================================================== */
 
 /* ---- Words and defaults ------------------------------------------ >>words */
@@ -11122,51 +11394,6 @@ static void kern_contacts_err(kern_contact *c, int n, kern_real by,
     }
 }
 
-/* Returns the end of the contacts from i on of one pair of blocks. Writes the
-   block that they carry, and how wide that bed is, as gravity sees it. */
-static int kern_bed_end(const kern_structure *s, int i, int *held,
-                        kern_real *wide)
-{
-    const kern_contact *c = s->contact, *first = c + i;
-    kern_real low = KERN_INFINITY, high = -KERN_INFINITY, up = KERN_R(0);
-    for (; i < s->contacts && kern_same_blocks(first, c + i); i++) {
-        const kern_real at = kern_vec_cross(s->gravity, c[i].p);
-        const kern_real lift = -kern_vec_dot(s->gravity, c[i].n);
-        low = kern_min(low, at);
-        high = kern_max(high, at);
-        up += c[i].a == first->a ? lift : -lift;
-    }
-    *held = up > 0 ? first->b : first->a;
-    *wide = up > 0 || up < 0 ? high - low : KERN_R(-1);
-    return i;
-}
-
-/* Writes the contacts of each block's widest bed to out. Returns how many. */
-static int kern_beds_keep(const kern_structure *s, kern_contact *out,
-                          kern_work *work)
-{
-    kern_real *widest = work->real, wide;
-    int *bed = work->index, i, next, held, n = 0;
-    for (i = 0; i < s->blocks; i++) {
-        widest[i] = KERN_R(-0.5);
-        bed[i] = KERN_OUT;
-    }
-    for (i = 0; i < s->contacts; i = next) {
-        next = kern_bed_end(s, i, &held, &wide);
-        if (!s->block[held].fixed && wide > widest[held]) {
-            widest[held] = wide;
-            bed[held] = i;
-        }
-    }
-    for (i = 0; i < s->contacts; i = next) {
-        int k;
-        next = kern_bed_end(s, i, &held, &wide);
-        for (k = i; k < next && bed[held] == i; k++)
-            out[n++] = s->contact[k];
-    }
-    return n;
-}
-
 /* Subtracts the work of a call from the limit. Returns its status, or
    KERN_LIMIT where nothing of the limit remains. */
 static kern_status kern_limit_less(kern_task *task, kern_status status)
@@ -11174,6 +11401,29 @@ static kern_status kern_limit_less(kern_task *task, kern_status status)
     task->options.limit -= task->work->units;
     task->work->units = status >= KERN_UNDECIDED && task->options.limit == 0;
     return task->work->units ? KERN_LIMIT : status;
+}
+
+/* Writes every contact that may exist to contact[0..room), and the options with
+   which it is found: those of edges and corners within twice the error, whose
+   kerns are longer, and those of the task, which hold what they held before.
+   Returns how many there are, or a status below 0. */
+static int kern_contacts_most(const kern_task *task, kern_options *options,
+                              kern_contact *contact, int room, kern_real by,
+                              kern_real turn)
+{
+    int i, n;
+    *options = kern_measured_options(options, 2 * task->options.pose_error,
+                                     2 * task->options.pose_turn);
+    n = kern_search_run(task->s.block, task->s.blocks, options, contact,
+                        room - task->s.contacts, task->work, 0,
+                        KERN_SEARCH_EDGES);
+    if (n < 0)
+        return n;
+    kern_contacts_err(contact, n, by, KERN_R(0));
+    for (i = 0; i < task->s.contacts; i++)
+        contact[n + i] = task->s.contact[i];
+    kern_contacts_err(contact, n + i, KERN_R(0), turn);
+    return n + i;
 }
 
 /* Returns what is wrong with the arguments of kern_certain(). */
@@ -11189,8 +11439,8 @@ static kern_status kern_certain_check(const kern_task *task, kern_real margin,
         return KERN_BAD_POINTER;
     if (!(task->options.pose_error > 0 && margin >= 0))
         return KERN_BAD_OPTION;
-    return task->s.contacts > room || task->work->reals < task->s.blocks
-                || task->work->indices < task->s.blocks
+    return task->s.contacts > room
+                || task->work->reals < 3 * (room + task->s.blocks)
              ? KERN_NO_SPACE
              : KERN_OK;
 }
@@ -11201,58 +11451,62 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
 {
     kern_task other;
     kern_margin m;
-    kern_raising raised = KERN_NOT_SHOWN;
     kern_real by, turn;
     kern_status status = kern_certain_check(task, margin, out, contact, room);
     if (status != KERN_OK)
         return status;
-
-    /* low: the widest beds alone, with kerns and cones less the error */
     by = KERN_ERRORS * task->options.pose_error;
     turn = KERN_ERROR_CONE * task->options.pose_turn;
     out->low = KERN_R(0);
-    out->high = KERN_INFINITY;
-    other = kern_task_of(task->s.block, task->s.blocks, contact,
-                         kern_beds_keep(&task->s, contact, task->work),
-                         task->work);
-    other.s.gravity = task->s.gravity;
-    other.options = task->options;
+    out->high = out->settles = KERN_INFINITY;
+    other = *task;
+    other.s.contact = contact;
+    other.known = kern_known_of(NULL, NULL);
     other.options.limit = kern_limit_of(task->options.limit);
-    kern_contacts_err(contact, other.s.contacts, by, turn);
-    status = kern_measure(&other, &m, NULL);
-    if (status == KERN_STANDS || status == KERN_LIMIT)
-        out->low = kern_min(kern_max(m.holds, KERN_R(0)), margin);
 
-    /* what stands for certain is also raised by these contacts */
-    status = kern_limit_less(&other, status);
-    if (status == KERN_STANDS && out->low > 0)
-        status = kern_limit_less(
-            &other, kern_raised(&other, KERN_R(0), &raised, NULL, NULL));
+    /* low: less than the margin of the blocks where they come to rest */
+    if (margin > 0) {
+        other.s.contacts = kern_repose_contacts(task, contact);
+        status = kern_limit_less(&other, kern_ended(&other, status));
+        if (status >= KERN_UNDECIDED)
+            status = kern_limit_less(&other, kern_measure(&other, &m, NULL));
+        if (status == KERN_STANDS)
+            out->low = kern_min(margin, m.holds)
+                     / (1
+                        + KERN_MARGIN_LOSS * task->options.pose_error
+                              / kern_mean_size(task->s.block, task->s.blocks));
+    }
+
+    /* what stands for certain comes to rest on sure stretches, too */
+    if (out->low > 0) {
+        other.s.contacts = kern_search_run(task->s.block, task->s.blocks,
+                                           &task->options, contact, room,
+                                           task->work, 0, KERN_SEARCH_SURE);
+        kern_contacts_err(contact, other.s.contacts, by, turn);
+        status = kern_limit_less(&other, kern_verdict(&other, KERN_R(0), NULL));
+        if (status == KERN_STANDS) {
+            out->settles = kern_rest_doubt(&other);
+            status = kern_limit_less(&other, kern_ended(&other, status));
+        }
+    }
 
     /* high: all contacts that may exist, with kerns and cones plus the error */
     if (status >= KERN_UNDECIDED) {
-        other.options = kern_measured_options(&other.options,
-                                              2 * task->options.pose_error,
-                                              2 * task->options.pose_turn);
-        other.s.contacts = kern_contacts(task->s.block, task->s.blocks,
-                                         &other.options, contact, room,
-                                         task->work);
-        kern_contacts_err(contact, other.s.contacts, -by, -turn);
+        other.s.contacts = kern_contacts_most(task, &other.options, contact,
+                                              room, -by, -turn);
         status = kern_measure(&other, &m, NULL);
         if (status == KERN_FALLS)
             out->low = out->high = KERN_R(0);
         else if (status == KERN_STANDS || status == KERN_LIMIT)
-            out->high = kern_max(m.fails, margin > 0 && !task->options.relative
-                                              ? margin + by
-                                              : margin);
+            out->high = kern_max(m.fails, margin);
         if (status >= KERN_UNDECIDED && status != KERN_FALLS)
-            status = raised == KERN_RAISED ? KERN_STANDS : KERN_OK;
+            status = out->settles < KERN_INFINITY ? KERN_STANDS : KERN_OK;
     }
 
     /* the work of all calls together */
     task->work->units += kern_limit_of(task->options.limit)
                        - other.options.limit;
-    return status;
+    return other.s.contacts < 0 ? (kern_status)other.s.contacts : status;
 }
 
 KERN_API kern_options kern_near(const kern_options *options,
@@ -11308,10 +11562,11 @@ KERN_API kern_options kern_near(const kern_options *options,
 
    0.2.0  kern_measured() is kern_measured_options() and has other tolerances,
           options.error and .turn are .pose_error and .pose_turn. kern_certain()
-          takes the margin and fills in a kern_interval. kern_known and
-          kern_plan have fewer fields. options.limit is 10,000,000, was 0. More
-          is refused (>>api). New: kern_outline_simplify(), kern_stays(),
-          kern_plan_stays(), kern_raised_load(), options.reserve, .lone,
+          takes the margin and fills in a kern_interval, with how far blocks
+          may settle. kern_known and kern_plan have fewer fields. options.limit
+          is 10,000,000, was 0. More is refused (>>api). New:
+          kern_outline_simplify(), kern_stays(), kern_plan_stays(),
+          kern_raised_load(), kern_stretches(), options.reserve, .lone,
           KERN_NO_INTERIOR, kern_rest(), kern_place_compare(), kern_plan_copy().
           kern_status_text() takes an int.
    0.1.0  First version. */

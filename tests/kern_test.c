@@ -39,6 +39,7 @@
                 against.h    random structures against the twin
      bad input  bad.h  statuses.h  memory.h
      readers    profile.h    also what is near, measured, certain
+                measured.h   stretches, gross errors, laws of certainty
                 raised.h     raised forces and loads
                 pose.h       pose errors
                 push.h  sensitivity.h
@@ -97,6 +98,7 @@
 #include "unit/statuses.h"
 #include "unit/memory.h"
 #include "unit/profile.h"
+#include "unit/measured.h"
 #include "unit/raised.h"
 #include "unit/pose.h"
 #include "unit/push.h"
@@ -131,7 +133,7 @@ static const room rooms[] = {
     TESTS_OF(bad),     TESTS_OF(statuses),    TESTS_OF(memory),
     TESTS_OF(profile), TESTS_OF(raised),      TESTS_OF(pose),
     TESTS_OF(push),    TESTS_OF(sensitivity), TESTS_OF(forces),
-    TESTS_OF(rest),
+    TESTS_OF(rest),    TESTS_OF(measured),
 #endif
 };
 

@@ -234,18 +234,49 @@ static inline int decide(struct analysis *a, const kern_options *options)
              : 0;
 }
 
-/* The deficit of what falls, the bearing length of what stands. */
-static inline void find_lengths(struct analysis *a)
+/* Finds the bearing length: of the stretches of the contacts, unless these are
+   given. Stretches are more points than contacts where faces are hollow. */
+static inline int find_bearing(struct analysis *a)
+{
+    int room = 2 * a->task.s.contacts + KERN_CONTACTS(a->text.blocks);
+    const int most = 64 * room;
+    kern_task task = a->task;
+    kern_status status = KERN_NO_SPACE;
+    kern_real length = 0;
+    if (a->text.given)
+        status = kern_bearing(&task, &length, NULL);
+    for (; status == KERN_NO_SPACE && room <= most; room *= 2) {
+        kern_contact *out = malloc((size_t)room * sizeof *out);
+        kern_work work = room_work(a->text.blocks, room);
+        const int there = out && work.real && work.index;
+        task.s.contact = out;
+        task.work = &work;
+        if (there) {
+            task.s.contacts = kern_stretches(task.s.block, task.s.blocks,
+                                             &task.options, out, room, &work);
+            status = (kern_status)task.s.contacts;
+        }
+        if (there && task.s.contacts >= 0)
+            status = kern_bearing(&task, &length, NULL);
+        free(out);
+        room_free_work(&work);
+        if (!there)
+            return fail_memory(a);
+    }
+    a->bearing = value_or_nan(status, length);
+    return 0;
+}
+
+/* Finds the deficit of what falls, the bearing length of what stands. */
+static inline int find_lengths(struct analysis *a)
 {
     kern_real length = 0;
     a->deficit = a->bearing = (double)NAN;
     if (a->measured == KERN_FALLS) {
         kern_status status = kern_deficit(&a->task, &length);
         a->deficit = status < 0 ? (double)NAN : (double)length;
-    } else if (a->measured == KERN_STANDS) {
-        kern_status status = kern_bearing(&a->task, &length, NULL);
-        a->bearing = value_or_nan(status, length);
     }
+    return a->measured == KERN_STANDS ? find_bearing(a) : 0;
 }
 
 /* What follows the verdict. */
@@ -270,7 +301,8 @@ static inline int measure(struct analysis *a)
                     (double)a->task.options.epsilon);
     if (a->measured < 0 && !is_open(a->measured))
         return fail_blocks(a, a->measured, &a->work.fault);
-    find_lengths(a);
+    if (find_lengths(a))
+        return -1;
     find_limit(a);
     find_stress(a);
     show_stage(a, "  load factors ...");

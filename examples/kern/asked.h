@@ -247,6 +247,7 @@ static inline int find_certain(struct analysis *a)
         if (!there)
             return fail_memory(a);
     }
+    a->probable = (double)m.margin;
     if (got >= 0)
         a->certain = got > 0;
     return 0;

@@ -594,15 +594,19 @@ static inline void report_verdict(const struct analysis *a)
         printf(" when shrunk by %.6g%s", (double)shrinkage(a),
                a->set->relative ? " of each contact" : "");
     if (a->certain >= 0)
-        printf(a->certain ? ", for certain"
-                          : ", not for certain: within the "
-                            "error it may be otherwise");
+        printf(a->certain ? ", as far as +- %.4g tells"
+                          : "; within +- %.4g it may be otherwise",
+               pose_error(a));
+    if (a->certain >= 0 && a->verdict == KERN_STANDS) {
+        printf(": margin %sat least %.4g, probably %.4g",
+               a->certain ? "" : "usually ", (double)a->interval.low,
+               a->probable);
+        if (a->certain)
+            printf("; may settle by %.4g", (double)a->interval.settles);
+    }
     printf("\n");
     if (is_open(a->verdict))
         printf("  undecided   %s\n", undecided_why(a->verdict));
-    if (a->certain >= 0 && a->interval.high < KERN_INFINITY)
-        printf("  within the error  margin from %.4g to %.4g\n",
-               (double)a->interval.low, (double)a->interval.high);
     report_friction(a);
     report_unheard(a);
     report_lack(a);

@@ -379,13 +379,18 @@ static inline void json_measure(const struct analysis *a, int good, int asked)
     json_known("epsilon", (double)a->m.epsilon, known);
     json_flag("relative", a->set->relative, 1);
     json_flag("near", is_near(a), 1);
-    if (pose_error(a) > 0)
+    if (pose_error(a) > 0) {
         json_flag("certain", a->certain > 0, a->certain >= 0);
+        json_flag("surely_stands", is_sure(a, KERN_STANDS), a->certain >= 0);
+        json_flag("surely_falls", is_sure(a, KERN_FALLS), a->certain >= 0);
+    }
     json_count("level", a->m.level, known && a->m.level >= 0);
     json_flag("saturated", a->m.saturated, known);
     json_known("margin", (double)a->m.margin, known);
     if (pose_error(a) > 0) {
         json_known("margin_low", (double)a->interval.low, a->certain >= 0);
+        json_known("settles", (double)a->interval.settles,
+                   is_sure(a, KERN_STANDS));
         json_known("margin_high", (double)a->interval.high,
                    a->certain >= 0 && a->interval.high < KERN_INFINITY);
     }

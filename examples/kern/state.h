@@ -68,6 +68,7 @@ struct analysis {
     kern_status verdict;    /* of real contacts, at the shrinkage asked for */
     int certain;            /* 1 or 0; -1: --measured tells nothing  */
     kern_interval interval; /* of the margin, where it tells         */
+    double probable;        /* margin of the measured poses, there   */
     kern_status shown;      /* of the contacts that are shown: with --near
                                near ones too                     */
     kern_force *force;      /* there, if it stands               */
@@ -303,6 +304,12 @@ static inline int is_open_sweep(const struct analysis *a)
         if (isnan(a->swept[k].live) || a->swept[k].cut)
             return 1;
     return 0;
+}
+
+/* Returns 1 if this verdict is certain within the error that was told. */
+static inline int is_sure(const struct analysis *a, kern_status verdict)
+{
+    return a->certain > 0 && a->verdict == verdict;
 }
 
 /* With given contacts, or shrunk ones, it is not asked. */

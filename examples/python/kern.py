@@ -180,7 +180,7 @@ class _Margin(ctypes.Structure):
 
 
 class _Interval(ctypes.Structure):
-    _fields_ = [("low", c_double), ("high", c_double)]
+    _fields_ = [("low", c_double), ("high", c_double), ("settles", c_double)]
 
 
 class _Collapse(ctypes.Structure):
@@ -464,6 +464,7 @@ _outline_simplify = _declare("kern_outline_simplify", _i, _p, _i, _r, _p, _p,
 _contacts = _declare("kern_contacts", _i, _p, _i, _p, _p, _i, _p)
 _overlaps = _declare("kern_overlaps", _i, _p, _i, _p, _p, _i, _p)
 _certain = _declare("kern_certain", _i, _p, _r, _p, _p, _i)
+_stretches = _declare("kern_stretches", _i, _p, _i, _p, _p, _i, _p)
 _touch = _declare("kern_touch", _i, _p, _i, _p, _p, _i, _p)
 _contact_make = _declare("kern_contact_make", _i, _p, _Vec, _p)
 _contact_travels = _declare("kern_contact_travels", None, _p, _i)
@@ -1303,18 +1304,20 @@ class Margin(Verdict):
 class Interval(_Answer):
     """Between what the margin of a measured structure lies.
 
-    low, high: the ends [m]; contacts that may be open count in `high` alone
-    stands:    True where it stands for certain, False where it falls for
-               certain, None where neither is
+    low, high: the ends [m]
+    settles:   how far blocks may settle [m], inf where that is not known
+    surely_stands, surely_falls: whether the verdict is certain
     """
     low: float
     high: float
-    stands: Optional[bool]
+    settles: float
+    surely_stands: bool
+    surely_falls: bool
 
     @property
     def certain(self) -> bool:
         """Whether the verdict is certain."""
-        return self.stands is not None
+        return self.surely_stands or self.surely_falls
 
 
 class Factor(float):
@@ -1753,8 +1756,8 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
                 break
             points *= 2
         self._check(status)
-        return Interval(out.low, out.high, {_STANDS: True, _FALLS: False}.get(
-            status))
+        return Interval(out.low, out.high, out.settles, status == _STANDS,
+                        status == _FALLS)
 
     @_asks
     def certain(self) -> bool:
@@ -1910,11 +1913,29 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
     def bearing(self) -> Optional[Factor]:
         """Returns the length [m] of the shortest contact that the structure
         needs, a Factor: inf where it needs none. None where it falls with all.
+        Unless contacts are given, faces with hollows count as their stretches,
+        and so do the forces.
 
         >>> round(example().bearing(), 6)
         0.8
         """
-        return self._factor(_bearing)
+        task, n = _Task.from_buffer_copy(self._task), len(self.blocks)
+        points, found = task.s.contacts, int(Status.NO_SPACE)
+        while self.given is None and found == Status.NO_SPACE:
+            points = 2 * points + 12 * n
+            held = _Held(n, points)
+            task.work = addressof(held.work)
+            found = _stretches(self._held.block, n, byref(task.options),
+                               held.contact, points, task.work)
+            task.s.contact = addressof(held.contact)
+            task.s.contacts = found
+        self._check(found if self.given is None else 0)
+        out, motion = c_double(), self._motions()
+        force = (c_double * (2 * task.s.contacts))()
+        status = self._check(_bearing(byref(task), byref(out), byref(
+            _Proof(addressof(force), addressof(motion)))))
+        return (Factor._of(out.value, bytes(force), bytes(motion))
+                if status == _STANDS else None)
 
     @_asks
     def load_factor(self, side: int, shrink: float = 0.0,

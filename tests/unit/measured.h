@@ -1,0 +1,302 @@
+/* measured.h - laws of kern_stretches() and kern_certain(), gross errors. */
+
+#ifndef UNIT_MEASURED_H
+#define UNIT_MEASURED_H
+
+#include "harness.h"
+#include "worlds.h"
+#include "verdict.h"
+#include "random.h"
+
+/* ---- stretches ---- */
+
+/* Finds the stretches of the contacts in their place. */
+static int world_stretch(world *w)
+{
+    kern_work work = kern_work_of(NULL, 0, NULL, 0);
+    const int got = kern_stretches(w->block, w->blocks, &w->options, w->contact,
+                                   MAX_POINTS, &work);
+    w->contacts = got > 0 ? got : 0;
+    return got;
+}
+
+static double bearing_of_stretches(world *w, int *status)
+{
+    const int points = world_stretch(w);
+    kern_work work = work_of(w);
+    kern_real length = R(-2);
+    CHECK(points >= 0);
+    *status = kern_bearing(world_task(w, &work), &length, NULL);
+    return (double)length;
+}
+
+/* Cuts the fixed box in two at x. */
+static void cut_box(world *w, int i, double x)
+{
+    const kern_box box = w->block[i].box;
+    world_box(w, 0, x, (double)box.low.y, (double)box.high.x,
+              (double)box.high.y);
+    w->block[i].vertex = NULL;
+    {
+        static kern_vec corner[4];
+        corner[0] = box.low;
+        corner[1] = vec(x, (double)box.low.y);
+        corner[2] = vec(x, (double)box.high.y);
+        corner[3] = vec((double)box.low.x, (double)box.high.y);
+        CHECK_INT(kern_ground_init(&w->block[i], corner, 4, NULL), KERN_OK);
+    }
+}
+
+/* A block on a foot of 0.4 and one of `sliver`, between which it is hollow. */
+static void stone_on_feet(world *w, double sliver)
+{
+    const double in = 1 - sliver;
+    const double stone[] = {-1, 0, -0.6, 0, -0.6, 0.6, in, 0.6,
+                            in, 0, 1,    0, 1,    1,   -1, 1};
+    world_reset(w);
+    world_box(w, 0, -3, -1, 3, 0);
+    world_polygon(w, 1, stone, 8);
+}
+
+/* Both feet are needed: the bearing length is that of the shorter one, on one
+   ground and on two. As one contact it would be that of the whole width. */
+static void stretches_of_feet(void)
+{
+    static const double cut[] = {-0.8, 0.2, 0.9};
+    static const double sliver[] = {0.3, 0.02, 2e-3};
+    static world w;
+    size_t i, k;
+    int got;
+    for (i = 0; i < sizeof sliver / sizeof *sliver; i++) {
+        stone_on_feet(&w, sliver[i]);
+        CHECK_INT(world_touch(&w), 2);
+        CHECK_NEAR(bearing_of_stretches(&w, &got), sliver[i],
+                   SINGLE ? 1e-6 : 1e-12);
+        CHECK_INT(w.contacts, 4);
+        for (k = 0; k < sizeof cut / sizeof *cut; k++) {
+            stone_on_feet(&w, sliver[i]);
+            cut_box(&w, 0, cut[k]);
+            CHECK_NEAR(bearing_of_stretches(&w, &got), sliver[i],
+                       SINGLE ? 1e-6 : 1e-12);
+            CHECK_INT(got, KERN_STANDS);
+        }
+    }
+}
+
+/* Of random structures: where the ground is cut in two stretches and bearing
+   length stay. */
+static void stretches_of_cuts(void)
+{
+    static world w;
+    int seed, under = 0;
+    for (seed = 1; seed <= (quick ? 60 : 600); seed++) {
+        double whole, cut, x;
+        int got, same, points, k;
+        random_seed((unsigned long long)seed);
+        world_reset(&w);
+        if (seed % 2)
+            random_tower(&w, 1 + seed % 7);
+        else
+            random_wall(&w, 2 + seed % 9);
+        x = uniform(-0.5, 1.5);
+        whole = bearing_of_stretches(&w, &got);
+        points = w.contacts;
+        for (k = 0; k + 1 < points; k++)
+            under += w.contact[k].a == 0
+                  && ((double)w.contact[k].p.x - x)
+                             * ((double)w.contact[k + 1].p.x - x)
+                         < 0;
+        cut_box(&w, 0, x);
+        cut = bearing_of_stretches(&w, &same);
+        CHECK_INT(same, got);
+        CHECK_INT(w.contacts, points);
+        if (got == KERN_STANDS)
+            CHECK(cut > 1e30 ? whole > 1e30
+                             : fabs(cut - whole) <= (SINGLE ? 1e-4 : 1e-12));
+    }
+    CHECK(under > (quick ? 20 : 200));
+}
+
+/* ---- gross errors ---- */
+
+/* A stone of 60 is drawn 58 deep in a ground of any width: no error of a pixel
+   explains that. One that is 3 deep touches it. */
+static void overlap_beyond_error(void)
+{
+    static const double width[] = {200, 800, 5000};
+    static world w;
+    size_t i;
+    for (i = 0; i < sizeof width / sizeof *width; i++) {
+        kern_work work = kern_work_of(NULL, 0, NULL, 0);
+        int deep;
+        for (deep = 0; deep < 2; deep++) {
+            const double y = deep ? -58 : -3;
+            world_reset(&w);
+            world_box(&w, 0, -width[i] / 2, -100, width[i] / 2, 0);
+            world_box(&w, 1, -30, y, 30, y + 60);
+            w.options = kern_measured_options(&w.options, 1, R(1.0 / 60));
+            CHECK_INT(kern_contacts(w.block, 2, &w.options, w.contact,
+                                    MAX_POINTS, &work),
+                      deep ? KERN_OVERLAP : 2);
+            CHECK_INT(work.fault.block, deep ? 0 : -1);
+            CHECK_INT(work.fault.other, deep ? 1 : -1);
+        }
+    }
+}
+
+/* ---- certainty ---- */
+
+/* Moves every block of w by noise of standard deviation e, in angle e too. */
+static void add_noise(world *w, double e)
+{
+    int i, k;
+    for (i = 0; i < w->blocks; i++) {
+        kern_block *b = &w->block[i];
+        kern_vec *v = w->vertex + 4 * i;
+        const double turn = e * uniform(-1.7, 1.7);
+        const double dx = e * uniform(-1.7, 1.7), dy = e * uniform(-1.7, 1.7);
+        for (k = 0; k < 4 && !b->fixed; k++) {
+            const double x = (double)(v[k].x - b->centre.x);
+            const double y = (double)(v[k].y - b->centre.y);
+            v[k] = vec((double)b->centre.x + dx + x * cos(turn) - y * sin(turn),
+                       (double)b->centre.y + dy + y * cos(turn)
+                           + x * sin(turn));
+        }
+        if (!b->fixed)
+            CHECK_INT(kern_block_init(b, v, 4, R(1), NULL), KERN_OK);
+    }
+}
+
+/* kern_certain() at an error; the verdict and the margin in *got and *m. */
+static int certain_at(world *w, double e, int *got, kern_margin *m,
+                      kern_interval *in)
+{
+    static kern_contact again[4 * MAX_POINTS];
+    kern_work work = work_for(w->blocks, 4 * MAX_POINTS);
+    kern_task *task;
+    w->options = kern_measured_options(NULL, R(e), R(e));
+    if (world_touch(w) < 0)
+        return -1;
+    task = world_task(w, &work);
+    *got = kern_measure(task, m, NULL);
+    if (*got < 0)
+        return -1;
+    return kern_certain(task, *got == KERN_STANDS ? m->margin : 0, in, again,
+                        4 * MAX_POINTS);
+}
+
+/* A table whose second foot is short, a block over a step of the ground, and a
+   stone on two lips of one ground, of which it misses the second. */
+enum { TABLE, STEP, LIPS, NEARLY };
+
+static void nearly_held(world *w, int kind, double gap)
+{
+    const double table[] = {-1,  0,   -0.6, 0,   -0.6, 0.6, 0.6, 0.6,
+                            0.6, gap, 1,    gap, 1,    1,   -1,  1};
+    const double step[] = {-1,  -1,   1.5, -1, 1.5, -gap,
+                           0.1, -gap, 0.1, 0,  -1,  0};
+    const double lips[] = {-2,      -1,   3,   -1,   3,   0, 1 + gap, 0,
+                           1 + gap, -0.5, 0.3, -0.5, 0.3, 0, -2,      0};
+    world_reset(w);
+    w->options.mu = R(0.5);
+    if (kind == TABLE) {
+        world_box(w, 0, -3, -1, 3, 0);
+        world_polygon(w, 1, table, 8);
+    } else if (kind == STEP) {
+        world_polygon(w, 0, step, 6);
+        world_box(w, 1, -0.15, 0, 0.85, 1);
+    } else {
+        world_polygon(w, 0, lips, 8);
+        world_box(w, 1, 0, 0, 1, 0.7);
+    }
+    w->options = kern_measured_options(&w->options, R(0.005), R(0.005));
+}
+
+/* What stands for certain comes to rest after less than it tells, whatever its
+   faces are called: a foot of the same stone and a step of the same ground are
+   doubted as other blocks are. */
+static void certain_places(void)
+{
+    /* how far they turn and sink, in gaps */
+    static const double moves[NEARLY] = {0.75, 1.4, 1e9};
+    static world w;
+    int kind, gap, certain = 0;
+    for (kind = 0; kind < NEARLY; kind++)
+        for (gap = 1; gap <= 20; gap++) {
+            const double short_by = 0.5 * 0.005 * gap;
+            kern_interval in;
+            kern_margin m;
+            kern_contact again[100];
+            kern_work work = work_for(2, 100);
+            kern_task *task;
+            int sure;
+            nearly_held(&w, kind, short_by);
+            CHECK(world_touch(&w) >= 0);
+            task = world_task(&w, &work);
+            memset(&m, 0, sizeof m);
+            CHECK(kern_measure(task, &m, NULL) > 0);
+            sure = kern_certain(task, m.margin, &in, again, 100);
+            CHECK(sure >= 0);
+            if (sure != KERN_STANDS)
+                continue;
+            certain++;
+            CHECK((double)in.settles > moves[kind] * short_by);
+        }
+    CHECK(certain >= 15);
+}
+
+/* Verdict, margin, interval and certainty of generated structures with noise do
+   not contradict each other, at any error that is told: what stands by proof
+   never falls for certain, low <= margin <= high, what falls for certain has
+   the interval 0; and what does not fall for certain at an error does not at a
+   larger one. */
+static void certain_laws(void)
+{
+    static const double told[] = {1e-4, 1e-3, 3e-3, 1e-2, 2e-2};
+    static world w;
+    int seed, asked = 0, stands = 0, falls = 0;
+    for (seed = 1; seed <= (quick || SINGLE ? 60 : 400); seed++) {
+        int open = 0; /* not certain to fall at a smaller error */
+        size_t i;
+        random_seed((unsigned long long)seed);
+        sprintf(context, "seed %d", seed);
+        world_reset(&w);
+        if (seed % 3)
+            random_tower(&w, 1 + seed % 7);
+        else
+            random_wall(&w, 1 + seed % 9);
+        add_noise(&w, uniform(0, 0.02));
+        for (i = 0; i < sizeof told / sizeof *told; i++) {
+            kern_margin m;
+            kern_interval in;
+            int got;
+            const int sure = certain_at(&w, told[i], &got, &m, &in);
+            if (sure < 0)
+                continue;
+            asked++;
+            stands += sure == KERN_STANDS;
+            falls += sure == KERN_FALLS;
+            CHECK(sure == KERN_OK || sure == got);
+            CHECK(!(in.low < 0) && in.low <= in.high);
+            if (got == KERN_STANDS)
+                CHECK(in.low <= m.margin && m.margin <= in.high);
+            else
+                CHECK(!(in.low > 0));
+            CHECK(sure != KERN_STANDS || in.low > 0);
+            CHECK((sure == KERN_FALLS) == !(in.high > 0));
+            CHECK(!open || sure != KERN_FALLS);
+            open |= sure != KERN_FALLS;
+        }
+    }
+    context[0] = 0;
+    CHECK(asked > (quick || SINGLE ? 100 : 1000));
+    CHECK(stands > asked / 20 && falls > asked / 20);
+}
+
+static const test measured_tests[] = {
+    TEST(stretches_of_feet),    TEST(stretches_of_cuts),
+    TEST(overlap_beyond_error), TEST(certain_places),
+    TEST(certain_laws),
+};
+
+#endif
