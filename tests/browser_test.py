@@ -128,7 +128,7 @@ class Browser:
 STATE = """(() => { const t = s.stones[%d]; return JSON.stringify({
     x: t.x, y: t.y, turn: t.turn, margin: shown.margin, level: shown.level,
     stands: shown.stands, overlap: shown.overlap && shown.overlap.depth,
-    loads: shown.loads, word: $("verdict").textContent }) })()"""
+    loads: shown.loads, held, word: $("verdict").textContent }) })()"""
 
 
 def native(wall, home, state):
@@ -165,14 +165,23 @@ def drag(browser, i, places):
     browser.frame()
 
 
+def without(wall, i):
+    """The wall without a stone, whose place its last stone takes."""
+    blocks = list(wall.blocks)
+    blocks[i] = blocks[-1]
+    return kern.Structure(blocks[:-1], options=wall.options)
+
+
 def same(wall, home, state):
-    """Compares one state of the page with the library; names its kind."""
+    """Compares one state of the page with the library; names its kind. A stone
+    in the hand is no part of the structure."""
     said = native(wall, home, state)
     assert state["turn"] == 0
-    if said is kern.Status.OVERLAP:
-        assert state["overlap"] > 0 and state["word"] == "overlap", state
-        assert state.get("margin") is None, state
-        return "overlaps"
+    held = state["held"] == state["stone"]
+    assert held or said is not kern.Status.OVERLAP, state
+    if held:
+        said = without(wall, state["stone"])
+        assert state["word"].endswith(" without it"), state
     assert isinstance(said, kern.Structure), said
     m = said.measure()
     assert (m.stands, m.margin, m.level) == (
@@ -180,12 +189,12 @@ def same(wall, home, state):
     if state["loads"]:  # left out where a machine is too slow for them
         assert state["loads"] == [said.load_factor(side)
                                   for side in (kern.LEFT, kern.RIGHT)], state
-    return "stands" if m.stands else "falls"
+    return "held" if held else "stands" if m.stands else "falls"
 
 
 def test_drag(browser):
     wall = kern.read(ROOT / "examples" / "structures" / "wall-30.kern")
-    counts = {"stands": 0, "falls": 0, "overlaps": 0}
+    counts = {"stands": 0, "falls": 0, "held": 0}
     aside = [(2 * k, 0) for k in range(80)]
     about = [(k % 11 * 9 - 45, k // 11 * 12 - 60) for k in range(120)]
     for i, places in ((30, aside), (27, about)):
@@ -439,17 +448,90 @@ def test_drawings(browser):
         assert browser.ask("shown.margin") == want.measure().margin
 
 
+def test_held(browser):
+    """A stone in the hand: the verdict is that of the rest, and its chance that
+    of the wall with the stone in the pose where it would rest."""
+    browser.ask("show(texts.get('wall-30'), 'wall-30')")
+    wall = kern.read(ROOT / "examples" / "structures" / "wall-30.kern")
+    browser.ask("choose(9), press('Home'), moveStone(9, 3, 2, 0, false),"
+                "hand = 9, change()")
+    browser.wait("held === 9 && shown.stays && shown.stays.stone === 9")
+    assert browser.ask("shown.margin") == without(wall, 9).measure().margin
+    rest, chance = browser.ask("[landing, shown.stays.chance]")
+    blocks = list(wall.blocks)
+    blocks[9], blocks[-1] = blocks[-1], blocks[9]
+    blocks[-1].move(rest["x"], rest["y"], rest["turn"])
+    there = kern.Structure(blocks, options=wall.options)
+    assert abs(chance - there.stays(len(blocks) - 1)) < 1e-6, (chance, rest)
+    assert browser.ask("$('landing').firstChild.style.stroke !== ''")
+    browser.ask("restingPose(9), hand = -1, change()")
+    browser.frame()
+    assert browser.ask("held") == -1
+    print("in the hand: the rest as native, it would stay with %.3f" % chance)
+
+
+def test_let_go(browser):
+    """Let go, least friction and tilt of that answer and of the verdict."""
+    for name, word in (("irregular-wall", "stays"), ("falls", "moves")):
+        wall = kern.read(ROOT / "examples" / "structures" / (name + ".kern"))
+        browser.ask("show(texts.get('%s'), '%s')" % (name, name))
+        browser.wait("!!shown.letGo")
+        assert browser.ask("$('let-go').textContent") == word
+        assert wall.let_go().stays == (word == "stays")
+        if word == "moves":
+            browser.wait("$('verdict').textContent === 'fell'")
+            browser.ask("$('again').click()")
+            assert browser.ask("$('verdict').textContent") == "falls"
+            browser.wait("$('verdict').textContent === 'fell'")
+            continue
+        browser.wait("!!shown.tilt")
+        for which, mu in zip(("let_go", "verdict"),
+                             browser.ask("shown.friction")):
+            for factor, stands in ((1.0001, True), (0.998, False)):
+                other = kern.read(ROOT / "examples" / "structures"
+                                  / (name + ".kern"))
+                other.options.mu = mu * factor
+                other.update()
+                assert bool(getattr(other, which)()) is stands, (which, mu)
+        for (low, most), side in zip(browser.ask("shown.tilt"),
+                                     (kern.LEFT, kern.RIGHT)):
+            assert most == wall.tilt(side) and 0 < low <= most
+        assert browser.ask("[s.mu, kern.let_go() === STANDS]") == [
+            wall.options.mu, True]
+
+
+def test_view(browser):
+    """The wheel zooms about the mouse, a drag of the background pans."""
+    browser.ask("show(texts.get('wall-30'), 'wall-30')")
+    browser.frame()
+    before = browser.ask("[view.scale, view.x, view.y]")
+    x, y = browser.ask("(() => { const b = svg.getBoundingClientRect();"
+                       "return [b.x + 30, b.y + 30] })()")
+    browser.mouse("mousePressed", x, y, clickCount=1)
+    browser.mouse("mouseMoved", x + 50, y + 20, buttons=1)
+    browser.mouse("mouseReleased", x + 50, y + 20, clickCount=1)
+    browser.frame()
+    assert browser.ask("[view.scale, view.x, view.y]") == [
+        before[0], before[1] + 50, before[2] + 20]
+    browser.send("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y,
+                 deltaX=0, deltaY=-100)
+    browser.wait("view.scale > %r" % before[0])
+    browser.ask("$('fit').click()")
+    browser.frame()
+    assert browser.ask("[view.scale, view.x, view.y]") == before
+
+
 def test_phone(browser):
-    """On a phone the verdict is in sight above the whole picture."""
+    """On a phone the wall comes first, and the verdict is in sight."""
     browser.send("Emulation.setDeviceMetricsOverride", width=390, height=844,
                  deviceScaleFactor=2, mobile=True)
     browser.ask("show(texts.get('wall-30'), 'wall-30')")
     browser.frame()
     verdict, stage = browser.ask(
         "['result', 'stage'].map(id => $(id).getBoundingClientRect().bottom)")
-    print("on a phone the verdict ends at %d, the picture at %d of 844"
-          % (verdict, stage))
-    assert 0 < verdict < stage < 844
+    print("on a phone the picture ends at %d, the verdict at %d of 844"
+          % (stage, verdict))
+    assert 0 < stage < verdict <= 844
     browser.send("Emulation.clearDeviceMetricsOverride")
     browser.frame()
 
@@ -539,6 +621,9 @@ def main():
             test_changes(browser)
             test_drawings(browser)
             test_asked(browser)
+            test_held(browser)
+            test_let_go(browser)
+            test_view(browser)
             test_phone(browser)
             for event in browser.events:
                 if event.get("method") == "Network.requestWillBeSent":

@@ -38,8 +38,9 @@ double centre[BLOCKS][2];
 double point[CONTACTS][8];  /* a, b, line, x, y, normal, travel           */
 double overlap[PAIRS][3];   /* a, b, depth                                */
 double fault[4], answer[6]; /* answer: of the last call                   */
-const int constant[7] = {BLOCKS,       VERTICES,    KERN_STANDS, KERN_FALLS,
-                         KERN_OVERLAP, KERN_RAISED, KERN_HANGS};
+const int constant[9] = {BLOCKS,     VERTICES,      KERN_STANDS,
+                         KERN_FALLS, KERN_OVERLAP,  KERN_RAISED,
+                         KERN_HANGS, KERN_END_LOST, KERN_END_WORK};
 
 static kern_block block[BLOCKS];
 static kern_wrench live[BLOCKS]; /* the live load, about the centres          */
@@ -48,6 +49,8 @@ static kern_real real[KERN_REALS(BLOCKS, CONTACTS)];
 static int indices[KERN_INTS(BLOCKS, CONTACTS)];
 static kern_work work;
 static kern_task task;
+static int made; /* blocks, the one in the hand with them                   */
+static int held; /* 1: the last block is in the hand, not in the structure  */
 
 static int report(int status, const kern_fault *f)
 {
@@ -63,14 +66,20 @@ PAGE(text) const char *page_text(int status)
     return kern_status_text((kern_status)status);
 }
 
+PAGE(gravity) void page_gravity(double x, double y)
+{
+    task.s.gravity.x = x;
+    task.s.gravity.y = y;
+}
+
 /* A new structure without blocks. */
 PAGE(begin) void page_begin(double gravity_x, double gravity_y)
 {
     work = kern_work_of(real, KERN_REALS(BLOCKS, CONTACTS), indices,
                         KERN_INTS(BLOCKS, CONTACTS));
     task = kern_task_of(block, 0, contact, 0, &work);
-    task.s.gravity.x = gravity_x;
-    task.s.gravity.y = gravity_y;
+    made = held = 0;
+    page_gravity(gravity_x, gravity_y);
 }
 
 /* After the blocks; error and turn: of measured places, 0: exact, or not told. */
@@ -109,9 +118,18 @@ PAGE(block) int page_block(int i, int first, int vertices, double density)
     f.block = i;
     live[i] = none;
     put_centre(i);
-    if (i >= task.s.blocks)
-        task.s.blocks = i + 1;
+    if (i >= made)
+        made = i + 1;
+    task.s.blocks = made - held;
     return report(status, &f);
+}
+
+/* Takes the last block into the hand (1), or lets it go (0). A block in the hand
+   is no part of the structure. */
+PAGE(hold) void page_hold(int last)
+{
+    held = last;
+    task.s.blocks = made - held;
 }
 
 PAGE(mass) void page_mass(int i, double mass) { block[i].mass = mass; }
@@ -397,6 +415,28 @@ PAGE(raised_load) int page_raised_load(int side)
 {
     return report(kern_raised_load(&task, 0, (kern_side)side,
                                    side ? NULL : live, &answer[0], NULL),
+                  &work.fault);
+}
+
+/* Answer: how it is held (kern_raising), why a search ended (kern_end). The
+   motion is that of a structure that moves. */
+PAGE(let_go) int page_let_go(void)
+{
+    kern_raising how = KERN_NOT_SHOWN;
+    kern_proof proof = {NULL, motion};
+    int status;
+    work.end = KERN_END_NONE;
+    status = kern_let_go(&task, &how, &proof);
+    answer[0] = how;
+    answer[1] = work.end;
+    return report(status, &work.fault);
+}
+
+/* Answer: the tilt [rad] up to which forces hold it, to the right (side 1) or
+   left (-1). */
+PAGE(tilt) int page_tilt(int side)
+{
+    return report(kern_tilt(&task, 0, (kern_side)side, &answer[0], NULL),
                   &work.fault);
 }
 
