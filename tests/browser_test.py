@@ -1,8 +1,8 @@
 """Drives the page in headless Chromium.
 
-    bash examples/browser/build.sh PAGE.html
-    python3 tests/browser_test.py PAGE.html                   the test
-    python3 tests/browser_test.py PAGE.html --shots FOLDER    pictures of it
+    bash examples/browser/build.sh FOLDER
+    python3 tests/browser_test.py FOLDER/kern.html                   the test
+    python3 tests/browser_test.py FOLDER/kern.html --shots PICTURES  to look at
 
 Chromium is spoken to over a pipe (DevTools protocol). A stone of the wall is
 dragged with the mouse over 200 places: every answer on the page must be that of
@@ -572,6 +572,47 @@ def test_asked(browser):
     print("live load %.4f, as native" % wall.live(lives))
 
 
+def test_essay(browser):
+    """Five steps: margins by hand, and of the arch by the library; ten stones
+    can be laid, and are shaken until some move."""
+    browser.send("Page.navigate", url=PAGE.with_name("essay.html").as_uri())
+    browser.wait("document.body && document.body.dataset.ready === '1'")
+
+    def move(step, *values):
+        browser.ask("document.querySelectorAll('#%s input').forEach((t, k) => {"
+                    " t.value = %s[k]; t.dispatchEvent(new Event('input')) })"
+                    % (step, list(values)))
+        return browser.ask("[$('%s').seen.stands, $('%s').seen.margin,"
+                           "$('%s').querySelector('.says').textContent]"
+                           % (step, step, step))
+
+    for out in (0.2, 0.6, 0.9):  # the centre lies 1 - out from the edge
+        stands, margin, _ = move("edge", out)
+        assert stands and abs(margin - (1 - out)) < 1e-9, (out, margin)
+    assert move("edge", 1.2)[0] is False
+    for low, high, stands in ((0.6, 0.2, True), (1.2, 0, False),
+                              (1.2, -1, True), (0.6, 1.2, False)):
+        assert move("two", low, high)[0] is stands, (low, high)
+    assert move("arch", 0.3)[1] > move("arch", 0.2)[1] > 0
+    assert move("arch", 0.08)[0] is False
+    assert move("pile", 0.3)[2].startswith(
+        "Each stone alone stands. Together they stand.")
+    assert move("pile", 0.6)[2] == (
+        "Each stone alone stands. Together they fall.")
+    assert move("pile", 1.1)[2].startswith("Not even")
+    for x in (-3.2, -1.6, 0, 1.6, 3.2, -2.4, 0.8, 2.4, -0.8, 0, 1, -1, 2, -2,
+              -2.8, 2.8, 0.4, -0.4, 1.8, -1.8):
+        browser.ask("$('build').querySelector('input').value = %r" % x)
+        browser.ask("$('build').querySelector('.lay').click()")
+    laid = browser.ask("tray.laid.length")
+    assert laid == 10, laid
+    browser.ask("$('build').querySelector('.shake').click()")
+    browser.wait("!tray.busy")
+    said = browser.ask("$('build').querySelector('.says').textContent")
+    assert "No forces hold it beyond" in said, said
+    print("essay: %d stones laid; %s" % (laid, said))
+
+
 def shots(browser, folder):
     """Pictures of what a person would see, to look at."""
     folder.mkdir(parents=True, exist_ok=True)
@@ -625,6 +666,7 @@ def main():
             test_let_go(browser)
             test_view(browser)
             test_phone(browser)
+            test_essay(browser)
             for event in browser.events:
                 if event.get("method") == "Network.requestWillBeSent":
                     url = event["params"]["request"]["url"]

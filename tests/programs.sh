@@ -449,8 +449,9 @@ print(kern.__version__, kern.__file__)')
 }
 
 page() { # is built, no larger than it may be, and works in Chromium
-    bash examples/browser/build.sh "$out/kern.html" &&
+    bash examples/browser/build.sh "$out" &&
         [ "$(wc -c <"$out/kern.html")" -le 165000 ] &&
+        [ "$(wc -c <"$out/essay.html")" -le 125000 ] &&
         /usr/bin/python3 tests/browser_test.py "$out/kern.html"
 }
 
