@@ -521,6 +521,34 @@ def test_view(browser):
     assert browser.ask("[view.scale, view.x, view.y]") == before
 
 
+def test_fields(browser):
+    """Roles of layers, densities and ground are those that Python is told."""
+    text = ('<svg><g id="road"><rect x="0" y="0" width="4" height="1"/></g>'
+            '<g id="wall"><rect x="0" y="1" width="2" height="2"/>'
+            '<rect x="2" y="1" width="2" height="2"/></g></svg>')
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder, "wall.svg")
+        path.write_text(text)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            want = kern.read(path, layers={"road": "fill"}, ground=2.5,
+                             density={"wall": 2400})
+    browser.ask("show(%s, 'wall.svg'), refresh()" % json.dumps(text))
+    assert not browser.ask("$('drawing').hidden")
+    browser.ask("$('layers').value = 'road=fill', $('ground').value = '2.5',"
+                "$('density').value = 'wall=2400', $('take').click()")
+    assert browser.ask("$('error').textContent") == ""
+    assert browser.ask("s.stones.map(t => [t.name, t.fixed, t.home])") == [
+        [b.name, b.fixed, b.vertices.tolist()] for b in want.blocks]
+    assert browser.ask("shown.margin") == want.measure().margin
+    before = browser.ask("format(s)")
+    browser.ask("$('layers').value = 'road=sky', $('take').click()")
+    assert "'road=sky'" in browser.ask("$('error').textContent")
+    assert browser.ask("format(s)") == before
+    browser.ask("show(texts.get('wall-30'), 'wall-30')")
+    assert browser.ask("$('drawing').hidden && $('layers').value === ''")
+
+
 def test_phone(browser):
     """On a phone the wall comes first, and the verdict is in sight."""
     browser.send("Emulation.setDeviceMetricsOverride", width=390, height=844,
@@ -665,6 +693,7 @@ def main():
             test_held(browser)
             test_let_go(browser)
             test_view(browser)
+            test_fields(browser)
             test_phone(browser)
             test_essay(browser)
             for event in browser.events:

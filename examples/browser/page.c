@@ -200,11 +200,46 @@ static void put_skipped(void)
     }
 }
 
+/* What the user says about the next drawings: words as those of the program's
+   --layer and --density, which stay in the page's room. */
+enum { WORDS = 64 };
+static const char *layer[WORDS], *density_word[WORDS];
+static struct shapes_asked asked;
+
+PAGE(asked) void page_asked(int has_ground, double ground)
+{
+    const struct shapes_asked fresh = {.layer = layer,
+                                       .densities = density_word,
+                                       .has_ground = has_ground,
+                                       .ground = ground,
+                                       .tolerance = 1.5};
+    asked = fresh;
+}
+
+/* Adds one word, 0: there are too many, or no role has that name. */
+PAGE(layer) int page_layer(const char *word)
+{
+    const int at = shapes_equals(word);
+    if (asked.layers == WORDS || at < 1
+        || shapes_role_named(word + at + 1, (int)strlen(word + at + 1)) < 0)
+        return 0;
+    layer[asked.layers++] = word;
+    return 1;
+}
+
+/* Adds one word, 0: there are too many. */
+PAGE(density) int page_density(const char *word)
+{
+    if (asked.density_words == WORDS)
+        return 0;
+    density_word[asked.density_words++] = word;
+    return 1;
+}
+
 /* Makes statements of a drawing or a photograph in a file of that name: 1, 0: it
    is in the text format, -1: with a message. */
 PAGE(draw) int page_draw(const char *name, const char *data, int length)
 {
-    static const struct shapes_asked asked = {.tolerance = 1.5};
     const enum drawing_format format = drawing_format(name, data,
                                                       (size_t)length);
     int bad;
