@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# bash examples/browser/build.sh [FILE]
+# bash examples/browser/build.sh [FOLDER]
 #
-# Makes the page kern.html, or FILE: page.html with page.c as WebAssembly and
-# with structures in it. Needs clang, lld (wasm-ld), gzip and base64; the same
-# versions of them make the same page.
+# Makes kern.html and essay.html, here or in FOLDER: page.html and essay.html.in
+# with page.c as WebAssembly, and with structures or chapters of page.html's
+# script in them. Needs clang, lld (wasm-ld), gzip and base64; the same versions
+# of them make the same pages.
 set -eu
 shopt -s extglob
+folder=$(realpath "${1:-$(dirname "$0")}")
 cd "$(dirname "$0")"
-page=${1:-kern.html}
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
@@ -21,11 +22,22 @@ clang --target=wasm32 -std=c99 -Oz -mbulk-memory \
     -Wl,--no-entry -Wl,--strip-all $exports \
     -o "$out/page.wasm" page.c
 
-{
-    while IFS= read -r line; do
+chapters() { # those of page.html in place of lines <!-- page.html: HEAD -->
+    awk 'FNR == NR {
+            if (/^\/\* (====|----) /) { head = $2 " " $3
+                for (i = 4; i <= NF && $i !~ /^(=|-|\*)/; i++) head = head " " $i }
+            chapter[head] = chapter[head] $0 "\n"; next
+        }
+        /^<!-- page.html: / { sub(/^<!-- page.html: /, ""); sub(/ -->$/, "")
+            printf "%s", chapter[$0]; next }
+        { print }' page.html "$1"
+}
+
+make_page() { # make_page SOURCE: the page, on one line
+    chapters "$1" | while IFS= read -r line; do
         case $line in
         "<!-- structures -->")
-            for name in wall-30 irregular-wall arch tower toppling-slope falls; do
+            for name in wall-30 irregular-wall arch tower falls; do
                 printf '%s' "<script type=\"text/plain\" data-structure " \
                     "id=\"$name\">"
                 sed 's/ *#.*//; /^$/d' "../structures/$name.kern" | tr '\n' '|'
@@ -45,6 +57,9 @@ clang --target=wasm32 -std=c99 -Oz -mbulk-memory \
             printf '%s\n' "${line%%+([[:space:]])// *}"
             ;;
         esac
-    done <page.html
-} | tr '\n' ' ' >"$out/page"
-mv "$out/page" "$page"
+    done | tr '\n' ' '
+}
+
+make_page page.html >"$out/kern.html"
+make_page essay.html.in >"$out/essay.html"
+mv "$out/kern.html" "$out/essay.html" "$folder"

@@ -38,9 +38,9 @@ double centre[BLOCKS][2];
 double point[CONTACTS][8];  /* a, b, line, x, y, normal, travel           */
 double overlap[PAIRS][3];   /* a, b, depth                                */
 double fault[4], answer[6]; /* answer: of the last call                   */
-const int constant[9] = {BLOCKS,       VERTICES,    KERN_STANDS, KERN_FALLS,
-                         KERN_OVERLAP, KERN_RAISED, KERN_HANGS, KERN_END_LOST,
-                         KERN_END_WORK};
+const int constant[9] = {BLOCKS,     VERTICES,      KERN_STANDS,
+                         KERN_FALLS, KERN_OVERLAP,  KERN_RAISED,
+                         KERN_HANGS, KERN_END_LOST, KERN_END_WORK};
 
 static kern_block block[BLOCKS];
 static kern_wrench live[BLOCKS]; /* the live load, about the centres          */
@@ -49,6 +49,8 @@ static kern_real real[KERN_REALS(BLOCKS, CONTACTS)];
 static int indices[KERN_INTS(BLOCKS, CONTACTS)];
 static kern_work work;
 static kern_task task;
+static int made; /* blocks, the one in the hand with them                   */
+static int held; /* 1: the last block is in the hand, not in the structure  */
 
 static int report(int status, const kern_fault *f)
 {
@@ -64,14 +66,20 @@ PAGE(text) const char *page_text(int status)
     return kern_status_text((kern_status)status);
 }
 
+PAGE(gravity) void page_gravity(double x, double y)
+{
+    task.s.gravity.x = x;
+    task.s.gravity.y = y;
+}
+
 /* A new structure without blocks. */
 PAGE(begin) void page_begin(double gravity_x, double gravity_y)
 {
     work = kern_work_of(real, KERN_REALS(BLOCKS, CONTACTS), indices,
                         KERN_INTS(BLOCKS, CONTACTS));
     task = kern_task_of(block, 0, contact, 0, &work);
-    task.s.gravity.x = gravity_x;
-    task.s.gravity.y = gravity_y;
+    made = held = 0;
+    page_gravity(gravity_x, gravity_y);
 }
 
 /* After the blocks; error and turn: of measured places, 0: exact, or not told. */
@@ -110,9 +118,18 @@ PAGE(block) int page_block(int i, int first, int vertices, double density)
     f.block = i;
     live[i] = none;
     put_centre(i);
-    if (i >= task.s.blocks)
-        task.s.blocks = i + 1;
+    if (i >= made)
+        made = i + 1;
+    task.s.blocks = made - held;
     return report(status, &f);
+}
+
+/* Takes the last block into the hand (1), or lets it go (0). A block in the hand
+   is no part of the structure. */
+PAGE(hold) void page_hold(int last)
+{
+    held = last;
+    task.s.blocks = made - held;
 }
 
 PAGE(mass) void page_mass(int i, double mass) { block[i].mass = mass; }
@@ -183,11 +200,46 @@ static void put_skipped(void)
     }
 }
 
+/* What the user says about the next drawings: words as those of the program's
+   --layer and --density, which stay in the page's room. */
+enum { WORDS = 64 };
+static const char *layer[WORDS], *density_word[WORDS];
+static struct shapes_asked asked;
+
+PAGE(asked) void page_asked(int has_ground, double ground)
+{
+    const struct shapes_asked fresh = {.layer = layer,
+                                       .densities = density_word,
+                                       .has_ground = has_ground,
+                                       .ground = ground,
+                                       .tolerance = 1.5};
+    asked = fresh;
+}
+
+/* Adds one word, 0: there are too many, or no role has that name. */
+PAGE(layer) int page_layer(const char *word)
+{
+    const int at = shapes_equals(word);
+    if (asked.layers == WORDS || at < 1
+        || shapes_role_named(word + at + 1, (int)strlen(word + at + 1)) < 0)
+        return 0;
+    layer[asked.layers++] = word;
+    return 1;
+}
+
+/* Adds one word, 0: there are too many. */
+PAGE(density) int page_density(const char *word)
+{
+    if (asked.density_words == WORDS)
+        return 0;
+    density_word[asked.density_words++] = word;
+    return 1;
+}
+
 /* Makes statements of a drawing or a photograph in a file of that name: 1, 0: it
    is in the text format, -1: with a message. */
 PAGE(draw) int page_draw(const char *name, const char *data, int length)
 {
-    static const struct shapes_asked asked = {.tolerance = 1.5};
     const enum drawing_format format = drawing_format(name, data,
                                                       (size_t)length);
     int bad;
@@ -229,27 +281,11 @@ static int put_contacts(int contacts)
     return contacts;
 }
 
-/* The number of a block among all, from that among those that are not held. */
-static int among_all(int i, int held) { return i + (held >= 0 && i >= held); }
-
-/* Finds the contacts: how many points, or a status below zero. A block that is
-   held (-1: none is) touches nothing and rests. */
-PAGE(find) int page_find(int held)
+/* Finds the contacts: how many points, or a status below zero. */
+PAGE(find) int page_find(void)
 {
-    static kern_block rest[BLOCKS];
-    int found, i, n = 0;
-    for (i = 0; i < task.s.blocks; i++)
-        if (i != held)
-            rest[n++] = block[i];
-    found = kern_contacts(rest, n, &task.options, contact, CONTACTS, &work);
-    work.fault.block = among_all(work.fault.block, held);
-    work.fault.other = among_all(work.fault.other, held);
-    for (i = 0; i < found; i++) {
-        contact[i].a = among_all(contact[i].a, held);
-        contact[i].b = among_all(contact[i].b, held);
-    }
-    if (held >= 0)
-        block[held].fixed = 1;
+    int found = kern_contacts(block, task.s.blocks, &task.options, contact,
+                              CONTACTS, &work);
     return report(found < 0 ? found : put_contacts(found), &work.fault);
 }
 
@@ -401,39 +437,11 @@ PAGE(load_factor) int page_load_factor(int side)
                   &work.fault);
 }
 
-/* Answer: how the structure stays when all blocks are let go (kern_raising), and
-   why the search ended (kern_end). */
-PAGE(let_go) int page_let_go(void)
+/* Answer: the factor of the live load. */
+PAGE(live_factor) int page_live_factor(void)
 {
-    kern_raising how = KERN_NOT_SHOWN;
-    int status;
-    work.end = KERN_END_NONE;
-    status = kern_let_go(&task, &how, NULL);
-    answer[0] = how;
-    answer[1] = work.end;
-    return report(status, &work.fault);
-}
-
-/* Answer: the least and the largest factor of the live load at which it stands;
-   the largest is asked for on top of the least. */
-PAGE(live_range) int page_live_range(void)
-{
-    static kern_block loaded[BLOCKS];
-    kern_task with = task;
-    kern_real least = 0, more = 0;
-    int i, status = kern_least_load_of(&task, 0, live, &least, NULL);
-    for (i = 0; i < task.s.blocks && status == KERN_STANDS; i++) {
-        loaded[i] = block[i];
-        loaded[i].load.fx += least * live[i].fx;
-        loaded[i].load.fy += least * live[i].fy;
-        loaded[i].load.torque += least * live[i].torque;
-    }
-    with.s.block = loaded;
-    if (status == KERN_STANDS)
-        status = kern_load_factor_of(&with, 0, live, &more, NULL);
-    answer[0] = least;
-    answer[1] = least + more;
-    return report(status, &work.fault);
+    return report(kern_load_factor_of(&task, 0, live, &answer[0], NULL),
+                  &work.fault);
 }
 
 /* Answer: the factor of Coulomb friction, from rest, of a horizontal load to a
@@ -442,6 +450,28 @@ PAGE(raised_load) int page_raised_load(int side)
 {
     return report(kern_raised_load(&task, 0, (kern_side)side,
                                    side ? NULL : live, &answer[0], NULL),
+                  &work.fault);
+}
+
+/* Answer: how it is held (kern_raising), why a search ended (kern_end). The
+   motion is that of a structure that moves. */
+PAGE(let_go) int page_let_go(void)
+{
+    kern_raising how = KERN_NOT_SHOWN;
+    kern_proof proof = {NULL, motion};
+    int status;
+    work.end = KERN_END_NONE;
+    status = kern_let_go(&task, &how, &proof);
+    answer[0] = how;
+    answer[1] = work.end;
+    return report(status, &work.fault);
+}
+
+/* Answer: the tilt [rad] up to which forces hold it, to the right (side 1) or
+   left (-1). */
+PAGE(tilt) int page_tilt(int side)
+{
+    return report(kern_tilt(&task, 0, (kern_side)side, &answer[0], NULL),
                   &work.fault);
 }
 
