@@ -11,6 +11,7 @@
 #include "../parts/args.h"
 #include "../parts/drawing.h"
 #include "asked.h"
+#include "crush.h"
 #include "sweep.h"
 
 #include <limits.h>
@@ -113,6 +114,7 @@ static inline void free_analysis(struct analysis *a)
     free(a->stays);
     free(a->swept);
     free(a->stress);
+    free(a->whole);
     free_work(a);
     text_free(&a->text);
     drawing_free(&a->drawing);
@@ -189,6 +191,8 @@ static inline int decide(struct analysis *a, const kern_options *options)
     a->least = a->shown == KERN_STANDS;
     if (!a->least)
         a->shown = kern_verdict(&a->task, shrinkage(a), &proof);
+    if (a->text.strength > 0 && crush_settle(a))
+        return -1;
     if (a->shown == KERN_FALLS) {
         memcpy(a->fall, a->motion, sizeof *a->fall * (size_t)a->task.s.blocks);
         room_falls(&a->task, shrinkage(a), a->fall);
@@ -293,7 +297,8 @@ static inline int check_asked(struct analysis *a)
     for (int i = 0; stays && i < a->task.s.blocks; i++)
         found |= is_asked(a, i);
     if (a->text.lives == 0 && (a->set->sweep > 0 || a->set->mechanism_live))
-        return fail(a, 0, "%s: no live load ('live NAME FX FY X Y')",
+        return fail(a, 0,
+                    "%s: no live load ('live NAME FX FY X Y', 'axle X FORCE')",
                     a->set->sweep > 0 ? "--sweep" : "--mechanism live");
     if (stays && !found)
         return fail(a, 0, "--stays: there is no free block '%s'",

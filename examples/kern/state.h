@@ -81,6 +81,10 @@ struct analysis {
     const char *raised_end[3]; /* of these: why the path ended; NULL: none */
     int cut[3];                /* of these: the limit of work ended it       */
     double *stress;            /* of a line contact at the margin; 0: none   */
+    kern_contact *whole;       /* contacts before stone crushes, NULL: it does
+                                  not                                        */
+    double crushed;            /* how far an end has moved in at most        */
+    int settled;               /* the forces no longer move ends             */
 
     struct swept *swept; /* the live load at each place       */
     int sweeps;
@@ -116,9 +120,39 @@ static inline int fail(struct analysis *a, int line, const char *format, ...)
     return -1;
 }
 
+/* How many blocks are stones or ground. The others, after them, push. */
+static inline int stones(const struct analysis *a)
+{
+    return a->text.blocks - a->text.props;
+}
+
+/* The highest point of the outlines at x. Returns its block; -1: there is
+   none. */
+static inline int sweep_top(const struct analysis *a, double x, double *y)
+{
+    const kern_structure *s = &a->task.s;
+    int top = -1;
+    for (int i = 0; i < stones(a); i++) {
+        const kern_block *b = &s->block[i];
+        for (int k = 0; k < b->vertices; k++) {
+            const kern_vec p = b->vertex[k];
+            const kern_vec q = b->vertex[k + 1 < b->vertices ? k + 1 : 0];
+            double at, along = x - (double)p.x;
+            if ((p.x <= x) == (q.x <= x))
+                continue;
+            at = p.y + along * ((double)q.y - p.y) / ((double)q.x - p.x);
+            if (top >= 0 && at <= *y)
+                continue;
+            *y = at;
+            top = i;
+        }
+    }
+    return top;
+}
+
 static inline double mean_size(const struct analysis *a)
 {
-    return (double)kern_mean_size(a->task.s.block, a->task.s.blocks);
+    return (double)kern_mean_size(a->task.s.block, stones(a));
 }
 
 static inline int fail_memory(struct analysis *a)
@@ -227,7 +261,7 @@ static inline int is_all(const char *word) { return strcmp(word, "all") == 0; }
 static inline int weakest_step(const struct analysis *a)
 {
     int weakest = -1;
-    for (int i = 0; i < a->task.s.blocks; i++)
+    for (int i = 0; i < stones(a); i++)
         if (a->sequence[i] >= 0
             && (weakest < 0 || a->sequence[i] < a->sequence[weakest]))
             weakest = i;
@@ -268,7 +302,7 @@ enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
 /* Is --stays about block i? */
 static inline int is_asked(const struct analysis *a, int i)
 {
-    return !a->task.s.block[i].fixed
+    return !a->task.s.block[i].fixed && i < stones(a)
         && (is_all(a->set->stays)
             || strcmp(a->text.name[i], a->set->stays) == 0);
 }
@@ -277,7 +311,7 @@ static inline int is_asked(const struct analysis *a, int i)
 static inline int is_open_list(const struct analysis *a, const double *list,
                                int stays)
 {
-    for (int i = 0; list && i < a->task.s.blocks; i++)
+    for (int i = 0; list && i < stones(a); i++)
         if (isnan(list[i])
             && (stays ? is_asked(a, i) : !a->task.s.block[i].fixed))
             return 1;
@@ -383,6 +417,7 @@ static inline struct draw_scene scene_of(const struct analysis *a)
     scene.live = a->text.live;
     scene.mass = a->text.mass;
     scene.masses = a->text.masses;
+    scene.pushes = a->text.props;
     scene.force = a->shown == KERN_STANDS ? a->force : NULL;
     scene.force_name = a->least ? "least forces" : NULL;
     scene.limiting = -1;
