@@ -10,6 +10,7 @@ Fails with the first thing that is wrong.
 """
 import csv
 import glob
+import html.parser
 import json
 import os
 import re
@@ -95,6 +96,38 @@ def worst(name):
     found = [min(p['live'] for p in o['sweep'] if p['live'] is not None)
              for o in objects(name)]
     assert max(found) < 1.001 * min(found), found
+
+
+def page(name):
+    """A page to hand in: every element is closed, with a picture and tables."""
+    class Page(html.parser.HTMLParser):
+        opened, seen, text = [], [], ''
+
+        def handle_starttag(self, tag, attrs):
+            self.seen.append(tag)
+            if tag not in ('meta', 'rect', 'path', 'circle', 'animate'):
+                self.opened.append(tag)
+
+        def handle_startendtag(self, tag, attrs):
+            self.seen.append(tag)
+
+        def handle_endtag(self, tag):
+            while self.opened and self.opened[-1] == 'li' != tag:
+                self.opened.pop()  # its end may be left out
+            assert self.opened and self.opened.pop() == tag, (tag, self.opened)
+
+        def handle_data(self, data):
+            self.text += data
+
+    with open(name, encoding='utf-8') as file:
+        read = Page()
+        read.feed(file.read())
+    assert not read.opened, read.opened
+    assert {'svg', 'table', 'h2', 'ul'} <= set(read.seen)
+    for word in ('Results', 'Structure and loads', 'What is assumed',
+                 'Sources of the rules', 'Heyman'):
+        assert word in read.text, word
+    assert not re.search(r'\b(nan|inf)\b', read.text), name
 
 
 def keys(name, text):
@@ -272,6 +305,6 @@ def walls(folder):
 
 
 if __name__ == '__main__':
-    checks = (svg, structures, axles, worst, keys, each_block, undecided, profiles,
+    checks = (svg, structures, axles, worst, page, keys, each_block, undecided, profiles,
               pushes, figures, functions, tokens, rules, walls)
     {f.__name__: f for f in checks}[sys.argv[1]](*sys.argv[2:])

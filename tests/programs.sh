@@ -364,6 +364,50 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
         "$kern" --help >"$out/help" && $judge keys "$out/soil.json" "$out/help"
 }
 
+drawing() { # LAYER X Y X Y ... a line, as DXF in mm
+    awk 'BEGIN { print "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC"
+        print "0\nSECTION\n2\nENTITIES" }
+    { print "0\nLWPOLYLINE\n8\n" $1 "\n90\n" (NF - 1) / 2 "\n70\n1"
+      for (i = 2; i < NF; i += 2) print "10\n" $i * 1000 "\n20\n" $(i + 1) * 1000
+    } END { print "0\nENDSEC\n0\nEOF" }'
+}
+
+hand_in() { # drawings of the bridge and the wall, and a photograph: the answers of
+    # their files, and a page of each that a browser reads
+    local kern name bridge=examples/structures/prestwood.kern
+    local wall=examples/structures/retaining-wall.kern
+    kern=$(program kern examples/kern.c) || return 1
+    {   # ring, springings and fill, as layers
+        awk '$1 == "block" { $1 = "RING"; $2 = $3 = ""; print }
+             $1 == "fixed" { $1 = "ABUTMENT"; $2 = ""; print }' $bridge
+        echo BACKFILL -4 1.813 4 1.813 4 0 3.43620 0.14971 0 1.648 \
+            -3.43620 0.14971 -4 0
+    } | drawing >"$out/bridge.dxf"
+    "$kern" --density RING=2100 --density BACKFILL=2000 --mu RING=.75 \
+        --mu RING,ABUTMENT=.75 --phi 37 --kern "$out/bridge.kern" \
+        --report "$out/read.html" "$out/bridge.dxf" >"$out/o" || return 1
+    grep -q '^  fill .* N about (0, ' "$out/o" && grep -q ' Pa ' "$out/o" &&
+        echo "axle -1.6375 58860 .3" >>"$out/bridge.kern" &&
+        says '[0, 0.9727]: factors' "$out/bridge.kern" || return 1
+    awk '$1 == "block" { $1 = "WALL"; $2 = $3 = ""; print }
+         $1 == "fixed" { $1 = "GROUND"; $2 = ""; print }' $wall |
+        drawing >"$out/wall.dxf"
+    "$kern" --mu .75 --density 2273.19 --kern "$out/wall.kern" "$out/wall.dxf" \
+        >"$out/o" && echo "earth right 6.096 1393.48 35 23.3333" >>"$out/wall.kern" &&
+        says 'margin      0.2191 m' "$out/wall.kern" &&
+        says 'earth       5.7e+04 N to the left' "$out/wall.kern" || return 1
+    "$kern" --pixel .01 --density 2000 --report "$out/photo.html" \
+        tests/seeds/drawing-labelme.json >"$out/o"
+    [ $? -le 1 ] || return 1
+    "$kern" --raised --report "$out/all.html" $bridge $wall >"$out/o"
+    for name in read photo all-prestwood all-retaining-wall; do
+        $judge page "$out/$name.html" || { echo "$name"; return 1; }
+    done
+    refuses "--report takes a name that ends in .html" --report a.kern $wall &&
+        refuses "--phi takes an angle in degrees from 5 to 60" --phi .6 $wall &&
+        refuses "--mu takes a number not below zero" --mu a=b $wall
+}
+
 kept() { # no picture is written over a structure
     local kern place
     kern=$(program kern examples/kern.c) &&

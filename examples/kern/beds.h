@@ -120,7 +120,7 @@ static inline int find_beds(const struct analysis *a, struct bed **out)
     return beds;
 }
 
-/* The stress at the low and the high end of a bed; infinite for a point. */
+/* The stress at the low and the high end of a bed; NAN for a point. */
 static inline void bed_stress(const struct bed *d, double *e, double *low,
                               double *high)
 {
@@ -129,6 +129,9 @@ static inline void bed_stress(const struct bed *d, double *e, double *low,
     const double pressed = 3 * (wide / 2 - fabs(off));
     double most = 2 * d->normal / fmax(pressed, 0), least = 0;
     *e = wide > 0 ? off / wide : 0;
+    *low = *high = (double)NAN;
+    if (!(wide > 0))
+        return;
     if (fabs(off) * 6 <= wide) {
         most = d->normal / wide * (1 + 6 * fabs(off) / wide);
         least = d->normal / wide * (1 - 6 * fabs(off) / wide);
@@ -140,19 +143,31 @@ static inline void bed_stress(const struct bed *d, double *e, double *low,
 /* A row of the tables. */
 struct bed_row {
     kern_vec at, low_end, high_end;
-    double e, low, high;
+    double e, low, high, shear;
 };
 
-/* Returns 0 where the bed is not pressed. */
-static inline int bed_row_of(const struct bed *d, struct bed_row *row)
+/* Returns 0 where the bed is not pressed, but for rounding. */
+static inline int bed_row_of(const struct analysis *a, const struct bed *d,
+                             struct bed_row *row)
 {
-    if (!(d->normal > 0))
+    double most = 0;
+    for (int k = 0; k < a->task.s.contacts; k++)
+        most = fmax(most, (double)a->force[k].normal);
+    if (!(d->normal > 1e-9 * most))
         return 0;
+    row->shear = fabs(d->shear) < 1e-9 * d->normal ? 0 : d->shear;
     bed_stress(d, &row->e, &row->low, &row->high);
     row->at = bed_point(d, d->moment / d->normal);
     row->low_end = bed_point(d, d->low);
     row->high_end = bed_point(d, d->high);
     return 1;
+}
+
+/* A stress, or that there is none. */
+static inline const char *bed_number(double stress, char out[32])
+{
+    snprintf(out, 32, isnan(stress) ? "-" : "%.4g", stress);
+    return out;
 }
 
 static inline void report_beds(const struct analysis *a)
@@ -167,15 +182,15 @@ static inline void report_beds(const struct analysis *a)
                "stress");
     for (int i = 0; i < beds; i++) {
         const struct bed *d = &bed[i];
-        char low[64], high[64];
-        if (!bed_row_of(d, &r))
+        char low[64], high[64], from[32], to[32];
+        if (!bed_row_of(a, d, &r))
             continue;
-        printf("              %-10s %-10s %9.4g %9.4g %7.3f %9.4g %-18s %9.4g "
+        printf("              %-10s %-10s %9.4g %9.4g %7.3f %9s %-18s %9s "
                "%s",
                text_show(one, a->text.name[d->a]),
-               text_show(two, a->text.name[d->b]), d->normal, d->shear, r.e,
-               r.low, loads_at(a, r.low_end, low), r.high,
-               loads_at(a, r.high_end, high));
+               text_show(two, a->text.name[d->b]), d->normal, r.shear, r.e,
+               bed_number(r.low, from), loads_at(a, r.low_end, low),
+               bed_number(r.high, to), loads_at(a, r.high_end, high));
         if (d->interfaces > 1)
             printf(", a bed of %d contacts", d->interfaces);
         printf("\n");
@@ -191,7 +206,7 @@ static inline void json_beds(const struct analysis *a)
     struct bed_row r;
     printf(", \"beds\": [");
     for (int i = 0; i < beds; i++) {
-        if (!bed_row_of(&bed[i], &r))
+        if (!bed_row_of(a, &bed[i], &r))
             continue;
         printf("%s{", comma);
         json_string("a", a->text.name[bed[i].a]);
@@ -201,7 +216,7 @@ static inline void json_beds(const struct analysis *a)
         json_number("x", (double)r.at.x);
         json_number("y", (double)r.at.y);
         json_number("normal", bed[i].normal);
-        json_number("tangential", bed[i].shear);
+        json_number("tangential", r.shear);
         json_number("eccentricity", r.e);
         json_number("x1", (double)r.low_end.x);
         json_number("y1", (double)r.low_end.y);

@@ -26,18 +26,6 @@ static inline double tidy(const struct analysis *a, double x)
     return fabs(x) < 2e-6 * mean_size(a) ? 0 : x;
 }
 
-/* The unit of forces; NULL: not known. With a density of the command line, and
-   metres, it is that of SI. */
-static inline const char *loads_unit(const struct analysis *a)
-{
-    if (a->text.force_units)
-        return a->text.force_units;
-    return a->text.units && strcmp(a->text.units, "m") == 0
-                && a->set->drawing.density_words > 0
-             ? "N"
-             : NULL;
-}
-
 /* A quantity with its unit, of a slice of depth 1, where units are known:
    `per_length` times a length under the force. */
 static inline const char *loads_number(const struct analysis *a, double value,
@@ -46,7 +34,7 @@ static inline const char *loads_number(const struct analysis *a, double value,
     const struct text_file *t = &a->text;
     char force[TEXT_SHOW_ROOM], length[TEXT_SHOW_ROOM];
     const double shown = fabs(value) < 1e-12 ? 0 : value;
-    const char *unit = loads_unit(a);
+    const char *unit = t->force_units;
     if (!unit)
         snprintf(out, LOADS_QUANTITY, "%.4g", shown);
     else if (per_length == 0)

@@ -158,11 +158,12 @@ static inline void draw_axle(const struct draw_view *v,
     char value[40];
     if (!(cone > 0) && sweep_top(a, w->x, &y) < 0)
         return;
-    const struct draw_pt from = draw_place(v, w->x, y);
-    const struct draw_pt to = draw_vec(from.x, from.y + 26);
-    draw_arrow(v->out, from, to, 8, DRAW_LIVE);
+    struct draw_pt from = draw_place(v, w->x, y), to;
+    from.y = fmax(from.y, v->top + 2); /* the road may be out of view */
+    to = draw_vec(from.x, from.y + 26);
+    draw_arrow(v->out, from, to, 2, DRAW_LIVE);
     snprintf(value, sizeof value, "%.4g", w->force);
-    draw_text(v->out, from.x + 5, from.y + 11, 9, "start", value,
+    draw_text(v->out, from.x + 6, from.y + 10, 10, "start", value,
               strlen(value));
 }
 

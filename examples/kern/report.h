@@ -35,8 +35,8 @@ static inline void report_drawing(const struct analysis *a)
     char kind[TEXT_SHOW_ROOM], label[TEXT_SHOW_ROOM];
     if (!a->drawing.made)
         return;
-    printf("%s: reads %d block%s of a %s%s%s\n", a->file, a->text.blocks,
-           plural(a->text.blocks), s->photograph ? "photograph" : "drawing",
+    printf("%s: reads %d block%s of a %s%s%s\n", a->file, stones(a),
+           plural(stones(a)), s->photograph ? "photograph" : "drawing",
            s->units ? ", in " : "", s->units ? s->units : "");
     for (const char *n = s->notes.at, *end; *n; n = end + 1) {
         end = strchr(n, '\n');
@@ -257,11 +257,14 @@ static inline void write_move(FILE *out, const struct analysis *a,
                                              : "");
 }
 
+static inline void plain_text(FILE *out, const char *text) { fputs(text, out); }
+
 /* The stones of a group that moves as one, and how. Returns 0, and writes
    nothing, where there are none: pushes that slide. */
 static inline int write_group(FILE *out, const struct analysis *a,
                               const kern_critical *moving, int group,
-                              const char *head)
+                              const char *head,
+                              void (*text)(FILE *, const char *))
 {
     enum { NAMES = 6 };
     char shown[TEXT_SHOW_ROOM];
@@ -273,8 +276,11 @@ static inline int write_group(FILE *out, const struct analysis *a,
             lead = i;
             fprintf(out, "%s", head);
         }
-        if (names++ < NAMES)
-            fprintf(out, "%s%s", names > 1 ? " " : "", name_of(a, i, shown));
+        if (names < NAMES) {
+            fputs(names > 0 ? " " : "", out);
+            text(out, name_of(a, i, shown));
+        }
+        names++;
     }
     if (lead < 0)
         return 0;
@@ -293,7 +299,7 @@ static inline void report_collapse(const struct analysis *a)
     kern_critical moving = find_groups(a);
     int rest = 0;
     for (int group = 0; group < moving.groups && group < GROUPS; group++)
-        if (write_group(stdout, a, &moving, group, head))
+        if (write_group(stdout, a, &moving, group, head, plain_text))
             head = "              ";
     for (int i = 0; i < stones(a) && moving.groups > GROUPS; i++)
         rest += moving.group[i] >= GROUPS;
@@ -550,6 +556,12 @@ static inline void report_unheard(const struct analysis *a)
     }
     if (!*head)
         printf("\n");
+    const struct shapes_asked *drawing = &set->drawing;
+    if (!a->drawing.made
+        && (drawing->layers > 0 || drawing->has_ground
+            || drawing->friction_words > 0 || drawing->phi > 0))
+        printf("  the file is no drawing, without effect: --layer, --ground, "
+               "--phi, --mu NAME=MU\n");
     if (pose_error(a) > 0 && !a->text.given && shrinkage(a) > 0)
         printf("  whether it is certain within the error is not told with "
                "--at\n");

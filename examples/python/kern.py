@@ -215,7 +215,8 @@ class _Asked(ctypes.Structure):
                 ("densities", c_void_p), ("density_words", c_int),
                 ("has_ground", c_int), ("ground", c_double),
                 ("pixel", c_double), ("tolerance", c_double),
-                ("image", c_char_p)]
+                ("image", c_char_p), ("frictions", c_void_p),
+                ("friction_words", c_int), ("phi", c_double)]
 
 
 _LAYOUTS = {
