@@ -336,6 +336,10 @@ static int name_option(struct settings *set, char **argv, int *i)
         return set->stays && set->stays[0]
                  ? 0
                  : bad_use("a block, or all, is missing after", "--stays");
+    if (args_value(argv, i, "--thrust", &set->thrust))
+        return set->thrust && set->thrust[0]
+                 ? 0
+                 : bad_use("a fixed block is missing after", "--thrust");
     if (args_value(argv, i, "--c", &set->c_file))
         return output_option("--c", set->c_file, ".h");
     if (args_value(argv, i, "--kern", &set->kern_file))

@@ -408,6 +408,25 @@ hand_in() { # drawings of the bridge and the wall, and a photograph: the answers
         refuses "--mu takes a number not below zero" --mu a=b $wall
 }
 
+thrust() { # the least and the greatest of a support: of a stone that friction
+    # holds by 2 under a load of 5; symmetric
+    local kern stone
+    kern=$(program kern examples/kern.c) && stone=$out/stone.kern || return 1
+    printf '%s\n' 'gravity 0 -10' 'fixed g -3 -1 3 -1 3 0 -3 0' 'friction 2' \
+        'block a 2 0 0 1 0 1 2 0 2' 'fixed r 1 0 2 0 2 2 1 2' \
+        'friction 0 a r' >"$stone"
+    says '[0, 40]: to the left, of r' --thrust r "$stone" &&
+        printf '%s\n' 'friction .1 a g' 'load a 5 0 .5 .5' >>"$stone" &&
+        says '[3, 7]: to the left, of r' --thrust r "$stone" || return 1
+    stone=examples/structures/prestwood.kern
+    says '[6.039 kN, 65.28 kN]: to the left' --thrust right $stone &&
+        says '[-65.28 kN, -6.039 kN]: to the left' --thrust left $stone &&
+        "$kern" --json --thrust right $stone >"$out/thrust.json" &&
+        "$kern" --help >"$out/help" &&
+        $judge keys "$out/thrust.json" "$out/help" &&
+        refuses "--thrust: there is no fixed block 'v1'" --thrust v1 $stone
+}
+
 kept() { # no picture is written over a structure
     local kern place
     kern=$(program kern examples/kern.c) &&

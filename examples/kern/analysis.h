@@ -13,6 +13,7 @@
 #include "asked.h"
 #include "crush.h"
 #include "sweep.h"
+#include "thrust.h"
 
 #include <limits.h>
 #include <math.h>
@@ -247,6 +248,8 @@ static inline int measure(struct analysis *a)
         return -1;
     if (a->set->sweep > 0 && find_sweep(a))
         return -1;
+    if (a->set->thrust && find_thrust(a))
+        return -1;
     show_stage(a, "  profile ...");
     if (a->set->profile)
         find_profile(a);
@@ -303,6 +306,12 @@ static inline int check_asked(struct analysis *a)
     if (stays && !found)
         return fail(a, 0, "--stays: there is no free block '%s'",
                     text_show(shown, stays));
+    if (a->set->thrust && thrust_support(a) < 0)
+        return fail(a, 0, "--thrust: there is no fixed block '%s'",
+                    text_show(shown, a->set->thrust));
+    if (a->set->thrust
+        && (fabs((double)a->text.gravity.x) > 0 || !(a->text.gravity.y < 0)))
+        return fail(a, 0, "--thrust: gravity straight down is expected");
     if (stays && !(gravity_of(a) > 0))
         return fail(a, 0, "--stays: there is no gravity");
     return 0;

@@ -119,6 +119,21 @@ static inline void loads_strength(const struct analysis *a,
              a->settled ? "" : ", and did not settle");
 }
 
+/* What --thrust found. */
+static inline void loads_thrust(const struct analysis *a, char out[LOADS_ROOM])
+{
+    char one[LOADS_QUANTITY], two[LOADS_QUANTITY], name[TEXT_SHOW_ROOM];
+    if (isnan(a->thrust_most))
+        snprintf(out, LOADS_ROOM, "undecided");
+    else
+        snprintf(out, LOADS_ROOM,
+                 "[%.60s, %.60s]: to the left, of %.60s; one end as it gives "
+                 "way, the other as it is pressed in",
+                 loads_number(a, a->thrust_least, 0, one),
+                 loads_number(a, a->thrust_most, 0, two),
+                 text_show(name, a->set->thrust));
+}
+
 /* Calls `line` with each word and its sentence. */
 static inline void loads_each(const struct analysis *a,
                               void (*line)(const char *word, const char *what,

@@ -138,6 +138,11 @@ static inline void page_results(FILE *out, const struct analysis *a)
     fputs("<table>\n", out);
     page_margin(out, a);
     page_factors(out, a);
+    if (a->set->thrust && a->shown == KERN_STANDS) {
+        char thrust[LOADS_ROOM];
+        loads_thrust(a, thrust);
+        page_row(out, "thrust", "", thrust);
+    }
     if (most >= 0) {
         const kern_contact *c = &a->task.s.contact[most];
         snprintf(means, sizeof means,

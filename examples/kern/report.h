@@ -747,6 +747,15 @@ static inline void report_near(const struct analysis *a)
                 : "");
 }
 
+static inline void report_thrust(const struct analysis *a)
+{
+    char thrust[LOADS_ROOM];
+    if (!a->set->thrust || a->shown != KERN_STANDS)
+        return;
+    loads_thrust(a, thrust);
+    loads_print("thrust", thrust, NULL);
+}
+
 static inline void report(const struct analysis *a)
 {
     report_structure(a);
@@ -775,8 +784,8 @@ static inline void report(const struct analysis *a)
     report_loads(a);
     if (a->set->raised)
         report_raised_loads(a);
-    if (a->sweeps > 0)
-        report_sweep(a);
+    report_thrust(a);
+    report_sweep(a);
     if (a->set->forces)
         report_forces(a);
     if (a->set->forces)

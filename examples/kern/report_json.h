@@ -305,6 +305,7 @@ static inline void json_unbounded(const struct analysis *a, int good)
         {"raised_load_right", a->raised_load[RIGHT], 1},
         {"raised_live", a->raised_load[LIVE], a->set->raised},
         {"live", a->live, a->text.lives > 0},
+        {"thrust_most", a->thrust_most, a->set->thrust != NULL},
     };
     const char *comma = "";
     printf(", \"unbounded\": [");
@@ -418,6 +419,10 @@ static inline void json_loads(const struct analysis *a, int asked)
     if (a->text.lives > 0) {
         json_known("live_least", a->live_least, asked);
         json_known("live", a->live, asked);
+    }
+    if (a->set->thrust) {
+        json_known("thrust_least", a->thrust_least, asked);
+        json_known("thrust_most", a->thrust_most, asked);
     }
     if (a->set->sweep > 0)
         json_sweep(a);

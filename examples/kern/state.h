@@ -29,7 +29,7 @@ struct settings { /* of the command line; numbers < 0: not given */
     kern_real own_error, own_turn; /* of --error                          */
     int relative, forces, mechanism, profile, touching, json, verdict_only;
     int raised, sequence, mechanism_live, lone;
-    const char *svg, *page, *c_file, *kern_file, *stays;
+    const char *svg, *page, *c_file, *kern_file, *stays, *thrust;
     struct shapes_asked drawing; /* of drawings and photographs         */
     const char *layer[LABELS_MOST], *density[LABELS_MOST],
         *friction[LABELS_MOST];
@@ -87,7 +87,8 @@ struct analysis {
     double crushed;            /* how far an end has moved in at most        */
     int settled;               /* the forces no longer move ends             */
 
-    struct swept *swept; /* the live load at each place       */
+    double thrust_least, thrust_most; /* of --thrust, to the left     */
+    struct swept *swept;              /* the live load at each place       */
     int sweeps;
 
     kern_status let_go;   /* all blocks at once, of real contacts */
@@ -295,7 +296,7 @@ static const char *const open_name[] = {
     "tilt_left", "tilt_right", "profile", "live", "certain", "raised", "bears",
     "least_friction", "sequence", "stays", "sweep", "raised_load_left",
     "raised_load_right", "raised_live", "live_least",
-    "least_friction_let_go"
+    "least_friction_let_go", "thrust_most"
 };
 /* clang-format on */
 enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
@@ -334,6 +335,11 @@ static inline int is_open_certain(const struct analysis *a)
         && a->certain < 0;
 }
 
+static inline int is_open_thrust(const struct analysis *a)
+{
+    return a->set->thrust && a->shown == KERN_STANDS && isnan(a->thrust_most);
+}
+
 static inline int is_open_live(const struct analysis *a)
 {
     return a->lived < 0 || (a->lived == KERN_STANDS && isnan(a->live));
@@ -363,7 +369,8 @@ static inline unsigned open_questions(const struct analysis *a)
                             a->set->raised && a->cut[RIGHT],
                             a->set->raised && a->cut[LIVE],
                             a->lived < 0,
-                            a->slid_let_go == KERN_LIMIT};
+                            a->slid_let_go == KERN_LIMIT,
+                            is_open_thrust(a)};
     unsigned bits = 0;
     for (int k = 0; k < OPENS_MOST; k++)
         bits |= open[k] ? 1u << k : 0;

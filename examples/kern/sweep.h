@@ -302,6 +302,8 @@ static inline void report_sweep(const struct analysis *a)
 {
     const int least = sweep_least(a);
     char shown[TEXT_SHOW_ROOM];
+    if (a->sweeps == 0)
+        return;
     printf("  sweep       %11s %11s %11s", "x", "y", "live");
     printf(a->set->raised ? " %11s  on\n" : "  on\n", "raised live");
     for (int k = 0; k < a->sweeps; k++) {
