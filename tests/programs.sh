@@ -348,6 +348,14 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
         "$kern" --verdict "$out/high.kern" | grep -q stands &&
         sed 's/^earth right 6.096/earth right 7.7/' $wall >"$out/high.kern" &&
         ! "$kern" --verdict "$out/high.kern" >"$out/o" || return 1
+    # as a live load its pressure may grow by the factor by which its weight may
+    sed 's/^earth.*/& live/' $wall >"$out/live.kern" &&
+        says ', on 20 faces: live load' "$out/live.kern" &&
+        says '[0, 1.924]: factors' "$out/live.kern" &&
+        sed 's/13.67/26.28/' $wall >"$out/heavy.kern" &&
+        "$kern" --verdict "$out/heavy.kern" | grep -q stands &&
+        sed 's/13.67/26.33/' $wall >"$out/heavy.kern" &&
+        ! "$kern" --verdict "$out/heavy.kern" >"$out/o" || return 1
     # a stone 1 wide and 2 tall of the weight 20 crushes by 20 / (2 40) at its toe
     printf '%s\n' 'gravity 0 -10' 'fixed g -3 -1 3 -1 3 0 -3 0' 'friction 2' \
         'block a 2 0 0 1 0 1 2 0 2' 'live a 1 0 0 2' 'strength 40' \

@@ -274,6 +274,9 @@ static void soils(void)
     sum_is(STONE "fill 3 .5\n", 0, -5, .5, 2.5, "fill");
     sum_is(STONE "fill 3 .5 from 0.5 to 9\n", 0, -2.5, .75, 2.5,
            "a part of the fill");
+    is_close(factor_of(STONE "friction 2\nbond 1e-12\n"
+                             "earth left 2 .6 30 0 live\n"),
+             20 * .5 / (4 * 2 / 3.), "earth as live load");
     is_close(factor_of(PUSHED "fill 3 .5\nstrength 9\n"), 25 * .5 / 2,
              "fill holds down");
     is_close(factor_of(LEDGE "axle 1.5 1\n"), 8, "an axle");
@@ -304,6 +307,9 @@ static void soil_refused(void)
                                   "expected, read '31'"},
         {"earth right 3 2 30 0 water 2 2", "the density of water, below that "
                                            "of the earth, is expected"},
+        {"earth right 3 2 30 0 x",
+         "earth: surcharge, water, live or the end of "
+         "the line is expected, read 'x'"},
         {"earth right -2 2 30 0", "earth: no free block is below its top, -2"},
         {"prop a 0 0 1 1 3", "prop: a direction is expected, read 0 0"},
         {"prop g 1 0 1 1 3", "prop: a block that is not fixed is expected"},

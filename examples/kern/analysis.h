@@ -291,6 +291,18 @@ static inline int check_lengths(struct analysis *a)
     return 0;
 }
 
+/* A support is fixed, and gravity tells what is horizontal. */
+static inline int check_thrust(struct analysis *a)
+{
+    char shown[TEXT_SHOW_ROOM];
+    if (thrust_support(a) < 0)
+        return fail(a, 0, "--thrust: there is no fixed block '%s'",
+                    text_show(shown, a->set->thrust));
+    if (fabs((double)a->text.gravity.x) > 0 || !(a->text.gravity.y < 0))
+        return fail(a, 0, "--thrust: gravity straight down is expected");
+    return 0;
+}
+
 /* What is asked about must be in the file. */
 static inline int check_asked(struct analysis *a)
 {
@@ -299,22 +311,18 @@ static inline int check_asked(struct analysis *a)
     int found = 0;
     for (int i = 0; stays && i < a->task.s.blocks; i++)
         found |= is_asked(a, i);
-    if (a->text.lives == 0 && (a->set->sweep > 0 || a->set->mechanism_live))
+    const int moving = a->text.lives - a->text.spread + a->text.wheels;
+    if ((a->set->sweep > 0 && moving == 0)
+        || (a->set->mechanism_live && a->text.lives == 0))
         return fail(a, 0,
                     "%s: no live load ('live NAME FX FY X Y', 'axle X FORCE')",
                     a->set->sweep > 0 ? "--sweep" : "--mechanism live");
     if (stays && !found)
         return fail(a, 0, "--stays: there is no free block '%s'",
                     text_show(shown, stays));
-    if (a->set->thrust && thrust_support(a) < 0)
-        return fail(a, 0, "--thrust: there is no fixed block '%s'",
-                    text_show(shown, a->set->thrust));
-    if (a->set->thrust
-        && (fabs((double)a->text.gravity.x) > 0 || !(a->text.gravity.y < 0)))
-        return fail(a, 0, "--thrust: gravity straight down is expected");
     if (stays && !(gravity_of(a) > 0))
         return fail(a, 0, "--stays: there is no gravity");
-    return 0;
+    return a->set->thrust ? check_thrust(a) : 0;
 }
 
 /* Contacts shrink by no more than all of them. */

@@ -77,10 +77,11 @@ static inline void loads_line(const struct analysis *a, int i,
     }
     if (s->kind == TEXT_EARTH) {
         snprintf(out, LOADS_ROOM,
-                 "%.60s to the %s and %.60s %s, through %s, on %d face%s",
+                 "%.60s to the %s and %.60s %s, through %s, on %d face%s%s",
                  loads_number(a, fabs(fx), 0, one), fx < 0 ? "left" : "right",
                  loads_number(a, fabs(fy), 0, two), fy > 0 ? "up" : "down",
-                 loads_at(a, s->sum.at, at), s->blocks, plural(s->blocks));
+                 loads_at(a, s->sum.at, at), s->blocks, plural(s->blocks),
+                 s->live ? ": live load" : "");
         return;
     }
     int n = snprintf(out, LOADS_ROOM, "weighs %.60s about %s on %d face%s",

@@ -205,7 +205,7 @@ static inline int draw_to(FILE *out, const struct analysis *a)
     scene.caption = caption;
     if (a->set->profile && a->profiled >= 0)
         colour(a, &scene);
-    if (a->text.lives == a->text.spread)
+    if (a->text.wheels > 0 && a->text.lives == a->text.spread)
         scene.live = NULL; /* the axles are drawn themselves */
     scene.over = draw_soil;
     scene.data = a;

@@ -27,9 +27,10 @@
        fill TOP DENSITY [phi PHI] [from X1 to X2]     soil on the upper outline:
                                                       its weight and, with PHI,
                                                       what it pushes back
-       earth SIDE TOP DENSITY PHI DELTA [surcharge Q] [water LEVEL DENSITY]
+       earth SIDE TOP DENSITY PHI DELTA [surcharge Q] [water LEVEL DENSITY] [live]
                                                       active pressure on the left
-                                                      or right outline
+                                                      or right outline; live: its
+                                                      factor is asked for
        axle X FORCE [WIDTH]                           live load downwards, which
                                                       fill spreads
        prop NAME FX FY X Y MOST                       a push from 0 to MOST
@@ -91,6 +92,7 @@ struct text_soil {
     struct soil_earth earth;  /* angles in rad; of fill top and phi      */
     kern_vec way, at;         /* of prop: direction and place            */
     struct soil_force sum;    /* weight or thrust, and where it acts        */
+    int live;                 /* nonzero: it is a part of the live load     */
     int blocks;               /* on how many blocks                         */
     int props;                /* and with how many pushes                   */
     double most;              /* that are this large in all                 */
@@ -129,7 +131,7 @@ struct text_file {
     struct text_axle *wheel; /* the statements `axle`                         */
     struct text_soil *soil;  /* the statements fill, earth, prop              */
     int wheels, soils;
-    int spread; /* the last of `lives` that axles have made               */
+    int spread; /* the last of `lives` that axles and earth made         */
     int props;  /* the last of `blocks` that push, as props do            */
     int found;  /* nonzero: `given` contacts were found here              */
     double bond, strength; /* 0: none                                         */
@@ -774,7 +776,23 @@ static int text_fill(struct text_reader *r)
     return 0;
 }
 
-/* SIDE TOP DENSITY PHI DELTA [surcharge Q] [water LEVEL DENSITY] */
+/* Reads the level of water in earth, and its density. */
+static int text_wet(struct text_reader *r, struct text_soil *s)
+{
+    kern_real water = 0;
+    char *word;
+    if (text_double(r, TEXT_ANY, &s->earth.level))
+        return -1;
+    word = text_next(r);
+    if (!text_number(word, &water) || !(water > 0)
+        || !((double)water < s->density))
+        return text_expect(r, "the density of water, below that of the earth,",
+                           word);
+    s->earth.water = (double)water;
+    return 0;
+}
+
+/* SIDE TOP DENSITY PHI DELTA [surcharge Q] [water LEVEL DENSITY] [live] */
 static int text_earth(struct text_reader *r)
 {
     struct text_soil *s = text_begin_soil(r, TEXT_EARTH);
@@ -796,20 +814,15 @@ static int text_earth(struct text_reader *r)
             return -1;
         word = text_next(r);
     }
-    if (*word) {
-        if (strcmp(word, "water") != 0)
-            return text_expect(r, "surcharge, water or the end of the line",
-                               word);
-        if (text_double(r, TEXT_ANY, &s->earth.level))
+    if (strcmp(word, "water") == 0) {
+        if (text_wet(r, s))
             return -1;
         word = text_next(r);
-        kern_real water = 0;
-        if (!text_number(word, &water) || !(water > 0)
-            || !((double)water < s->density))
-            return text_expect(
-                r, "the density of water, below that of the earth,", word);
-        s->earth.water = (double)water;
     }
+    s->live = strcmp(word, "live") == 0;
+    if (*word && !s->live)
+        return text_expect(r, "surcharge, water, live or the end of the line",
+                           word);
     r->t->soils++;
     return 0;
 }
@@ -978,6 +991,26 @@ static int text_lay(struct text_reader *r, struct text_soil *s,
     return 0;
 }
 
+/* Adds a force to the live load. */
+static int text_add_live(struct text_reader *r, int block, struct soil_force f)
+{
+    struct text_file *t = r->t;
+    struct text_live *l = realloc(t->axle, (size_t)(t->lives + 1) * sizeof *l);
+    kern_block alone = t->block[block];
+    if (!l)
+        return text_no_memory(t);
+    t->axle = l;
+    l += t->lives++;
+    t->spread++;
+    l->block = block;
+    l->force = f.force;
+    l->place = f.at;
+    alone.load = t->live[block];
+    kern_block_load(&alone, f.force, f.at, 0);
+    t->live[block] = alone.load;
+    return text_check_load(r, &alone.load);
+}
+
 /* Adds a force on a piece of a back, as its side sees it, to the block. */
 static int text_press(struct text_reader *r, struct text_soil *s, int block,
                       struct soil_force f)
@@ -990,6 +1023,8 @@ static int text_press(struct text_reader *r, struct text_soil *s, int block,
     if (!(fabs((double)f.force.x) + fabs((double)f.force.y) > 0))
         return 0;
     text_sum(s, f);
+    if (s->live)
+        return text_add_live(r, block, f);
     kern_block_load(b, f.force, f.at, 0);
     return text_check_load(r, &b->load);
 }
@@ -1068,7 +1103,7 @@ static int text_back(struct text_reader *r, struct text_soil *s,
         if (text_piece(r, s, e->block, p, q))
             return -1;
     }
-    t->loads++;
+    t->loads += !s->live;
     return 0;
 }
 
@@ -1118,6 +1153,7 @@ static int text_drive(struct text_reader *r, const struct text_surface *above)
     struct text_live *axle = realloc(t->axle, (size_t)(t->lives + t->blocks)
                                                   * sizeof *axle);
     int bad = !pattern || !axle;
+    const int before = t->spread;
     if (axle)
         t->axle = axle;
     r->statement = "axle";
@@ -1141,7 +1177,7 @@ static int text_drive(struct text_reader *r, const struct text_surface *above)
         t->spread++;
     }
     free(pattern);
-    if (!bad && t->spread == 0)
+    if (!bad && t->spread == before)
         return text_fail(t, "axle: no free block is below one");
     return bad && t->message[0] ? -1 : bad ? text_no_memory(t) : 0;
 }
