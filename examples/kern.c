@@ -7,10 +7,12 @@
 
        state.h        settings, and what was found of one file
        analysis.h     reads, finds contacts, decides, measures
-       asked.h, sweep.h, place.h   what options and statements ask for beyond
-                           that
-       report.h, report_json.h, picture.h, c_arrays.h    what is written
-       help.h, usage.h    what --help prints
+       asked.h, sweep.h, crush.h, place.h   what options and statements ask for
+                           beyond that
+       loads.h, beds.h      what statements put where, one resultant a bed
+       report.h, report_json.h, page.h, picture.h, c_arrays.h, statements_file.h
+                           what is written
+       help.h, usage.h      what --help prints
 
        cc -O2 -o kern examples/kern.c -lm
        ./kern --svg wall.svg examples/structures/wall-60.kern
@@ -28,6 +30,7 @@
 
 #include "kern/analysis.h"
 #include "kern/c_arrays.h"
+#include "kern/page.h"
 #include "kern/picture.h"
 #include "kern/report.h"
 #include "kern/report_json.h"
@@ -103,6 +106,8 @@ static int write_files(const struct analysis *a)
         bad |= draw_sweep(a);
     if (a->set->kern_file)
         bad |= write_kern(a);
+    if (a->set->page)
+        bad |= write_page(a);
     return (a->set->c_file && write_c(a)) || bad;
 }
 
@@ -179,7 +184,7 @@ static int bad_use(const char *what, const char *word)
     return -1;
 }
 
-enum kind { POSITIVE, NOT_NEGATIVE, ANGLE, PLACES, UNITS, ANY };
+enum kind { POSITIVE, NOT_NEGATIVE, ANGLE, PLACES, UNITS, ANY, DEGREES };
 
 static int is_of_kind(enum kind kind, double x)
 {
@@ -190,6 +195,7 @@ static int is_of_kind(enum kind kind, double x)
     case ANGLE: return x >= 0 && x < 0.5;
     case PLACES: return whole && x >= 1 && x <= 10000;
     case ANY: return 1;
+    case DEGREES: return x >= 5 && x <= 60;
     default: return whole && x >= 0 && x <= 2e9;
     }
 }
@@ -203,12 +209,13 @@ static int number_option(const char *name, const char *value, enum kind kind,
         "angle in radians from 0 to below 0.5",
         "whole number from 1 to 10,000",
         "whole number from 1 to 2,000,000,000, or 0",
-        "number"};
+        "number",
+        "angle in degrees from 5 to 60"};
     if (!value)
         return bad_use("a number is missing after", name);
     if (!text_number(value, out) || !is_of_kind(kind, (double)*out)) {
         fprintf(stderr, "kern: %s takes a%s %s, read '%s'\n", name,
-                kind == ANGLE ? "n" : "", what[kind], value);
+                kind == ANGLE || kind == DEGREES ? "n" : "", what[kind], value);
         return -1;
     }
     return 0;
@@ -280,6 +287,23 @@ static int density_option(struct settings *set, const char *value)
     return 0;
 }
 
+/* MU, NAME=MU, or NAME,NAME=MU. */
+static int mu_option(struct settings *set, const char *value)
+{
+    const char *number = value ? strrchr(value, '=') : NULL;
+    kern_real mu;
+    if (!number)
+        return number_option("--mu", value, NOT_NEGATIVE, &set->mu);
+    if (number == value)
+        return bad_use("NAME=MU is missing after", "--mu");
+    if (number_option("--mu", number + 1, NOT_NEGATIVE, &mu))
+        return -1;
+    if (set->drawing.friction_words == LABELS_MOST)
+        return bad_use("more than 100 options", "--mu");
+    set->friction[set->drawing.friction_words++] = value;
+    return 0;
+}
+
 /* An option of drawings and photographs. Returns 0 where it is fine, 1 where it
    is another one. */
 static int drawing_option(struct settings *set, char **argv, int *i)
@@ -289,6 +313,8 @@ static int drawing_option(struct settings *set, char **argv, int *i)
         return layer_option(set, value);
     if (args_value(argv, i, "--density", &value))
         return density_option(set, value);
+    if (args_value(argv, i, "--mu", &value))
+        return mu_option(set, value);
     if (args_value(argv, i, "--image", &set->drawing.image))
         return set->drawing.image
                  ? 0
@@ -298,6 +324,8 @@ static int drawing_option(struct settings *set, char **argv, int *i)
         set->drawing.has_ground = 1;
         return number_option("--ground", value, ANY, &set->ground);
     }
+    if (args_value(argv, i, "--phi", &value))
+        return number_option("--phi", value, DEGREES, &set->phi);
     if (args_value(argv, i, "--pixel", &value))
         return number_option("--pixel", value, POSITIVE, &set->pixel);
     return 1;
@@ -326,10 +354,16 @@ static int name_option(struct settings *set, char **argv, int *i)
         return set->place && set->place[0]
                  ? 0
                  : bad_use("the file of a stone is missing after", "--place");
+    if (args_value(argv, i, "--thrust", &set->thrust))
+        return set->thrust && set->thrust[0]
+                 ? 0
+                 : bad_use("a fixed block is missing after", "--thrust");
     if (args_value(argv, i, "--c", &set->c_file))
         return output_option("--c", set->c_file, ".h");
     if (args_value(argv, i, "--kern", &set->kern_file))
         return output_option("--kern", set->kern_file, ".kern");
+    if (args_value(argv, i, "--report", &set->page))
+        return output_option("--report", set->page, ".html");
     if (args_value(argv, i, "--svg", &set->svg))
         return output_option("--svg", set->svg, ".svg");
     return unknown_option(word);
@@ -345,7 +379,6 @@ static int read_option(void *settings, char **argv, int *i)
         kern_real *out;
     } number[] = {{"--epsilon", POSITIVE, &set->epsilon},
                   {"-e", POSITIVE, &set->epsilon},
-                  {"--mu", NOT_NEGATIVE, &set->mu},
                   {"--gap", POSITIVE, &set->gap},
                   {"--at", NOT_NEGATIVE, &set->at},
                   {"--limit", UNITS, &set->limit},
@@ -405,8 +438,10 @@ static int set_drawing(struct settings *set)
 {
     set->drawing.layer = set->layer;
     set->drawing.densities = set->density;
+    set->drawing.frictions = set->friction;
     set->drawing.ground = (double)set->ground;
     set->drawing.pixel = (double)set->pixel;
+    set->drawing.phi = (double)set->phi;
     set->drawing.tolerance = 1.5;
     for (int i = 0; set->kern_file && i < set->files; i++)
         if (strcmp(set->kern_file, set->file[i]) == 0)

@@ -236,6 +236,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
 {
     static const char *const layer[] = {"stone=ground", "0=fill"};
     static const char *const density[] = {"2", "0=3"};
+    static const char *const friction[] = {"stone=.5", "0,stone=.3"};
     struct shapes_asked asked;
     struct drawing drawing;
     struct text_file t;
@@ -248,6 +249,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
         asked.densities = density;
         asked.density_words = data[length - 1] / 3 % 3;
         asked.has_ground = data[length - 1] / 9 % 2;
+        asked.phi = data[length - 1] % 5 == 0 ? 30 : 0;
+        asked.frictions = friction;
+        asked.friction_words = data[length - 1] / 18 % 3;
         asked.ground = 1.5;
     }
     count_input();

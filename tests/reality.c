@@ -150,11 +150,16 @@ struct arch {
     double load, patch;        /* place, as a share of the span; width [m]  */
     int ellipse, pieces, soil; /* 1: an ellipse; voussoirs; 1: fill acts    */
     double stone, earth, mu;   /* weights [kN/m3], friction of the joints   */
-    double passive;            /* coefficient of what the fill pushes back  */
+    double phi;                /* friction angle of the fill that pushes back */
 };
 
 enum { PIECES = 64 };
 static kern_vec inner[PIECES + 1], outer[PIECES + 1];
+
+static void push(kern_block *block, struct soil_force f)
+{
+    kern_block_load(block, f.force, f.at, 0);
+}
 
 /* Writes the joints of a ring of circular shape. */
 static void circle(const struct arch *a)
@@ -207,6 +212,8 @@ static struct model *ring(const struct arch *a)
 {
     struct model *m = open_model(a->mu, 1e-4 * a->span);
     const double gravity = 9.81, cone = pi / 6;
+    const kern_vec down = at(0, -gravity);
+    struct soil_edge extrados[PIECES];
     double top = a->fill;
     int i, end;
     if (a->ellipse)
@@ -227,25 +234,28 @@ static struct model *ring(const struct arch *a)
     for (i = 0; i < a->pieces; i++) {
         kern_block *b = add(m, inner[i], outer[i], outer[i + 1], inner[i + 1],
                             a->stone / gravity);
+        extrados[i] = (struct soil_edge){outer[i], outer[i + 1], 2 + i, 1};
         if (a->soil)
-            soil_fill(b, outer[i], outer[i + 1], top, a->earth);
+            push(b, soil_fill(outer[i], outer[i + 1], top, a->earth));
     }
-    soil_spread(m->live, m->block, 2, a->pieces, outer,
+    soil_spread(m->live, m->block, extrados, a->pieces,
                 (a->load - .5) * a->span, a->patch, top, a->soil ? cone : 0);
     find_contacts(m);
 
     /* what moves into the fill is pushed back */
-    for (i = 0; i < a->pieces && a->soil && a->passive > 0; i++) {
-        const double high = outer[i + 1].y - outer[i].y;
-        const kern_vec p = at((outer[i].x + outer[i + 1].x) / 2,
-                              (outer[i].y + outer[i + 1].y) / 2);
-        const double most = a->passive * a->earth * (top - p.y) * fabs(high);
-        if (most > 1e-6
-            && soil_prop(m->block, &m->blocks, m->contact, &m->contacts,
-                         m->outline[m->blocks], &m->options, 2 + i, p,
-                         high > 0 ? 1 : -1, most, gravity, .02)
-                   < 0)
+    for (i = 0; i < a->pieces && a->soil && a->phi > 0; i++) {
+        const kern_vec p = outer[i], q = outer[i + 1];
+        const double most = soil_push_back(p, q, top, a->earth, a->phi);
+        if (!(most > 1e-6))
+            continue;
+        if (soil_prop(m->block, m->blocks, m->outline[m->blocks],
+                      m->contact + m->contacts, &m->options, 0, 2 + i,
+                      at((p.x + q.x) / 2, (p.y + q.y) / 2),
+                      at(q.y > p.y ? 1 : -1, 0), most, down, .02)
+            < 0)
             fails("a prop");
+        m->blocks++;
+        m->contacts += 2;
     }
     kern_contact_travels(m->contact, m->contacts);
     return m;
@@ -377,13 +387,9 @@ static void bridges(void)
         const struct bridge *b = &bridge[i];
         double ours[3];
         struct model *m;
-        a = (struct arch){b->span,  b->rise,
-                          b->thick, b->fill,
-                          b->width, b->load,
-                          b->patch, b->ellipse,
-                          40,       1,
-                          21,       20,
-                          .75,      soil_passive(37 * pi / 180)};
+        a = (struct arch){b->span, b->rise,  b->thick,   b->fill,      b->width,
+                          b->load, b->patch, b->ellipse, 40,           1,
+                          21,      20,       .75,        37 * pi / 180};
         m = ring(&a);
         ours[0] = factor_of(m) * b->width;
         for (k = 0; k < 2; k++)
@@ -466,6 +472,15 @@ static int holds(const struct wall *w, double top)
 {
     struct model *m = open_model(w->mu, 1e-4);
     const int courses = (int)(w->height / w->course + .5);
+    const struct soil_earth earth = {
+        top,
+        w->earth,
+        w->phi,
+        w->delta,
+        atan2(w->back_head - w->back_foot, w->height),
+        0,
+        0,
+        0};
     int i, ok;
     add(m, at(-3, -.5), at(6, -.5), at(6, 0), at(-3, 0), 0);
     for (i = 0; i < courses; i++) {
@@ -479,7 +494,7 @@ static int holds(const struct wall *w, double top)
         kern_block *b = add(m, at(w->foot + low * (w->head - w->foot), p.y), p,
                             q, at(w->foot + high * (w->head - w->foot), q.y),
                             w->stone / 9.81);
-        soil_earth(b, p, q, top, w->earth, w->phi, w->delta);
+        push(b, soil_earth(p, q, &earth));
     }
     find_contacts(m);
     ok = stands(m);

@@ -11,8 +11,10 @@
 #include "../parts/args.h"
 #include "../parts/drawing.h"
 #include "asked.h"
+#include "crush.h"
 #include "place.h"
 #include "sweep.h"
+#include "thrust.h"
 
 #include <limits.h>
 #include <math.h>
@@ -117,6 +119,7 @@ static inline void free_analysis(struct analysis *a)
     text_free(&a->stone);
     free(a->place_vertex);
     free(a->stress);
+    free(a->whole);
     free_work(a);
     text_free(&a->text);
     drawing_free(&a->drawing);
@@ -225,6 +228,8 @@ static inline int decide(struct analysis *a, const kern_options *options)
     a->least = a->shown == KERN_STANDS;
     if (!a->least)
         a->shown = kern_verdict(&a->task, shrinkage(a), &proof);
+    if (a->text.strength > 0 && crush_settle(a))
+        return -1;
     if (a->shown == KERN_FALLS) {
         memcpy(a->fall, a->motion, sizeof *a->fall * (size_t)a->task.s.blocks);
         room_falls(&a->task, shrinkage(a), a->fall);
@@ -311,7 +316,7 @@ static inline int measure(struct analysis *a)
         return -1;
     if (a->set->sweep > 0 && find_sweep(a))
         return -1;
-    if (a->set->place && find_places(a))
+    if ((a->set->place && find_places(a)) || (a->set->thrust && find_thrust(a)))
         return -1;
     show_stage(a, "  profile ...");
     if (a->set->profile)
@@ -354,6 +359,18 @@ static inline int check_lengths(struct analysis *a)
     return 0;
 }
 
+/* A support is fixed, and gravity tells what is horizontal. */
+static inline int check_thrust(struct analysis *a)
+{
+    char shown[TEXT_SHOW_ROOM];
+    if (thrust_support(a) < 0)
+        return fail(a, 0, "--thrust: there is no fixed block '%s'",
+                    text_show(shown, a->set->thrust));
+    if (fabs((double)a->text.gravity.x) > 0 || !(a->text.gravity.y < 0))
+        return fail(a, 0, "--thrust: gravity straight down is expected");
+    return 0;
+}
+
 /* What is asked about must be in the file. */
 static inline int check_asked(struct analysis *a)
 {
@@ -362,15 +379,18 @@ static inline int check_asked(struct analysis *a)
     int found = 0;
     for (int i = 0; stays && i < a->task.s.blocks; i++)
         found |= is_asked(a, i);
-    if (a->text.lives == 0 && (a->set->sweep > 0 || a->set->mechanism_live))
-        return fail(a, 0, "%s: no live load ('live NAME FX FY X Y')",
+    const int moving = a->text.lives - a->text.spread + a->text.wheels;
+    if ((a->set->sweep > 0 && moving == 0)
+        || (a->set->mechanism_live && a->text.lives == 0))
+        return fail(a, 0,
+                    "%s: no live load ('live NAME FX FY X Y', 'axle X FORCE')",
                     a->set->sweep > 0 ? "--sweep" : "--mechanism live");
     if (stays && !found)
         return fail(a, 0, "--stays: there is no free block '%s'",
                     text_show(shown, stays));
     if (stays && !(gravity_of(a) > 0))
         return fail(a, 0, "--stays: there is no gravity");
-    return 0;
+    return a->set->thrust ? check_thrust(a) : 0;
 }
 
 /* Contacts shrink by no more than all of them. */

@@ -9,6 +9,7 @@
 #include "../../kern.h"
 
 #include "../parts/room.h"
+#include "crush.h"
 #include "let_go.h"
 #include "state.h"
 
@@ -67,8 +68,6 @@ static inline int fail_blocks(struct analysis *a, kern_status status,
    falls just beyond. */
 static inline void find_live_most(struct analysis *a, kern_block *block)
 {
-    const kern_proof proof = {NULL,
-                              a->set->mechanism_live ? a->collapse : NULL};
     const kern_wrench *live = a->text.live;
     const kern_real least = (kern_real)a->live_least;
     kern_task task = a->task;
@@ -83,7 +82,8 @@ static inline void find_live_most(struct analysis *a, kern_block *block)
         block[i].load.torque += least * live[i].torque;
     }
     task.s.block = block;
-    status = kern_load_factor_of(&task, shrinkage(a), live, &value, &proof);
+    status = crush_factor(a, &task, live,
+                          a->set->mechanism_live ? a->collapse : NULL, &value);
     a->live = a->live_least + value_or_nan(status, value);
 }
 
@@ -187,7 +187,7 @@ static inline int find_sequence(struct analysis *a)
 {
     struct grown g = {0};
     int last, there = open_grown(a, &g);
-    const int blocks = a->task.s.blocks;
+    const int blocks = stones(a); /* before the pushes are there */
     a->sequence = malloc(sizeof *a->sequence * (size_t)blocks);
     a->laid = malloc(sizeof *a->laid * (size_t)blocks);
     there = there && a->sequence && a->laid;

@@ -12,6 +12,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -119,7 +120,73 @@ static inline void colour(const struct analysis *a, struct draw_scene *scene)
             scene->most = fmax(scene->most, (double)a->fate[MARGIN][i]);
 }
 
-static inline int draw(const struct analysis *a)
+/* One piece of fill or earth: from an edge of the outline to a level, or as far
+   from it as a stone is large. */
+static inline void draw_soil_piece(const struct draw_view *v,
+                                   const struct text_soil *s,
+                                   const struct soil_edge *e, double size)
+{
+    const double top = s->earth.top;
+    kern_vec corner[4] = {e->p, e->q, e->q, e->p};
+    kern_block b = {0};
+    if (s->kind == TEXT_FILL) {
+        if (!((double)fmin(e->p.y, e->q.y) < top)
+            || !((double)e->q.x > s->from && (double)e->p.x < s->to))
+            return;
+        corner[2].y = (kern_real)fmax(top, (double)e->q.y);
+        corner[3].y = (kern_real)fmax(top, (double)e->p.y);
+    } else {
+        const double out = s->side == SOIL_LEFT ? -size : size;
+        if (!((double)e->p.y < top))
+            return;
+        corner[1].y = corner[2].y = (kern_real)fmin((double)e->q.y, top);
+        corner[2].x += (kern_real)out;
+        corner[3].x += (kern_real)out;
+    }
+    b.vertex = corner;
+    b.vertices = 4;
+    draw_block(v, &b, NULL, 0,
+               "fill=\"" DRAW_SOIL "\" fill-opacity=\"0.25\" "
+               "stroke=\"none\"");
+}
+
+/* An axle, down from where it stands, with its force. */
+static inline void draw_axle(const struct draw_view *v,
+                             const struct analysis *a, int k)
+{
+    const struct text_axle *w = &a->text.wheel[k];
+    double cone, y = text_road(&a->text, w->x, &cone);
+    char value[40];
+    if (!(cone > 0) && sweep_top(a, w->x, &y) < 0)
+        return;
+    struct draw_pt from = draw_place(v, w->x, y), to;
+    from.y = fmax(from.y, v->top + 2); /* the road may be out of view */
+    to = draw_vec(from.x, from.y + 26);
+    draw_arrow(v->out, from, to, 2, DRAW_LIVE);
+    snprintf(value, sizeof value, "%.4g", w->force);
+    draw_text(v->out, from.x + 6, from.y + 10, 10, "start", value,
+              strlen(value));
+}
+
+/* Draws fill and earth beside the stones that bear it. */
+static inline void draw_soil(const struct draw_view *v, const void *analysis)
+{
+    struct analysis *a = (struct analysis *)(uintptr_t)analysis;
+    for (int i = 0; i < a->text.soils; i++) {
+        const struct text_soil *s = &a->text.soil[i];
+        struct text_surface seen = {NULL, 0};
+        if (s->kind != TEXT_PROP)
+            text_outline(&a->text, s->side, &seen);
+        for (int k = 0; k < seen.edges; k++)
+            if (!a->task.s.block[seen.edge[k].block].fixed)
+                draw_soil_piece(v, s, &seen.edge[k], 0.8 * mean_size(a));
+        free(seen.edge);
+    }
+    for (int k = 0; k < a->text.wheels; k++)
+        draw_axle(v, a, k);
+}
+
+static inline int draw_to(FILE *out, const struct analysis *a)
 {
     char caption[256];
     write_caption(a, caption, sizeof caption);
@@ -143,9 +210,18 @@ static inline int draw(const struct analysis *a)
     scene.shows = a->places * a->place_vertices;
     if (a->set->profile && a->profiled >= 0)
         colour(a, &scene);
+    if (a->text.wheels > 0 && a->text.lives == a->text.spread)
+        scene.live = NULL; /* the axles are drawn themselves */
+    scene.over = draw_soil;
+    scene.data = a;
+    return draw_svg(out, &scene);
+}
+
+static inline int draw(const struct analysis *a)
+{
     FILE *out;
     char *path = open_output(a, a->set->svg, &out);
-    return close_output(path, out, !out || draw_svg(out, &scene));
+    return close_output(path, out, !out || draw_to(out, a));
 }
 
 #endif /* PROGRAM_PICTURE_H */

@@ -7,7 +7,9 @@
 
 #include "../../kern.h"
 
+#include "beds.h"
 #include "let_go.h"
+#include "loads.h"
 #include "state.h"
 #include "place.h"
 #include "sweep.h"
@@ -23,15 +25,6 @@ static inline const char *name_of(const struct analysis *a, int block,
     return text_show(shown, a->text.name[block]);
 }
 
-static inline const char *plural(int count) { return count == 1 ? "" : "s"; }
-
-/* A coordinate without what the width of a bracket left where it should be
-   0. */
-static inline double tidy(const struct analysis *a, double x)
-{
-    return fabs(x) < 2e-6 * mean_size(a) ? 0 : x;
-}
-
 /* A rate that is printed with five decimals, without the sign of a zero. */
 static inline double rate(double x) { return fabs(x) < 5e-6 ? 0 : x; }
 
@@ -43,8 +36,8 @@ static inline void report_drawing(const struct analysis *a)
     char kind[TEXT_SHOW_ROOM], label[TEXT_SHOW_ROOM];
     if (!a->drawing.made)
         return;
-    printf("%s: reads %d block%s of a %s%s%s\n", a->file, a->text.blocks,
-           plural(a->text.blocks), s->photograph ? "photograph" : "drawing",
+    printf("%s: reads %d block%s of a %s%s%s\n", a->file, stones(a),
+           plural(stones(a)), s->photograph ? "photograph" : "drawing",
            s->units ? ", in " : "", s->units ? s->units : "");
     for (const char *n = s->notes.at, *end; *n; n = end + 1) {
         end = strchr(n, '\n');
@@ -80,12 +73,18 @@ static inline const char *length_text(const struct analysis *a, double value,
 
 static inline void report_structure(const struct analysis *a)
 {
-    int blocks = a->task.s.blocks - a->text.fixed, ends = line_points(a);
-    int lines = ends / 2, points = a->task.s.contacts - ends;
+    int blocks = stones(a) - a->text.fixed, ends = line_points(a);
+    int lines = ends / 2;
+    int points = a->task.s.contacts - ends - 2 * a->text.props;
     printf("  structure   %d block%s on %d fixed; ", blocks, plural(blocks),
            a->text.fixed);
-    printf("%d line contact%s and %d point%s%s\n", lines, plural(lines), points,
-           plural(points), a->text.given ? ", given by the file" : "");
+    printf("%d line contact%s and %d point%s%s", lines, plural(lines), points,
+           plural(points),
+           a->text.given && !a->text.found ? ", given by the file" : "");
+    if (a->text.props > 0)
+        printf("; %d push%s as needed", a->text.props,
+               a->text.props == 1 ? "" : "es");
+    printf("\n");
 }
 
 /* Why there is no answer: of a status below 0, or of a number that is missing
@@ -183,21 +182,13 @@ static inline void report_bearing(const struct analysis *a)
         printf("%-8s  length of the shortest contact that it needs, %.3g %% "
                "of the mean block size\n",
                length_text(a, a->bearing, length),
-               100 * a->bearing
-                   / (double)kern_mean_size(a->task.s.block, a->task.s.blocks));
-}
-
-/* Are stresses in Pa (of a slice 1 m thick)? If lengths are in m, and the user
-   gave a density. */
-static inline int is_si(const struct analysis *a)
-{
-    return a->text.units && strcmp(a->text.units, "m") == 0
-        && a->set->drawing.density_words > 0;
+               100 * a->bearing / mean_size(a));
 }
 
 static inline void report_stress(const struct analysis *a)
 {
     int most = most_stressed(a, 0, a->task.s.contacts);
+    char stress[LOADS_QUANTITY];
     char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
     if (most < 0)
         return;
@@ -205,8 +196,8 @@ static inline void report_stress(const struct analysis *a)
     if (isinf(a->stress[most]))
         printf("  stress      any       ");
     else
-        printf("  stress      %-8.4g%s  ", a->stress[most],
-               is_si(a) ? " Pa" : "");
+        printf("  stress      %-8s  ",
+               loads_number(a, a->stress[most], 2, stress));
     printf("mean stress if the most loaded contact, between %s and %s, were "
            "only twice the margin long\n",
            name_of(a, c->a, one), name_of(a, c->b, two));
@@ -231,8 +222,28 @@ static inline void report_limit(const struct analysis *a)
     }
 }
 
+/* The centre about which a block turns; where that is a hinge of the shrunk
+   structure, the corner of the drawing at which it hinges. */
+static inline kern_vec turns_about(const struct analysis *a,
+                                   const kern_block *b, kern_motion v)
+{
+    const double near_by = 1e-4 * mean_size(a);
+    kern_vec centre;
+    centre.x = b->centre.x - v.vy / v.spin;
+    centre.y = b->centre.y + v.vx / v.spin;
+    if (a->shown != KERN_STANDS || a->set->mechanism_live)
+        return centre;
+    for (int k = 0; k < a->task.s.contacts; k++) {
+        const kern_contact *c = &a->task.s.contact[k];
+        const kern_vec p = kern_contact_at(c, a->m.margin, a->set->relative);
+        if (hypot((double)(p.x - centre.x), (double)(p.y - centre.y)) < near_by)
+            return c->p;
+    }
+    return centre;
+}
+
 /* How block i moves, seen with gravity pointing down. */
-static inline void print_move(const struct analysis *a,
+static inline void write_move(FILE *out, const struct analysis *a,
                               const kern_motion *motion, int i)
 {
     kern_motion v = motion[i];
@@ -245,44 +256,64 @@ static inline void print_move(const struct analysis *a,
     double size = sqrt(fabs((double)b->area)), speed = hypot(v.vx, v.vy);
 
     /* Beyond some ten sizes a centre of rotation says less than a direction. */
-    if (fabs(v.spin) * size > 0.1 * speed)
-        printf("tipping %s about (%.4g, %.4g)\n", v.spin < 0 ? "right" : "left",
-               tidy(a, b->centre.x - v.vy / v.spin),
-               tidy(a, b->centre.y + v.vx / v.spin));
-    else if (fabs(down) > 2 * fabs(right))
-        printf("%s\n", down > 0 ? "dropping" : "rising");
+    if (fabs(v.spin) * size > 0.1 * speed) {
+        char at[64];
+        fprintf(out, "tipping %s about %s\n", v.spin < 0 ? "right" : "left",
+                loads_at(a, turns_about(a, b, v), at));
+    } else if (fabs(down) > 2 * fabs(right))
+        fprintf(out, "%s\n", down > 0 ? "dropping" : "rising");
     else
-        printf("sliding %s%s\n", right < 0 ? "left" : "right",
-               down > 0.25 * fabs(right)    ? " and down"
-               : down < -0.25 * fabs(right) ? " and up"
-                                            : "");
+        fprintf(out, "sliding %s%s\n", right < 0 ? "left" : "right",
+                down > 0.25 * fabs(right)    ? " and down"
+                : down < -0.25 * fabs(right) ? " and up"
+                                             : "");
+}
+
+static inline void plain_text(FILE *out, const char *text) { fputs(text, out); }
+
+/* The stones of a group that moves as one, and how. Returns 0, and writes
+   nothing, where there are none: pushes that slide. */
+static inline int write_group(FILE *out, const struct analysis *a,
+                              const kern_critical *moving, int group,
+                              const char *head,
+                              void (*text)(FILE *, const char *))
+{
+    enum { NAMES = 6 };
+    char shown[TEXT_SHOW_ROOM];
+    int lead = -1, names = 0;
+    for (int i = 0; i < stones(a); i++) {
+        if (moving->group[i] != group)
+            continue;
+        if (lead < 0) {
+            lead = i;
+            fprintf(out, "%s", head);
+        }
+        if (names < NAMES) {
+            fputs(names > 0 ? " " : "", out);
+            text(out, name_of(a, i, shown));
+        }
+        names++;
+    }
+    if (lead < 0)
+        return 0;
+    if (names > NAMES)
+        fprintf(out, " and %d more", names - NAMES);
+    fprintf(out, " ");
+    write_move(out, a, shown_fall(a), lead);
+    return 1;
 }
 
 static inline void report_collapse(const struct analysis *a)
 {
-    enum { GROUPS = 5, NAMES = 6 };
-    const char *head = a->shown == KERN_FALLS ? "falls by" : "would fall";
+    enum { GROUPS = 5 };
+    const char *head = a->shown == KERN_FALLS ? "  falls by    "
+                                              : "  would fall  ";
     kern_critical moving = find_groups(a);
-    char shown[TEXT_SHOW_ROOM];
     int rest = 0;
-    for (int group = 0; group < moving.groups && group < GROUPS; group++) {
-        int lead = -1, names = 0;
-        printf("  %-10s  ", head);
-        head = "";
-        for (int i = 0; i < a->task.s.blocks; i++) {
-            if (moving.group[i] != group)
-                continue;
-            if (lead < 0)
-                lead = i;
-            if (names++ < NAMES)
-                printf("%s%s", names > 1 ? " " : "", name_of(a, i, shown));
-        }
-        if (names > NAMES)
-            printf(" and %d more", names - NAMES);
-        printf(" ");
-        print_move(a, shown_fall(a), lead);
-    }
-    for (int i = 0; i < a->task.s.blocks && moving.groups > GROUPS; i++)
+    for (int group = 0; group < moving.groups && group < GROUPS; group++)
+        if (write_group(stdout, a, &moving, group, head, plain_text))
+            head = "              ";
+    for (int i = 0; i < stones(a) && moving.groups > GROUPS; i++)
         rest += moving.group[i] >= GROUPS;
     if (rest > 0)
         printf("              and %d more block%s\n", rest, plural(rest));
@@ -444,13 +475,15 @@ static inline void report_profile(const struct analysis *a)
     }
     printf("  profile     %-10s %11s %11s %11s\n", "block", "margin",
            "load left", "load right");
-    for (int i = 0; i < a->task.s.blocks; i++) {
+    for (int i = 0; i < stones(a); i++) {
         if (a->task.s.block[i].fixed)
             continue;
         printf("              %-10s %11.5f %11.5f %11.5f\n",
                name_of(a, i, shown), (double)a->fate[MARGIN][i],
                (double)a->fate[LOAD_LEFT][i], (double)a->fate[LOAD_RIGHT][i]);
     }
+    if (a->text.props > 0)
+        return; /* the means are of pushes as well */
     printf("              %-10s %11.5f %11.5f %11.5f\n", "mean",
            (double)a->all[MARGIN].mean, (double)a->all[LOAD_LEFT].mean,
            (double)a->all[LOAD_RIGHT].mean);
@@ -527,7 +560,10 @@ static inline void report_unheard(const struct analysis *a)
                   {"--gap", set->gap > 0},
                   {"--overlap", set->overlap > 0},
                   {"--measured", pose_error(a) > 0}};
-    const char *head = "  the file gives its contacts, without effect:";
+    const char *head = a->text.found ? "  contacts are those of the file's "
+                                       "options, without effect:"
+                                     : "  the file gives its contacts, without "
+                                       "effect:";
     for (size_t k = 0; k < sizeof option / sizeof *option; k++) {
         if (!a->text.given || !option[k].asked)
             continue;
@@ -536,6 +572,12 @@ static inline void report_unheard(const struct analysis *a)
     }
     if (!*head)
         printf("\n");
+    const struct shapes_asked *drawing = &set->drawing;
+    if (!a->drawing.made
+        && (drawing->layers > 0 || drawing->has_ground
+            || drawing->friction_words > 0 || drawing->phi > 0))
+        printf("  the file is no drawing, without effect: --layer, --ground, "
+               "--phi, --mu NAME=MU\n");
     if (pose_error(a) > 0 && !a->text.given && shrinkage(a) > 0)
         printf("  whether it is certain within the error is not told with "
                "--at\n");
@@ -578,7 +620,8 @@ static inline void report_lack(const struct analysis *a)
                (double)s->gravity.y);
     report_normals(a);
     for (int i = 0; i < s->blocks && shown < 5; i++) {
-        int touches = s->block[i].fixed || a->text.given;
+        int touches = s->block[i].fixed || i >= stones(a)
+                   || (a->text.given && !a->text.found);
         for (int k = 0; k < s->contacts && !touches; k++)
             touches = s->contact[k].a == i || s->contact[k].b == i;
         if (!touches)
@@ -675,10 +718,11 @@ static inline void report_sequence(const struct analysis *a)
 {
     int weakest = weakest_step(a);
     char shown[TEXT_SHOW_ROOM];
-    printf("  sequence    margin after each block%s\n",
+    printf("  sequence    margin after each block%s%s\n",
+           a->text.props > 0 ? ", without pushes" : "",
            gravity_of(a) > 0 ? ", and the chance that it stays on those before"
                              : "");
-    for (int i = 0; i < a->task.s.blocks; i++)
+    for (int i = 0; i < stones(a); i++)
         if (!a->task.s.block[i].fixed) {
             printf("    %-16s ", name_of(a, i, shown));
             if (isnan(a->sequence[i]))
@@ -728,9 +772,19 @@ static inline void report_near(const struct analysis *a)
                 : "");
 }
 
+static inline void report_thrust(const struct analysis *a)
+{
+    char thrust[LOADS_ROOM];
+    if (!a->set->thrust || a->shown != KERN_STANDS)
+        return;
+    loads_thrust(a, thrust);
+    loads_print("thrust", thrust, NULL);
+}
+
 static inline void report(const struct analysis *a)
 {
     report_structure(a);
+    loads_each(a, loads_print, NULL);
     report_let_go(a);
     if (is_near(a))
         report_near(a);
@@ -755,14 +809,16 @@ static inline void report(const struct analysis *a)
     report_loads(a);
     if (a->set->raised)
         report_raised_loads(a);
-    if (a->sweeps > 0)
-        report_sweep(a);
+    report_thrust(a);
+    report_sweep(a);
     if (a->set->place)
         report_places(a);
     if (a->set->forces)
         report_forces(a);
     if (a->set->forces)
         report_resultants(a);
+    if (a->set->forces)
+        report_beds(a);
     if (a->set->mechanism)
         report_motion(a);
     if (a->set->profile)

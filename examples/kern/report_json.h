@@ -9,7 +9,9 @@
 #include "../../kern.h"
 
 #include "../parts/json.h"
+#include "beds.h"
 #include "let_go.h"
+#include "loads.h"
 #include "state.h"
 #include "place.h"
 #include "sweep.h"
@@ -182,13 +184,14 @@ static inline void json_limits(const struct analysis *a, int good)
 static inline void json_profile(const struct analysis *a, int good)
 {
     int known = good && a->profiled >= 0, first = 1;
-    json_known("progressive_margin", (double)a->all[MARGIN].mean, known);
-    json_known("progressive_load", mean_load(a), known);
-    json_known("weak_margin", (double)a->all[MARGIN].weak, known);
-    json_known("weak_load", weak_load(a), known);
-    json_known("expected_drop", expected_drop(a), known);
+    const int mean = known && a->text.props == 0; /* not of pushes */
+    json_known("progressive_margin", (double)a->all[MARGIN].mean, mean);
+    json_known("progressive_load", mean_load(a), mean);
+    json_known("weak_margin", (double)a->all[MARGIN].weak, mean);
+    json_known("weak_load", weak_load(a), mean);
+    json_known("expected_drop", expected_drop(a), mean);
     printf(", \"profile\": [");
-    for (int i = 0; known && i < a->task.s.blocks; i++) {
+    for (int i = 0; known && i < stones(a); i++) {
         if (a->task.s.block[i].fixed)
             continue;
         printf("%s{", first ? "" : ", ");
@@ -244,7 +247,7 @@ static inline void json_sequence(const struct analysis *a, int good)
 {
     int weakest = good ? weakest_step(a) : -1, first = 1;
     printf(", \"sequence\": [");
-    for (int i = 0; good && i < a->task.s.blocks; i++) {
+    for (int i = 0; good && i < stones(a); i++) {
         if (a->task.s.block[i].fixed)
             continue;
         printf("%s{", first ? "" : ", ");
@@ -275,7 +278,7 @@ static inline void json_stays(const struct analysis *a, int good)
 static inline void json_each(const struct analysis *a, int good)
 {
     printf(", \"stays\": [");
-    for (int i = 0; good && i < a->task.s.blocks; i++) {
+    for (int i = 0; good && i < stones(a); i++) {
         printf("%s{", i > 0 ? ", " : "");
         json_string("block", a->text.name[i]);
         json_flag("fixed", a->task.s.block[i].fixed, 1);
@@ -303,6 +306,7 @@ static inline void json_unbounded(const struct analysis *a, int good)
         {"raised_load_right", a->raised_load[RIGHT], 1},
         {"raised_live", a->raised_load[LIVE], a->set->raised},
         {"live", a->live, a->text.lives > 0},
+        {"thrust_most", a->thrust_most, a->set->thrust != NULL},
     };
     const char *comma = "";
     printf(", \"unbounded\": [");
@@ -363,7 +367,9 @@ static inline void json_drawing(const struct analysis *a)
 static inline void json_structure(const struct analysis *a, int good)
 {
     int lines = good ? line_points(a) : 0;
-    json_count("blocks", a->task.s.blocks - a->text.fixed, good);
+    if (a->text.props > 0)
+        json_count("props", a->text.props, good);
+    json_count("blocks", stones(a) - a->text.fixed, good);
     json_count("fixed", a->text.fixed, good);
     json_count("contact_points", a->task.s.contacts, good);
     json_count("line_contacts", lines / 2, good);
@@ -420,6 +426,10 @@ static inline void json_loads(const struct analysis *a, int asked)
         json_known("live_least", a->live_least, asked);
         json_known("live", a->live, asked);
     }
+    if (a->set->thrust) {
+        json_known("thrust_least", a->thrust_least, asked);
+        json_known("thrust_most", a->thrust_most, asked);
+    }
     if (a->set->sweep > 0)
         json_sweep(a);
     if (a->set->place)
@@ -457,6 +467,8 @@ static inline void report_json(const struct analysis *a)
     json_string("status", status_word(a));
     json_drawing(a);
     json_structure(a, good);
+    if (good)
+        json_soil(a);
     json_let_go(a);
     json_measure(a, good, asked);
     json_limits(a, asked);
@@ -475,10 +487,11 @@ static inline void report_json(const struct analysis *a)
     if (a->set->profile)
         json_profile(a, good);
     json_error(a);
-    if (good && a->set->forces)
+    if (good && a->set->forces) {
         json_contacts(a);
-    if (good && a->set->forces)
         json_thrust(a);
+        json_beds(a);
+    }
     if (good && a->set->mechanism)
         json_motion(a);
     printf("}\n");

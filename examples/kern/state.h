@@ -30,10 +30,11 @@ struct settings { /* of the command line; numbers < 0: not given */
     kern_real own_error, own_turn; /* of --error                          */
     int relative, forces, mechanism, profile, touching, json, verdict_only;
     int raised, sequence, mechanism_live, lone;
-    const char *svg, *c_file, *kern_file, *stays, *place;
+    const char *svg, *page, *c_file, *kern_file, *stays, *place, *thrust;
     struct shapes_asked drawing; /* of drawings and photographs         */
-    const char *layer[LABELS_MOST], *density[LABELS_MOST];
-    kern_real ground, pixel;
+    const char *layer[LABELS_MOST], *density[LABELS_MOST],
+        *friction[LABELS_MOST];
+    kern_real ground, pixel, phi;
     char **file;
     int files;
 };
@@ -89,8 +90,13 @@ struct analysis {
     const char *raised_end[3]; /* of these: why the path ended; NULL: none */
     int cut[3];                /* of these: the limit of work ended it       */
     double *stress;            /* of a line contact at the margin; 0: none   */
+    kern_contact *whole;       /* contacts before stone crushes, NULL: it does
+                                  not                                        */
+    double crushed;            /* how far an end has moved in at most        */
+    int settled;               /* the forces no longer move ends             */
 
-    struct swept *swept; /* the live load at each place       */
+    double thrust_least, thrust_most; /* of --thrust, to the left     */
+    struct swept *swept;              /* the live load at each place       */
     int sweeps;
 
     struct text_file stone; /* of --place                      */
@@ -130,9 +136,39 @@ static inline int fail(struct analysis *a, int line, const char *format, ...)
     return -1;
 }
 
+/* How many blocks are stones or ground. The others, after them, push. */
+static inline int stones(const struct analysis *a)
+{
+    return a->text.blocks - a->text.props;
+}
+
+/* The highest point of the outlines at x. Returns its block; -1: there is
+   none. */
+static inline int sweep_top(const struct analysis *a, double x, double *y)
+{
+    const kern_structure *s = &a->task.s;
+    int top = -1;
+    for (int i = 0; i < stones(a); i++) {
+        const kern_block *b = &s->block[i];
+        for (int k = 0; k < b->vertices; k++) {
+            const kern_vec p = b->vertex[k];
+            const kern_vec q = b->vertex[k + 1 < b->vertices ? k + 1 : 0];
+            double at, along = x - (double)p.x;
+            if ((p.x <= x) == (q.x <= x))
+                continue;
+            at = p.y + along * ((double)q.y - p.y) / ((double)q.x - p.x);
+            if (top >= 0 && at <= *y)
+                continue;
+            *y = at;
+            top = i;
+        }
+    }
+    return top;
+}
+
 static inline double mean_size(const struct analysis *a)
 {
-    return (double)kern_mean_size(a->task.s.block, a->task.s.blocks);
+    return (double)kern_mean_size(a->task.s.block, stones(a));
 }
 
 static inline int fail_memory(struct analysis *a)
@@ -241,7 +277,7 @@ static inline int is_all(const char *word) { return strcmp(word, "all") == 0; }
 static inline int weakest_step(const struct analysis *a)
 {
     int weakest = -1;
-    for (int i = 0; i < a->task.s.blocks; i++)
+    for (int i = 0; i < stones(a); i++)
         if (a->sequence[i] >= 0
             && (weakest < 0 || a->sequence[i] < a->sequence[weakest]))
             weakest = i;
@@ -274,7 +310,7 @@ static const char *const open_name[] = {
     "tilt_left", "tilt_right", "profile", "live", "certain", "raised", "bears",
     "least_friction", "sequence", "stays", "sweep", "raised_load_left",
     "raised_load_right", "raised_live", "live_least",
-    "least_friction_let_go"
+    "least_friction_let_go", "thrust_most"
 };
 /* clang-format on */
 enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
@@ -282,7 +318,7 @@ enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
 /* Is --stays about block i? */
 static inline int is_asked(const struct analysis *a, int i)
 {
-    return !a->task.s.block[i].fixed
+    return !a->task.s.block[i].fixed && i < stones(a)
         && (is_all(a->set->stays)
             || strcmp(a->text.name[i], a->set->stays) == 0);
 }
@@ -291,7 +327,7 @@ static inline int is_asked(const struct analysis *a, int i)
 static inline int is_open_list(const struct analysis *a, const double *list,
                                int stays)
 {
-    for (int i = 0; list && i < a->task.s.blocks; i++)
+    for (int i = 0; list && i < stones(a); i++)
         if (isnan(list[i])
             && (stays ? is_asked(a, i) : !a->task.s.block[i].fixed))
             return 1;
@@ -317,6 +353,11 @@ static inline int is_open_certain(const struct analysis *a)
 {
     return pose_error(a) > 0 && !a->text.given && !(shrinkage(a) > 0)
         && a->certain < 0;
+}
+
+static inline int is_open_thrust(const struct analysis *a)
+{
+    return a->set->thrust && a->shown == KERN_STANDS && isnan(a->thrust_most);
 }
 
 static inline int is_open_live(const struct analysis *a)
@@ -348,7 +389,8 @@ static inline unsigned open_questions(const struct analysis *a)
                             a->cut[RIGHT],
                             a->cut[LIVE],
                             a->lived < 0,
-                            a->slid_let_go == KERN_LIMIT};
+                            a->slid_let_go == KERN_LIMIT,
+                            is_open_thrust(a)};
     unsigned bits = 0;
     for (int k = 0; k < OPENS_MOST; k++)
         bits |= open[k] ? 1u << k : 0;
@@ -403,6 +445,7 @@ static inline struct draw_scene scene_of(const struct analysis *a)
     scene.live = a->text.live;
     scene.mass = a->text.mass;
     scene.masses = a->text.masses;
+    scene.pushes = a->text.props;
     scene.force = a->shown == KERN_STANDS ? a->force : NULL;
     scene.force_name = a->least ? "least forces" : NULL;
     scene.limiting = -1;

@@ -3,7 +3,8 @@
    All statements `live` of the file move together, as the axles of a vehicle
    do, from where the last of them enters to where the first leaves. Each force
    stands on the upper outline, vertically above or below where it was; one that
-   is beyond the structure carries nothing.
+   is beyond the structure carries nothing. Axles spread through fill at each
+   place. The place with the least factor is found, and added.
 
    SPDX-License-Identifier: MIT */
 
@@ -15,6 +16,7 @@
 #include "../parts/json.h"
 #include "../parts/plot.h"
 #include "asked.h"
+#include "crush.h"
 #include "picture.h"
 #include "state.h"
 
@@ -23,117 +25,114 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The highest point of the outlines at x. Returns its block; -1: there is
-   none. */
-static inline int sweep_top(const kern_structure *s, double x, double *y)
+/* What places are tried with. */
+struct sweep {
+    struct analysis *a;
+    struct text_surface above; /* the upper outline, where axles drive     */
+    kern_wrench *pattern;
+    double low, high; /* between these the first force drives              */
+};
+
+enum {
+    SWEEP_PLACES = 1000, /* that are tried at most                         */
+    SWEEP_PARTS = 4,     /* tried from joint to joint                      */
+    SWEEP_CUTS = 12      /* steps of the search between two places         */
+};
+
+/* The forces that move: statements live, then axles. */
+static inline int sweep_lives(const struct analysis *a)
 {
-    int top = -1;
-    for (int i = 0; i < s->blocks; i++) {
-        const kern_block *b = &s->block[i];
-        for (int k = 0; k < b->vertices; k++) {
-            const kern_vec p = b->vertex[k];
-            const kern_vec q = b->vertex[k + 1 < b->vertices ? k + 1 : 0];
-            double at, along = x - (double)p.x;
-            if ((p.x <= x) == (q.x <= x))
-                continue;
-            at = p.y + along * ((double)q.y - p.y) / ((double)q.x - p.x);
-            if (top >= 0 && at <= *y)
-                continue;
-            *y = at;
-            top = i;
-        }
-    }
-    return top;
+    return a->text.lives - a->text.spread;
+}
+
+static inline int sweep_forces(const struct analysis *a)
+{
+    return sweep_lives(a) + a->text.wheels;
+}
+
+/* Where force k stands in the file. */
+static inline double sweep_place(const struct analysis *a, int k)
+{
+    const int lives = sweep_lives(a);
+    return k < lives ? (double)a->text.axle[k].place.x
+                     : a->text.wheel[k - lives].x;
 }
 
 /* Over what the load drives: the free blocks. */
-static inline int sweep_range(const struct analysis *a, double *low,
-                              double *high)
+static inline int sweep_range(struct sweep *w)
 {
+    const struct analysis *a = w->a;
     const kern_structure *s = &a->task.s;
     double first = HUGE_VAL, last = -HUGE_VAL;
-    *low = HUGE_VAL;
-    *high = -HUGE_VAL;
-    for (int i = 0; i < s->blocks; i++) {
+    w->low = HUGE_VAL;
+    w->high = -HUGE_VAL;
+    for (int i = 0; i < stones(a); i++) {
         if (s->block[i].fixed || s->block[i].vertices == 0)
             continue;
-        *low = fmin(*low, (double)s->block[i].box.low.x);
-        *high = fmax(*high, (double)s->block[i].box.high.x);
+        w->low = fmin(w->low, (double)s->block[i].box.low.x);
+        w->high = fmax(w->high, (double)s->block[i].box.high.x);
     }
-    for (int k = 0; k < a->text.lives; k++) {
-        first = fmin(first, (double)a->text.axle[k].place.x);
-        last = fmax(last, (double)a->text.axle[k].place.x);
+    for (int k = 0; k < sweep_forces(a); k++) {
+        first = fmin(first, sweep_place(a, k));
+        last = fmax(last, sweep_place(a, k));
     }
-    *low += (double)a->text.axle[0].place.x - last;
-    *high += (double)a->text.axle[0].place.x - first;
-    return *low < *high;
+    w->low += sweep_place(a, 0) - last;
+    w->high += sweep_place(a, 0) - first;
+    return w->low < w->high;
 }
 
 /* The pattern with the first force at x, and where that then stands. */
-static inline void sweep_pattern(const struct analysis *a, double x,
-                                 kern_wrench *pattern, struct swept *at)
+static inline void sweep_pattern(struct sweep *w, double x, struct swept *at)
 {
+    const struct analysis *a = w->a;
     const kern_structure *s = &a->task.s;
-    const double shift = x - (double)a->text.axle[0].place.x;
-    memset(pattern, 0, sizeof *pattern * (size_t)s->blocks);
+    const double shift = x - sweep_place(a, 0);
+    memset(w->pattern, 0, sizeof *w->pattern * (size_t)s->blocks);
     at->x = x;
-    for (int k = 0; k < a->text.lives; k++) {
+    at->y = (double)NAN;
+    at->block = sweep_top(a, x, &at->y);
+    for (int k = 0; k < sweep_lives(a); k++) {
         const struct text_live *axle = &a->text.axle[k];
         double y = 0;
         kern_vec place;
-        const int i = sweep_top(s, (double)axle->place.x + shift, &y);
-        if (k == 0) {
-            at->block = i;
-            at->y = i < 0 ? (double)NAN : y;
-        }
+        const int i = sweep_top(a, (double)axle->place.x + shift, &y);
         if (i < 0)
             continue;
         place.x = axle->place.x + (kern_real)shift;
         place.y = (kern_real)y;
         kern_block here = s->block[i];
-        here.load = pattern[i];
+        here.load = w->pattern[i];
         kern_block_load(&here, axle->force, place, 0);
-        pattern[i] = here.load;
+        w->pattern[i] = here.load;
     }
+    text_axles(&a->text, &w->above, shift, w->pattern);
 }
 
-/* Both factors with the load at x. */
-static inline void sweep_at(struct analysis *a, double x, kern_wrench *pattern,
-                            struct swept *at)
+/* The factor of limit analysis with the load at x. */
+static inline void sweep_factor(struct sweep *w, double x, struct swept *at)
 {
     kern_real value = 0;
     kern_status status;
-    sweep_pattern(a, x, pattern, at);
-    status = kern_load_factor_of(&a->task, shrinkage(a), pattern, &value, NULL);
+    sweep_pattern(w, x, at);
+    status = crush_factor(w->a, &w->a->task, w->pattern, NULL, &value);
     at->live = value_or_nan(status, value);
     at->raised = (double)NAN;
+    at->cut = 0;
+}
+
+/* Both factors with the load at x. */
+static inline void sweep_at(struct sweep *w, double x, struct swept *at)
+{
+    struct analysis *a = w->a;
+    kern_real value = 0;
+    kern_status status;
+    sweep_factor(w, x, at);
     if (a->raising != KERN_RAISED || a->raised != KERN_STANDS)
         return;
-    status = kern_raised_load(&a->task, shrinkage(a), KERN_SHRINK, pattern,
+    status = kern_raised_load(&a->task, shrinkage(a), KERN_SHRINK, w->pattern,
                               &value, NULL);
     at->raised = value_or_nan(status, value);
     at->cut = status == KERN_LIMIT;
-}
-
-/* At places in the middle of equal parts of the way. */
-static inline int find_sweep(struct analysis *a)
-{
-    const int places = (int)a->set->sweep;
-    double low, high;
-    kern_wrench *pattern;
-    if (!sweep_range(a, &low, &high))
-        return fail(a, 0, "--sweep: the blocks have no outline");
-    if (a->shown != KERN_STANDS)
-        return 0;
-    pattern = array(a->task.s.blocks, sizeof *pattern);
-    a->swept = array(places, sizeof *a->swept);
-    for (int k = 0; k < places && pattern && a->swept; k++) {
-        sweep_at(a, low + (k + 0.5) / places * (high - low), pattern,
-                 &a->swept[k]);
-        a->sweeps++;
-    }
-    free(pattern);
-    return a->sweeps == places ? 0 : fail_memory(a);
 }
 
 /* The place with the least factor; -1: at none is it known. */
@@ -144,6 +143,148 @@ static inline int sweep_least(const struct analysis *a)
         if (a->swept[k].live < (least < 0 ? HUGE_VAL : a->swept[least].live))
             least = k;
     return least;
+}
+
+/* Takes the place of *least where the factor is less. */
+static inline void sweep_try(struct sweep *w, double x, struct swept *least)
+{
+    struct swept at;
+    if (!(x > w->low && x < w->high))
+        return;
+    sweep_factor(w, x, &at);
+    if (at.live < least->live)
+        *least = at;
+}
+
+/* Writes the places, less `middle`, where the least may be, and returns how many
+   there are. Those where a force goes over a joint, from both sides: between them
+   1 / factor is convex, as the largest of powers that are linear in the place, so
+   its least is at one of these. Loads that spread have a least for each joint or
+   two, anywhere: of these quarters of the way from joint to joint. */
+static inline int sweep_places(const struct sweep *w, double middle, double *x)
+{
+    const struct analysis *a = w->a;
+    const double side = 1e-9 * (w->high - w->low);
+    int places = 0;
+    for (int k = 0; k < sweep_forces(a); k++)
+        for (int i = 0; i < w->above.edges; i++) {
+            const double p = (double)w->above.edge[i].p.x;
+            const double wide = (double)w->above.edge[i].q.x - p;
+            const double to = sweep_place(a, 0) - sweep_place(a, k) - middle;
+            for (int n = 0; n < SWEEP_PARTS; n++)
+                x[places++] = k < sweep_lives(a)
+                                ? p + to + (n % 2 ? side : -side)
+                                : p + to + wide * n / SWEEP_PARTS;
+        }
+    return places;
+}
+
+static inline int sweep_nearer(const void *a, const void *b)
+{
+    const double x = fabs(*(const double *)a), y = fabs(*(const double *)b);
+    return (x > y) - (x < y);
+}
+
+/* Tries all of these places, of many those next to the least one. */
+static inline void sweep_joints(struct sweep *w, struct swept *least)
+{
+    const double middle = least->x;
+    double *x = array(SWEEP_PARTS * sweep_forces(w->a) * w->above.edges,
+                      sizeof *x);
+    const int places = x ? sweep_places(w, middle, x) : 0;
+    if (x)
+        qsort(x, (size_t)places, sizeof *x, sweep_nearer);
+    for (int k = 0; k < places && k < SWEEP_PLACES; k++)
+        if (k == 0 || x[k] < x[k - 1] || x[k] > x[k - 1])
+            sweep_try(w, middle + x[k], least);
+    free(x);
+}
+
+/* A part of the way from joint to joint at the least place. */
+static inline double sweep_step(const struct sweep *w,
+                                const struct swept *least)
+{
+    double step = (w->high - w->low) / w->a->set->sweep;
+    for (int i = 0; i < w->above.edges; i++) {
+        const struct soil_edge *e = w->above.edge + i;
+        if ((double)e->p.x <= least->x && (double)e->q.x >= least->x)
+            step = fmin(step, (double)(e->q.x - e->p.x) / SWEEP_PARTS);
+    }
+    return step;
+}
+
+/* Searches between the places beside the least one, by the golden section:
+   loads that spread have their least anywhere. */
+static inline void sweep_refine(struct sweep *w, double step,
+                                struct swept *least)
+{
+    const double golden = 0.61803398874989485;
+    double low = fmax(least->x - step, w->low);
+    double high = fmin(least->x + step, w->high);
+    struct swept p, q;
+    sweep_factor(w, high - golden * (high - low), &p);
+    sweep_factor(w, low + golden * (high - low), &q);
+    for (int k = 0; k < SWEEP_CUTS; k++) {
+        if (p.live < least->live)
+            *least = p;
+        if (q.live < least->live)
+            *least = q;
+        if (p.live < q.live) {
+            high = q.x;
+            q = p;
+            sweep_factor(w, high - golden * (high - low), &p);
+        } else {
+            low = p.x;
+            p = q;
+            sweep_factor(w, low + golden * (high - low), &q);
+        }
+    }
+}
+
+/* Adds the place with the least factor of all, where the samples miss it. */
+static inline void sweep_add_least(struct sweep *w)
+{
+    struct analysis *a = w->a;
+    const int sample = sweep_least(a);
+    struct swept least;
+    int k = a->sweeps;
+    if (sample < 0)
+        return;
+    least = a->swept[sample];
+    sweep_joints(w, &least);
+    if (a->text.wheels > 0)
+        sweep_refine(w, sweep_step(w, &least), &least);
+    if (!(least.live < a->swept[sample].live * (1 - 1e-9)))
+        return;
+    for (; k > 0 && a->swept[k - 1].x > least.x; k--)
+        a->swept[k] = a->swept[k - 1];
+    sweep_at(w, least.x, &a->swept[k]);
+    a->sweeps++;
+}
+
+/* At places in the middle of equal parts of the way, and at the worst one. */
+static inline int find_sweep(struct analysis *a)
+{
+    const int places = (int)a->set->sweep;
+    struct sweep w = {a, {NULL, 0}, NULL, 0, 0};
+    if (!sweep_range(&w))
+        return fail(a, 0, "--sweep: the blocks have no outline");
+    if (a->shown != KERN_STANDS)
+        return 0;
+    w.pattern = array(a->task.s.blocks, sizeof *w.pattern);
+    a->swept = array(places + 1, sizeof *a->swept);
+    const int there = w.pattern && a->swept
+                   && !text_outline(&a->text, SOIL_ABOVE, &w.above);
+    for (int k = 0; k < places && there; k++) {
+        sweep_at(&w, w.low + (k + 0.5) / places * (w.high - w.low),
+                 &a->swept[k]);
+        a->sweeps++;
+    }
+    if (there)
+        sweep_add_least(&w);
+    free(w.above.edge);
+    free(w.pattern);
+    return there ? 0 : fail_memory(a);
 }
 
 /* As the report has it: six digits. */
@@ -161,6 +302,8 @@ static inline void report_sweep(const struct analysis *a)
 {
     const int least = sweep_least(a);
     char shown[TEXT_SHOW_ROOM];
+    if (a->sweeps == 0)
+        return;
     printf("  sweep       %11s %11s %11s", "x", "y", "live");
     printf(a->set->raised ? " %11s  on\n" : "  on\n", "raised live");
     for (int k = 0; k < a->sweeps; k++) {

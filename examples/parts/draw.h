@@ -39,6 +39,8 @@ struct draw_scene {
     double shrink;             /* shrinkage at which the kerns are shown      */
     const kern_wrench *live;   /* one a block: a load whose factor is asked for;
                                   NULL: none                                  */
+    int pushes;                /* the last of the blocks push as needed:
+                                  struts, which are no stones                 */
     const kern_vec *mass;      /* where weight acts that is no stone          */
     int masses;                /* how many such places                        */
     const kern_force *force;   /* one a contact point; NULL: none             */
@@ -70,6 +72,8 @@ struct draw_scene {
 #define DRAW_FORCE "#a8232d" /* contact forces                              */
 #define DRAW_LOAD "#2f6b3a"  /* loads                                       */
 #define DRAW_LIVE "#6b3a8c"  /* live loads                                  */
+#define DRAW_SOIL "#b89b6a"  /* fill and earth                              */
+#define DRAW_PUSH "fill=\"#dfe9d8\" fill-opacity=\"0.8\""
 #define DRAW_LIMIT "#f2a900" /* the limiting contact                        */
 #define DRAW_GHOST "#b4511a" /* where the stones go                         */
 #define DRAW_FONT "Helvetica, Arial, 'Liberation Sans', sans-serif"
@@ -82,7 +86,7 @@ struct draw_scene {
 #define DRAW_MASS_STYLE "fill=\"" DRAW_INK "\" fill-opacity=\"0.7\""
 #define DRAW_PAD 16.0 /* white border                                */
 #define DRAW_TURN 0.2 /* radius of a torque over the mean stone      */
-#define DRAW_VALUES 8 /* loads that have their values beside them    */
+#define DRAW_VALUES 6 /* loads that have their values beside them    */
 
 static const char *const draw_stone[] = {
     "#e9e3d6", "#ddd5c5", "#e3dccf", "#d6cebf", "#e6dccb", "#dad6cc",
@@ -582,6 +586,8 @@ static const kern_wrench *draw_load_of(const struct draw_scene *d, int i,
 {
     static const kern_wrench none = {0, 0, 0};
 
+    if (i >= d->s->blocks - d->pushes)
+        return &none;
     return !live ? &d->s->block[i].load : d->live ? &d->live[i] : &none;
 }
 
@@ -643,9 +649,11 @@ static void draw_measure_sizes(const struct draw_scene *d, struct draw_view *v,
 
         if (k->fixed)
             continue;
-        free_blocks++;
-        z->stone += sqrt(fabs((double)k->area));
-        z->weight += k->mass * g;
+        if (i < s->blocks - d->pushes) {
+            free_blocks++;
+            z->stone += sqrt(fabs((double)k->area));
+            z->weight += k->mass * g;
+        }
         for (j = 0; j < 2; j++) {
             const kern_wrench *load = draw_load_of(d, i, j);
 
@@ -807,6 +815,10 @@ static void draw_blocks(const struct draw_scene *d, const struct draw_view *v,
     for (i = 0; i < s->blocks; i++) {
         if (s->block[i].fixed)
             continue;
+        if (i >= s->blocks - d->pushes) {
+            draw_block(v, &s->block[i], NULL, 0, DRAW_PUSH);
+            continue;
+        }
         snprintf(style, sizeof style, "fill=\"%s\"",
                  d->value ? draw_shade(
                      d->most > 0 ? (double)d->value[i] / d->most : 0, shade)
@@ -1316,7 +1328,7 @@ static void draw_names(const struct draw_scene *d, const struct draw_view *v,
     static const double sizes[] = {11, 9.5, 8, 7, 6};
     const int choices = (int)(sizeof sizes / sizeof sizes[0]);
     double size = 0, w;
-    int i, j, count, most = 0, blocks = d->s->blocks;
+    int i, j, count, most = 0, blocks = d->s->blocks - d->pushes;
     struct draw_pt p;
 
     for (j = 0; j < choices && most < blocks; j++) {

@@ -133,6 +133,9 @@ struct shapes_asked {
     double pixel;      /* metres a pixel of a photograph; 0: not known     */
     double tolerance;  /* pixels by which an outline may be off            */
     const char *image; /* number or name, of several in a file; NULL      */
+    const char *const *frictions; /* words "NAME=MU" or "NAME,NAME=MU"      */
+    int friction_words;
+    double phi; /* friction angle of fill, in degrees; 0: it is weight alone */
 };
 
 struct shapes {

@@ -20,8 +20,122 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
 
-/* ---- earth and fill ------------------------------------------------------ */
+/* ---- The faces that soil meets ------------------------------------------- */
+
+/* A force and where it acts. */
+struct soil_force {
+    kern_vec force, at;
+};
+
+/* A piece of an outline: of ABOVE from its left end p to its right end q, of the
+   sides from its foot p to its head q. */
+struct soil_edge {
+    kern_vec p, q;
+    int block, vertex; /* the edge of that block which begins at the vertex */
+};
+
+enum soil_side { SOIL_ABOVE, SOIL_LEFT, SOIL_RIGHT };
+
+/* Along what the outlines are looked at, and how high they are there. */
+static inline double soil_along(enum soil_side side, kern_vec p)
+{
+    return (double)(side == SOIL_ABOVE ? p.x : p.y);
+}
+
+static inline double soil_height(enum soil_side side, kern_vec p)
+{
+    return side == SOIL_ABOVE ? (double)p.y
+         : side == SOIL_RIGHT ? (double)p.x
+                              : -(double)p.x;
+}
+
+static inline kern_vec soil_place(enum soil_side side, double along,
+                                  double high)
+{
+    kern_vec p;
+    p.x = (kern_real)(side == SOIL_ABOVE   ? along
+                      : side == SOIL_RIGHT ? high
+                                           : -high);
+    p.y = (kern_real)(side == SOIL_ABOVE ? high : along);
+    return p;
+}
+
+static inline int soil_compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Finds the edge that is outermost between two places along. Returns 0 where
+   there is none. */
+static inline int soil_outermost(const kern_block *block, int blocks,
+                                 enum soil_side side, double from, double to,
+                                 struct soil_edge *out)
+{
+    double best = 0;
+    int i, k, found = 0;
+    for (i = 0; i < blocks; i++) {
+        const kern_block *b = &block[i];
+        if (b->vertices == 0 || soil_along(side, b->box.low) > from
+            || soil_along(side, b->box.high) < to)
+            continue;
+        for (k = 0; k < b->vertices; k++) {
+            const kern_vec p = b->vertex[k];
+            const kern_vec q = b->vertex[k + 1 < b->vertices ? k + 1 : 0];
+            const double s = soil_along(side, p), t = soil_along(side, q);
+            const double h = soil_height(side, p);
+            const double slope = (soil_height(side, q) - h) / (t - s);
+            const double middle = h + slope * ((from + to) / 2 - s);
+            if (!(fmin(s, t) <= from && fmax(s, t) >= to && fabs(t - s) > 0)
+                || (found && middle <= best))
+                continue;
+            best = middle;
+            found = 1;
+            out->p = soil_place(side, from, h + slope * (from - s));
+            out->q = soil_place(side, to, h + slope * (to - s));
+            out->block = i;
+            out->vertex = k;
+        }
+    }
+    return found;
+}
+
+/* Finds the outline of all blocks as it is seen from a side, and writes its
+   pieces to edge[]. Both arrays have room for all vertices of the blocks. Returns
+   how many pieces there are. Time: vertices times blocks. */
+static inline int soil_surface(const kern_block *block, int blocks,
+                               enum soil_side side, double *corner,
+                               struct soil_edge *edge)
+{
+    int corners = 0, edges = 0, i, k;
+    double least;
+    for (i = 0; i < blocks; i++)
+        for (k = 0; k < block[i].vertices; k++)
+            corner[corners++] = soil_along(side, block[i].vertex[k]);
+    if (corners == 0)
+        return 0;
+    qsort(corner, (size_t)corners, sizeof *corner, soil_compare);
+    least = 1e-9 * (corner[corners - 1] - corner[0]);
+
+    /* between two corners it is one edge, which may go on from the last one */
+    for (i = 0; i + 1 < corners; i++) {
+        struct soil_edge e = {{0, 0}, {0, 0}, -1, -1};
+        struct soil_edge *last = edges > 0 ? edge + edges - 1 : NULL;
+        if (!(corner[i + 1] - corner[i] > least)
+            || !soil_outermost(block, blocks, side, corner[i], corner[i + 1],
+                               &e))
+            continue;
+        if (last && last->block == e.block && last->vertex == e.vertex)
+            last->q = e.q;
+        else
+            edge[edges++] = e;
+    }
+    return edges;
+}
+
+/* ---- Fill and earth ------------------------------------------------------ */
 
 /* Returns Rankine's coefficient of passive pressure, (1 + sin) / (1 - sin). */
 static inline double soil_passive(double phi)
@@ -42,72 +156,149 @@ static inline double soil_active(double phi, double delta, double lean)
     return share * share;
 }
 
-/* Adds to a block the force of a pressure that changes along the edge from p
-   to q linearly, from `at_p` to `at_q` [force per length], in the direction of
-   the vector `way` of length 1. Where one end is 0 the force acts at a third. */
-static inline void soil_press(kern_block *block, kern_vec p, kern_vec q,
-                              double at_p, double at_q, kern_vec way)
+/* Returns the force of a pressure that changes linearly along the edge from p
+   to q, from `at_p` to `at_q` [force per length], in the direction of the vector
+   `way` of length 1. Where one end is 0 the force acts at a third. */
+static inline struct soil_force soil_press(kern_vec p, kern_vec q, double at_p,
+                                           double at_q, kern_vec way)
 {
     const double length = hypot((double)(q.x - p.x), (double)(q.y - p.y));
     const double force = (at_p + at_q) / 2 * length;
-    kern_vec at;
+    struct soil_force out = {{0, 0}, {0, 0}};
     double share;
     if (!(force > 0))
-        return;
+        return out;
 
     share = (at_p + 2 * at_q) / (3 * (at_p + at_q)); /* of the way from p */
-    at.x = p.x + (kern_real)share * (q.x - p.x);
-    at.y = p.y + (kern_real)share * (q.y - p.y);
-    way.x *= (kern_real)force;
-    way.y *= (kern_real)force;
-    kern_block_load(block, way, at, 0);
+    out.at.x = p.x + (kern_real)share * (q.x - p.x);
+    out.at.y = p.y + (kern_real)share * (q.y - p.y);
+    out.force.x = way.x * (kern_real)force;
+    out.force.y = way.y * (kern_real)force;
+    return out;
 }
 
-/* Adds the weight of the fill that lies above an edge, up to the level `top`.
-   `weight` is that of a unit of its area. An edge that leans back carries
-   none. The edge goes from its left end p to its right end q. */
-static inline void soil_fill(kern_block *block, kern_vec p, kern_vec q,
-                             double top, double weight)
+/* Returns the weight of the fill that lies above an edge, up to the level
+   `top`, at its centroid. `weight` is that of a unit of its area. An edge that
+   leans back carries none. The edge goes from its left end p to its right end
+   q. */
+static inline struct soil_force soil_fill(kern_vec p, kern_vec q, double top,
+                                          double weight)
 {
     const kern_vec down = {0, -1};
     const double length = hypot((double)(q.x - p.x), (double)(q.y - p.y));
     const double level = q.x > p.x ? (double)(q.x - p.x) / length : 0;
-    const double left = weight * level * fmax(top - (double)p.y, 0);
-    soil_press(block, p, q, left, weight * level * fmax(top - (double)q.y, 0),
-               down);
+    const double left = fmax(top - (double)p.y, 0);
+    const double right = fmax(top - (double)q.y, 0);
+    struct soil_force out = soil_press(p, q, weight * level * left,
+                                       weight * level * right, down);
+    if (left + right > 0)
+        out.at.y = (kern_real)(top
+                               - (left * left + left * right + right * right)
+                                     / (3 * (left + right)));
+    return out;
 }
 
-/* Adds the active pressure of earth up to the level `top` on the back of a
-   stone, from its foot p up to its head q; the earth is at the right. */
-static inline void soil_earth(kern_block *block, kern_vec p, kern_vec q,
-                              double top, double weight, double phi,
-                              double delta)
+/* Returns the most that fill pushes back with on an edge, level, by passive
+   pressure. */
+static inline double soil_push_back(kern_vec p, kern_vec q, double top,
+                                    double weight, double phi)
+{
+    const double depth = top - (double)(p.y + q.y) / 2;
+    return soil_passive(phi) * weight * fmax(depth, 0)
+         * fabs((double)(q.y - p.y));
+}
+
+/* Earth behind a back that leans as in soil_active(), up to the level `top`,
+   with a pressure on its surface, and water up to a level. Weights are those of
+   a unit of area; `water` is 0 where there is none. */
+struct soil_earth {
+    double top, weight, phi, delta, lean, surcharge, level, water;
+};
+
+/* Returns the pressure of the earth's own weight at a height: that of the
+   grains, without the water between them. */
+static inline double soil_grains(const struct soil_earth *e, double y)
+{
+    const double wet = e->water > 0 ? fmin(e->level, e->top) : -HUGE_VAL;
+    return e->surcharge + e->weight * (e->top - fmax(y, wet))
+         + (y < wet ? (e->weight - e->water) * (wet - y) : 0);
+}
+
+/* Returns the active pressure of earth on a piece of a back, from its foot p up
+   to its head q; the earth is at the right. A piece ends at the level of the
+   water, or does not cross it. */
+static inline struct soil_force soil_earth(kern_vec p, kern_vec q,
+                                           const struct soil_earth *e)
 {
     const double rise = (double)(q.y - p.y);
-    const double lean = atan2((double)(q.x - p.x), rise);
-    const double wet = fmin((double)q.y, top);
+    const double high = fmin((double)q.y, e->top);
     const double length = hypot((double)(q.x - p.x), rise);
-    const double k = soil_active(phi, delta, lean) * weight * rise / length;
-    const double turn = delta - lean;
+    const double k = soil_active(e->phi, e->delta, e->lean) * rise / length;
+    const double turn = e->delta - e->lean;
     const kern_vec way = {(kern_real)-cos(turn), (kern_real)-sin(turn)};
-    if (!(wet > (double)p.y))
-        return;
+    const struct soil_force none = {{0, 0}, {0, 0}};
+    if (!(high > (double)p.y))
+        return none;
 
     /* the part of the back that the earth reaches */
-    q.x = p.x + (q.x - p.x) * (kern_real)((wet - (double)p.y) / rise);
-    q.y = (kern_real)wet;
-    soil_press(block, p, q, k * (top - (double)p.y), k * (top - wet), way);
+    q.x = p.x + (q.x - p.x) * (kern_real)((high - (double)p.y) / rise);
+    q.y = (kern_real)high;
+    return soil_press(p, q, k * soil_grains(e, (double)p.y),
+                      k * soil_grains(e, high), way);
 }
 
-/* ---- a load that spreads ------------------------------------------------- */
+/* Returns the pressure of water on a piece of a back, as soil_earth() does. */
+static inline struct soil_force soil_water(kern_vec p, kern_vec q,
+                                           const struct soil_earth *e)
+{
+    const double rise = (double)(q.y - p.y);
+    const double high = fmin((double)q.y, e->level);
+    const double length = hypot((double)(q.x - p.x), rise);
+    const kern_vec way = {(kern_real)(-rise / length),
+                          (kern_real)((double)(q.x - p.x) / length)};
+    const struct soil_force none = {{0, 0}, {0, 0}};
+    if (!(high > (double)p.y) || !(e->water > 0))
+        return none;
+    q.x = p.x + (q.x - p.x) * (kern_real)((high - (double)p.y) / rise);
+    q.y = (kern_real)high;
+    return soil_press(p, q, e->water * (e->level - (double)p.y),
+                      e->water * (e->level - high), way);
+}
 
-/* Adds to the pattern of the blocks [first, first + n) the share of a vertical
-   unit load that reaches each of them: a patch on the level `top`, `patch` wide
-   about x, spreads within `cone` from the vertical by Boussinesq's law onto the
-   edges from top[i] to top[i + 1], which the blocks carry. Without fill above,
-   set cone to 0: the patch acts straight down. */
+/* ---- A load that spreads ------------------------------------------------- */
+
+/* Adds a share of a unit load, downwards at px, to the pattern of a block. */
+static inline void soil_share(kern_wrench *pattern, const kern_block *block,
+                              int b, double share, double px)
+{
+    pattern[b].fy -= (kern_real)share;
+    pattern[b].torque -= (kern_real)(share * (px - (double)block[b].centre.x));
+}
+
+/* Puts a unit load straight down on the edge at x, and where two meet half of
+   it on each. */
+static inline void soil_drop(kern_wrench *pattern, const kern_block *block,
+                             const struct soil_edge *edge, int n, double x,
+                             double share)
+{
+    int i, met = 0, pass;
+    for (pass = 0; pass < 2; pass++)
+        for (i = 0; i < n; i++) {
+            if (!((double)edge[i].p.x <= x && (double)edge[i].q.x >= x))
+                continue;
+            if (pass == 0)
+                met++;
+            else
+                soil_share(pattern, block, edge[i].block, share / met, x);
+        }
+}
+
+/* Adds to the pattern the share of a vertical unit load that reaches each block:
+   a patch on the level `top`, `patch` wide about x, spreads within `cone` from
+   the vertical by Boussinesq's law onto the n edges of the upper surface. Where
+   cone is 0 the patch acts straight down. */
 static inline void soil_spread(kern_wrench *pattern, const kern_block *block,
-                               int first, int n, const kern_vec *edge, double x,
+                               const struct soil_edge *edge, int n, double x,
                                double patch, double top, double cone)
 {
     enum { STRIPS = 31, PIECES = 8 };
@@ -116,105 +307,95 @@ static inline void soil_spread(kern_wrench *pattern, const kern_block *block,
         const double from = x + patch * ((s + .5) / STRIPS - .5);
         double sum = 0;
         int pass;
+        if (!(cone > 0)) {
+            soil_drop(pattern, block, edge, n, from, 1. / STRIPS);
+            continue;
+        }
 
         /* add up the shares, then hand each piece its part of the strip */
         for (pass = 0; pass < 2; pass++)
             for (i = 0; i < n; i++) {
-                const double dx = (double)(edge[i + 1].x - edge[i].x);
-                const double dy = (double)(edge[i + 1].y - edge[i].y);
+                const double dx = (double)(edge[i].q.x - edge[i].p.x);
+                const double dy = (double)(edge[i].q.y - edge[i].p.y);
                 for (k = 0; k < PIECES && dx > 0; k++) {
                     const double t = (k + .5) / PIECES;
-                    const double px = (double)edge[i].x + t * dx;
-                    const double z = fmax(top - (double)edge[i].y - t * dy,
+                    const double px = (double)edge[i].p.x + t * dx;
+                    const double z = fmax(top - (double)edge[i].p.y - t * dy,
                                           1e-3);
                     const double off = fabs(px - from);
                     const double reach = fmax(z * tan(cone), dx / PIECES / 2);
                     const double q = z * z + off * off;
                     const double share = off > reach ? 0
                                                      : z * z * z / (q * q) * dx;
-                    if (pass == 0) {
+                    if (pass == 0)
                         sum += share;
-                    } else if (share > 0) {
-                        const int b = first + i;
-                        const double f = share / sum / STRIPS;
-                        pattern[b].fy -= (kern_real)f;
-                        pattern[b].torque -=
-                            (kern_real)(f * (px - (double)block[b].centre.x));
-                    }
+                    else if (share > 0)
+                        soil_share(pattern, block, edge[i].block,
+                                   share / sum / STRIPS, px);
                 }
             }
     }
 }
 
-/* ---- soil that pushes back, mortar, crushing ----------------------------- */
+/* ---- Soil that pushes back, mortar, crushing ----------------------------- */
 
-/* A push on a stone that is there as far as it is needed, from 0 to `most`:
-   passive pressure, a strut. It is a slider: a weight on a fixed floor, which
-   friction holds up to `most`, and which touches the stone at one point without
-   friction. Writes the two blocks to block[*blocks] and on, three contact points
-   to contact[*contacts] and on, and counts them. outline[8] keeps their
-   vertices. The slider pushes block `on` at `at` to the right, or where `side`
-   is -1 to the left. `gravity` is the acceleration downwards. Returns 0, or a
-   status below 0. */
-static inline int soil_prop(kern_block *block, int *blocks,
-                            kern_contact *contact, int *contacts,
-                            kern_vec outline[8], const kern_options *options,
-                            int on, kern_vec at, int side, double most,
-                            double gravity, double size)
+/* Makes a push on a stone that is there as far as it is needed, from 0 to `most`
+   in the direction `way` of length 1: passive pressure, a strut. It is a slider
+   of the size `size`, drawn as a strut of this area, pressed onto the fixed block `floor` by a constant load of
+   `most` across the way, at a friction of 1. It touches the stone at one point
+   without friction. Its own weight is a ten-thousandth of `most` and held by the
+   load. Writes the block, whose index is `slider`, its vertices and two contact
+   points. Returns 0, or a status below 0. */
+static inline int soil_prop(kern_block *block, int slider, kern_vec outline[4],
+                            kern_contact contact[2],
+                            const kern_options *options, int floor, int on,
+                            kern_vec at, kern_vec way, double most,
+                            kern_vec gravity, double size)
 {
-    enum { FRICTION = 1 };
-    const int floor = *blocks, slider = *blocks + 1;
-    const double half = size / 2;
-    const double apart = 2 * size * (slider + 1); /* from all others */
+    const double g = hypot((double)gravity.x, (double)gravity.y);
+    const double mass = 1e-4 * most / (g > 0 ? g : 1);
+    const kern_vec across = {-way.y, way.x};
+    const double length = 4 * size, width = size / 4;
+    const kern_vec middle = {at.x - (kern_real)(length / 2) * way.x,
+                             at.y - (kern_real)(length / 2) * way.y};
     kern_contact c = {0};
-    kern_vec q;
+    kern_vec press;
     kern_status status;
     int k, n;
-    for (k = 0; k < 8; k++) {
-        outline[k].x = at.x
-                     + (kern_real)(-side * apart + (k % 4 % 3 ? half : -half));
-        outline[k].y = at.y
-                     + (kern_real)(k < 4 ? (k > 1 ? -half : -3 * half)
-                                         : (k > 5 ? half : -half));
+    for (k = 0; k < 4; k++) {
+        const double along = (k == 1 || k == 2 ? length : -length) / 2;
+        const double aside = (k > 1 ? width : -width) / 2;
+        outline[k].x = middle.x + (kern_real)along * way.x
+                     + (kern_real)aside * across.x;
+        outline[k].y = middle.y + (kern_real)along * way.y
+                     + (kern_real)aside * across.y;
     }
-    status = kern_ground_init(&block[floor], outline, 4, NULL);
-    if (status == KERN_OK)
-        status = kern_block_init(
-            &block[slider], outline + 4, 4,
-            (kern_real)(most / FRICTION / gravity / (size * size)), NULL);
+    status = kern_block_init(&block[slider], outline, 4,
+                             (kern_real)(mass / (size * size)), NULL);
     if (status != KERN_OK)
         return status;
+    block[slider].centre = middle;
+    press.x = -(kern_real)most * across.x - block[slider].mass * gravity.x;
+    press.y = -(kern_real)most * across.y - block[slider].mass * gravity.y;
+    kern_block_load(&block[slider], press, middle, 0);
 
-    /* the floor carries the slider below its centre */
+    /* the floor carries the slider at its centre, the slider the stone */
     c.a = floor;
     c.b = slider;
-    c.n.x = 0;
-    c.n.y = 1;
-    c.mu = FRICTION;
-    c.p.x = block[slider].centre.x - (kern_real)(half / 2);
-    c.p.y = at.y;
-    q.x = block[slider].centre.x + (kern_real)(half / 2);
-    q.y = at.y;
-    contact[*contacts] = c;
-    n = kern_contact_make(contact + *contacts, q, options);
-    if (n < 0)
-        return n;
-    *contacts += n;
-
-    /* the slider presses the stone on its line of action */
+    c.n = across;
+    c.mu = 1;
+    c.p = middle;
+    contact[0] = c;
     c.a = slider;
     c.b = on;
-    c.n.x = (kern_real)side;
-    c.n.y = 0;
+    c.n = way;
     c.mu = 0;
     c.p = at;
-    contact[*contacts] = c;
-    n = kern_contact_make(contact + *contacts, at, options);
-    if (n < 0)
-        return n;
-    *contacts += n;
-    *blocks += 2;
-    return 0;
+    contact[1] = c;
+    n = kern_contact_make(contact, middle, options);
+    if (n > 0)
+        n = kern_contact_make(contact + 1, at, options);
+    return n < 0 ? n : 0;
 }
 
 /* Adds the bond of mortar, of the tensile strength `bond` [force per area], to

@@ -185,6 +185,67 @@ static double statements_lay(struct outlines *o, int i, int corners,
     return columns < 0 ? -1 : lost / outlines_path(o, i)->area;
 }
 
+static void statements_number(struct shapes *s, double x)
+{
+    shapes_put(&s->text, " ");
+    shapes_put_number(&s->text, x, 17);
+}
+
+/* Returns 1 if a fill is level on top: an edge or edges at its highest, over
+   most of its width. */
+static int statements_level(const struct outlines *o, int i)
+{
+    const struct outlines_block *b = o->block + i;
+    const struct shapes_path *path = outlines_path(o, i);
+    const struct shapes_point *p = outlines_points(o->s, path);
+    const double slack = 1e-3 * (b->right - b->left);
+    double level = 0;
+    for (int k = 0; k < path->points; k++) {
+        const struct shapes_point *q = p + (k + 1 < path->points ? k + 1 : 0);
+        const double wide = q->x > p[k].x ? q->x - p[k].x : p[k].x - q->x;
+        if (p[k].y > b->high - slack && q->y > b->high - slack)
+            level += wide;
+    }
+    return level > 0.9 * (b->right - b->left);
+}
+
+/* Does this fill push back, and spread loads? It is then a statement fill. */
+static int statements_pushes(const struct outlines *o, int i)
+{
+    return o->s->asked->phi > 0 && statements_level(o, i);
+}
+
+/* Says of a fill that it is a statement of its own. */
+static void statements_note_push(struct outlines *o, int i)
+{
+    struct shapes *s = o->s;
+    shapes_put(&s->notes, "fill: ");
+    shapes_put_shown(&s->notes, shapes_at(s, o->block[i].name));
+    shapes_put(&s->notes, " is no stone: up to y = ");
+    shapes_put_number(&s->notes, o->block[i].high, 4);
+    shapes_put(&s->notes, " it lies on the stones, pushes them back as they "
+                          "move into it, and spreads axles\n");
+}
+
+/* Writes the statement of a fill that pushes back. */
+static void statements_push(struct outlines *o, int i)
+{
+    struct shapes *s = o->s;
+    const struct outlines_block *b = o->block + i;
+    const double told = shapes_density(
+        s, shapes_at(s, outlines_path(o, i)->label));
+    shapes_put(&s->text, "fill");
+    statements_number(s, b->high);
+    statements_number(s, told > 0 ? told : 1);
+    shapes_put(&s->text, " phi");
+    statements_number(s, s->asked->phi);
+    shapes_put(&s->text, " from");
+    statements_number(s, b->left);
+    shapes_put(&s->text, " to");
+    statements_number(s, b->right);
+    shapes_put(&s->text, "\n");
+}
+
 /* Lays the weight of all fill, and says so. */
 static void statements_fill(struct outlines *o)
 {
@@ -197,6 +258,10 @@ static void statements_fill(struct outlines *o)
         double density, lost;
         if (outlines_path(o, i)->role != SHAPES_FILL)
             continue;
+        if (statements_pushes(o, i)) {
+            statements_note_push(o, i);
+            continue;
+        }
         density = shapes_density(s, label);
         lost = statements_lay(o, i, corners, density > 0 ? density : 1);
         shapes_put(&s->notes, "fill: ");
@@ -210,6 +275,9 @@ static void statements_fill(struct outlines *o)
         shapes_put_number(&s->notes, density > 0 ? density : 1, 4);
         shapes_put(&s->notes, ", lies on the blocks right below it; it gives "
                               "neither thrust nor support");
+        shapes_put(&s->notes, s->asked->phi > 0
+                                  ? ", since it is not level on top"
+                                  : " (--phi PHI; statements fill and earth)");
         if (lost > 0.01) {
             shapes_put(&s->notes, "; ");
             shapes_put_number(&s->notes, 100 * lost, 2);
@@ -220,12 +288,6 @@ static void statements_fill(struct outlines *o)
 }
 
 /* ---- Text ----------------------------------------------------------------- */
-
-static void statements_number(struct shapes *s, double x)
-{
-    shapes_put(&s->text, " ");
-    shapes_put_number(&s->text, x, 17);
-}
 
 static void statements_block(struct outlines *o, int i, double *density)
 {
@@ -284,6 +346,78 @@ static int statements_error(struct outlines *o)
     return 0;
 }
 
+/* Writes a friction of block i, or of blocks i and j. */
+static void statements_mu(struct outlines *o, double mu, int i, int j)
+{
+    struct shapes *s = o->s;
+    shapes_put(&s->text, "friction");
+    statements_number(s, mu);
+    shapes_put(&s->text, " ");
+    shapes_put(&s->text, shapes_at(s, o->block[i].name));
+    if (j >= 0) {
+        shapes_put(&s->text, " ");
+        shapes_put(&s->text, shapes_at(s, o->block[j].name));
+    }
+    shapes_put(&s->text, "\n");
+}
+
+/* Is a block, no fill, on this layer? */
+static int statements_on(const struct outlines *o, int i, const char *word,
+                         int n)
+{
+    const struct shapes_path *path = outlines_path(o, i);
+    return path->role != SHAPES_FILL
+        && shapes_same(word, n, shapes_at(o->s, path->label));
+}
+
+/* Writes what the user says of the friction of a layer, or of two: of the pairs
+   of their blocks that may touch. Returns how many statements. */
+static int statements_friction(struct outlines *o, const char *word)
+{
+    const double reach = 0.5 * o->size;
+    const int end = shapes_equals(word);
+    int comma = 0, count = 0;
+    double mu;
+    if (!shapes_read_number(word + end + 1, (int)strlen(word + end + 1), &mu))
+        return 0;
+    while (comma < end && word[comma] != ',')
+        comma++;
+    for (int i = 0; i < o->blocks; i++) {
+        const struct outlines_block *p = o->block + i;
+        if (!statements_on(o, i, word, comma))
+            continue;
+        if (comma == end) {
+            statements_mu(o, mu, i, -1);
+            count++;
+        }
+        for (int j = 0; j < o->blocks && comma < end; j++) {
+            const struct outlines_block *q = o->block + j;
+            if (j == i
+                || !statements_on(o, j, word + comma + 1, end - comma - 1)
+                || p->left > q->right + reach || q->left > p->right + reach
+                || p->low > q->high + reach || q->low > p->high + reach)
+                continue;
+            statements_mu(o, mu, i, j);
+            count++;
+        }
+    }
+    return count;
+}
+
+/* Writes all of these; says where one is of no block. */
+static void statements_frictions(struct outlines *o)
+{
+    struct shapes *s = o->s;
+    for (int k = 0; k < s->asked->friction_words; k++) {
+        const char *word = s->asked->frictions[k];
+        if (statements_friction(o, word) > 0)
+            continue;
+        shapes_put(&s->notes, "friction ");
+        shapes_put(&s->notes, word);
+        shapes_put(&s->notes, " is that of no blocks\n");
+    }
+}
+
 static int statements_write(struct outlines *o)
 {
     struct shapes *s = o->s;
@@ -291,6 +425,9 @@ static int statements_write(struct outlines *o)
     if (s->units) {
         shapes_put(&s->text, "units ");
         shapes_put(&s->text, s->units);
+        /* a density is in kg/m3, as the user says */
+        if (strcmp(s->units, "m") == 0 && s->asked->density_words > 0)
+            shapes_put(&s->text, " N");
         shapes_put(&s->text, "\n");
     }
     if (statements_error(o))
@@ -309,6 +446,10 @@ static int statements_write(struct outlines *o)
         statements_number(s, b->mass_y / b->mass);
         shapes_put(&s->text, "\n");
     }
+    for (int i = 0; i < o->blocks; i++)
+        if (outlines_path(o, i)->role == SHAPES_FILL && statements_pushes(o, i))
+            statements_push(o, i);
+    statements_frictions(o);
     return 0;
 }
 

@@ -1,6 +1,7 @@
 /* text.h - reads the text format of a structure: one statement a line,
 
-       friction MU                                    default 0.4
+       friction MU [A [B]]                            default 0.4; of the contacts
+                                                      of A, or of A with B
        gravity  GX GY                                 default 0 -9.81
        density  D                                     of the blocks after it, 1;
                                                       one must follow
@@ -21,9 +22,28 @@
        measured E [ANGLE]                             standard errors of places
                                                       and angles, a length and
                                                       radians
-       units NAME                                     of lengths, for the report
+       units NAME [FORCE]                             of lengths and forces, for
+                                                      the report
+       fill TOP DENSITY [phi PHI] [from X1 to X2]     soil on the upper outline:
+                                                      its weight and, with PHI,
+                                                      what it pushes back
+       earth SIDE TOP DENSITY PHI DELTA [surcharge Q] [water LEVEL DENSITY] [live]
+                                                      active pressure on the left
+                                                      or right outline; live: its
+                                                      factor is asked for
+       axle X FORCE [WIDTH]                           live load downwards, which
+                                                      fill spreads
+       prop NAME FX FY X Y MOST                       a push from 0 to MOST
+       bond STRESS                                    tensile strength of joints
+       strength STRESS                                of the stone, for those who
+                                                      let it crush
 
-   and # begins a comment. friction, gravity, epsilon, tolerance, measured and
+   PHI and DELTA are in degrees; soil.h has the physics. A block takes the least
+   of its own frictions and of those of its neighbour; that of a pair goes first.
+   Contacts are found here where statements need them: of friction A, prop, fill
+   with phi, bond, strength. Props are blocks, the last ones.
+
+   And # begins a comment. friction, gravity, epsilon, tolerance, measured and
    units hold for the whole file, wherever they stand; of several the last one
    holds. A program
    uses text_load() or text_read(), then text_free(); of the rest text_show(),
@@ -36,6 +56,7 @@
 
 #include "../../kern.h"
 
+#include "soil.h"
 #include "words.h"
 
 #include <errno.h>
@@ -48,10 +69,40 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A statement `live`. */
+/* A statement `live`, or what reaches a block of an axle. */
 struct text_live {
     int block;
     kern_vec force, place;
+};
+
+/* A statement `axle`. */
+struct text_axle {
+    int line;
+    double x, force, width;
+};
+
+enum text_soil_kind { TEXT_FILL, TEXT_EARTH, TEXT_PROP };
+
+/* A statement fill, earth or prop, and what it does in all. */
+struct text_soil {
+    enum text_soil_kind kind;
+    int line, block; /* block: of prop                                   */
+    enum soil_side side;
+    double density, from, to; /* of fill, from x to x                    */
+    struct soil_earth earth;  /* angles in rad; of fill top and phi      */
+    kern_vec way, at;         /* of prop: direction and place            */
+    struct soil_force sum;    /* weight or thrust, and where it acts        */
+    int live;                 /* nonzero: it is a part of the live load     */
+    int blocks;               /* on how many blocks                         */
+    int props;                /* and with how many pushes                   */
+    double most;              /* that are this large in all                 */
+};
+
+/* A push that is made of a statement. */
+struct text_push {
+    int block;
+    kern_vec at, way;
+    double most;
 };
 
 struct text_file {
@@ -77,6 +128,16 @@ struct text_file {
     char message[512];     /* what is wrong, with what was read               */
     char *text;            /* a copy of the file, which the names point into  */
     kern_vec *vertex;      /* of all blocks                                   */
+    struct text_axle *wheel; /* the statements `axle`                         */
+    struct text_soil *soil;  /* the statements fill, earth, prop              */
+    int wheels, soils;
+    int spread; /* the last of `lives` that axles and earth made         */
+    int props;  /* the last of `blocks` that push, as props do            */
+    int found;  /* nonzero: `given` contacts were found here              */
+    double bond, strength; /* 0: none                                         */
+    const char *force_units; /* NULL: not known                               */
+    kern_vec *prop_vertex;
+    char *prop_name;
 };
 
 /* A file as long as that, or longer, is not read. */
@@ -93,6 +154,12 @@ struct text_contact {
     kern_real mu; /* < 0: that of the file */
 };
 
+/* A friction of a block, or of a pair. */
+struct text_friction {
+    int a, b; /* b < 0: of all contacts of a */
+    kern_real mu;
+};
+
 struct text_reader {
     struct text_file *t;
     char *at, *end;        /* what is left of the line */
@@ -105,6 +172,10 @@ struct text_reader {
     int *slot, slots; /* names by hash: index of the block + 1, 0: none */
     struct text_contact *contact;
     int contacts;
+    struct text_friction *friction;
+    int frictions;
+    struct text_push *push;
+    int pushes;
 };
 
 enum text_range { TEXT_ANY, TEXT_NOT_NEGATIVE, TEXT_POSITIVE };
@@ -350,9 +421,27 @@ static int text_polygon(struct text_reader *r, int *vertices)
 
 /* ---- Statements ---------------------------------------------------------- */
 
+/* Reads a friction of the file, or of blocks above. */
 static int text_friction(struct text_reader *r)
 {
-    return text_real(r, TEXT_NOT_NEGATIVE, &r->t->options.mu);
+    struct text_friction *f = &r->friction[r->frictions];
+    kern_real mu = 0;
+    if (text_real(r, TEXT_NOT_NEGATIVE, &mu))
+        return -1;
+    r->at += strspn(r->at, " \t\r");
+    if (r->at >= r->end) {
+        r->t->options.mu = mu;
+        return 0;
+    }
+    f->mu = mu;
+    f->b = -1;
+    if (text_block_named(r, &f->a))
+        return -1;
+    r->at += strspn(r->at, " \t\r");
+    if (r->at < r->end && text_block_named(r, &f->b))
+        return -1;
+    r->frictions++;
+    return 0;
 }
 
 static int text_gravity(struct text_reader *r)
@@ -391,7 +480,10 @@ static int text_measured(struct text_reader *r)
 
 static int text_units(struct text_reader *r)
 {
+    char *force;
     r->t->units = text_next(r);
+    force = text_next(r);
+    r->t->force_units = *force ? force : NULL;
     return *r->t->units ? 0 : text_expect(r, "a unit of length", "");
 }
 
@@ -512,24 +604,32 @@ static int text_com(struct text_reader *r)
     return text_centre(r, b, c);
 }
 
-/* The centre moves toward the weight. */
-static int text_mass(struct text_reader *r)
+/* Adds weight that is no stone to a block; loads stay in their place. */
+static int text_weigh(struct text_reader *r, kern_block *b, kern_real mass,
+                      kern_vec at)
 {
-    kern_block *b;
-    kern_real mass = 0, share;
-    kern_vec at, c;
-    if (text_free_block(r, &b) || text_real(r, TEXT_POSITIVE, &mass)
-        || text_vec(r, &at))
-        return -1;
+    kern_real share;
+    kern_vec c;
     if (!((double)b->mass + (double)mass <= TEXT_MOST))
-        return text_fail(r->t, "mass: it adds up to %g",
+        return text_fail(r->t, "%s: the mass adds up to %g", r->statement,
                          (double)b->mass + (double)mass);
     b->mass += mass;
-    r->t->mass[r->t->masses++] = at;
     share = mass / b->mass;
     c.x = b->centre.x + share * (at.x - b->centre.x);
     c.y = b->centre.y + share * (at.y - b->centre.y);
     return text_centre(r, b, c);
+}
+
+static int text_mass(struct text_reader *r)
+{
+    kern_block *b;
+    kern_real mass = 0;
+    kern_vec at;
+    if (text_free_block(r, &b) || text_real(r, TEXT_POSITIVE, &mass)
+        || text_vec(r, &at))
+        return -1;
+    r->t->mass[r->t->masses++] = at;
+    return text_weigh(r, b, mass, at);
 }
 
 static int text_load_at(struct text_reader *r)
@@ -601,6 +701,538 @@ static int text_contact(struct text_reader *r)
     return 0;
 }
 
+/* ---- Statements about soil, mortar and stone ----------------------------- */
+
+/* Reads an angle in degrees, between two, as radians. A small one above 0 is
+   one in radians. */
+static int text_degrees(struct text_reader *r, const char *what, double least,
+                        double most, double *out)
+{
+    char *word = text_next(r);
+    kern_real value = 0;
+    if (!text_number(word, &value) || (double)value < least
+        || (double)value > most || (value > 0 && value < 1))
+        return text_expect(r, what, word);
+    *out = (double)value / 57.295779513082321;
+    return 0;
+}
+
+/* Reads a number into a double. */
+static int text_double(struct text_reader *r, enum text_range range,
+                       double *out)
+{
+    kern_real value = 0;
+    if (text_real(r, range, &value))
+        return -1;
+    *out = (double)value;
+    return 0;
+}
+
+static const char text_phi[] = "phi, an angle in degrees from 5 to 60";
+
+/* Begins a record of a statement. */
+static struct text_soil *text_begin_soil(struct text_reader *r,
+                                         enum text_soil_kind kind)
+{
+    static const struct text_soil none;
+    struct text_soil *s = &r->t->soil[r->t->soils];
+    *s = none;
+    s->kind = kind;
+    s->line = r->t->line;
+    s->from = -HUGE_VAL;
+    s->to = HUGE_VAL;
+    return s;
+}
+
+/* TOP DENSITY [phi PHI] [from X1 to X2] */
+static int text_fill(struct text_reader *r)
+{
+    struct text_soil *s = text_begin_soil(r, TEXT_FILL);
+    char *word;
+    if (text_double(r, TEXT_ANY, &s->earth.top)
+        || text_double(r, TEXT_POSITIVE, &s->density))
+        return -1;
+    word = text_next(r);
+    if (strcmp(word, "phi") == 0) {
+        if (text_degrees(r, text_phi, 5, 60, &s->earth.phi))
+            return -1;
+        word = text_next(r);
+    }
+    if (*word) {
+        if (strcmp(word, "from") != 0)
+            return text_expect(r, "phi, from or the end of the line", word);
+        if (text_double(r, TEXT_ANY, &s->from))
+            return -1;
+        word = text_next(r);
+        if (strcmp(word, "to") != 0)
+            return text_expect(r, "to", word);
+        word = text_next(r);
+        kern_real to = 0;
+        if (!text_number(word, &to) || !((double)to > s->from))
+            return text_expect(r, "a number above that behind from", word);
+        s->to = (double)to;
+    }
+    r->t->soils++;
+    return 0;
+}
+
+/* Reads the level of water in earth, and its density. */
+static int text_wet(struct text_reader *r, struct text_soil *s)
+{
+    kern_real water = 0;
+    char *word;
+    if (text_double(r, TEXT_ANY, &s->earth.level))
+        return -1;
+    word = text_next(r);
+    if (!text_number(word, &water) || !(water > 0)
+        || !((double)water < s->density))
+        return text_expect(r, "the density of water, below that of the earth,",
+                           word);
+    s->earth.water = (double)water;
+    return 0;
+}
+
+/* SIDE TOP DENSITY PHI DELTA [surcharge Q] [water LEVEL DENSITY] [live] */
+static int text_earth(struct text_reader *r)
+{
+    struct text_soil *s = text_begin_soil(r, TEXT_EARTH);
+    char *word = text_next(r);
+    const int left = strcmp(word, "left") == 0;
+    if (!left && strcmp(word, "right") != 0)
+        return text_expect(r, "left or right, where the earth is,", word);
+    s->side = left ? SOIL_LEFT : SOIL_RIGHT;
+    if (text_double(r, TEXT_ANY, &s->earth.top)
+        || text_double(r, TEXT_POSITIVE, &s->density)
+        || text_degrees(r, text_phi, 5, 60, &s->earth.phi)
+        || text_degrees(r, "delta, an angle in degrees from 0 to phi", 0,
+                        57.295779513082321 * s->earth.phi * (1 + 1e-12),
+                        &s->earth.delta))
+        return -1;
+    word = text_next(r);
+    if (strcmp(word, "surcharge") == 0) {
+        if (text_double(r, TEXT_NOT_NEGATIVE, &s->earth.surcharge))
+            return -1;
+        word = text_next(r);
+    }
+    if (strcmp(word, "water") == 0) {
+        if (text_wet(r, s))
+            return -1;
+        word = text_next(r);
+    }
+    s->live = strcmp(word, "live") == 0;
+    if (*word && !s->live)
+        return text_expect(r, "surcharge, water, live or the end of the line",
+                           word);
+    r->t->soils++;
+    return 0;
+}
+
+/* NAME FX FY X Y MOST */
+static int text_prop(struct text_reader *r)
+{
+    struct text_soil *s = text_begin_soil(r, TEXT_PROP);
+    kern_block *b;
+    kern_vec f;
+    double length;
+    if (text_free_block(r, &b) || text_vec(r, &f) || text_vec(r, &s->at)
+        || text_double(r, TEXT_POSITIVE, &s->most))
+        return -1;
+    length = hypot((double)f.x, (double)f.y);
+    if (!(length > 0 && length <= TEXT_MOST))
+        return text_fail(r->t, "prop: a direction is expected, read %.9g %.9g",
+                         (double)f.x, (double)f.y);
+    s->way.x = (kern_real)((double)f.x / length);
+    s->way.y = (kern_real)((double)f.y / length);
+    s->block = (int)(b - r->t->block);
+    r->t->soils++;
+    return 0;
+}
+
+/* X FORCE [WIDTH] */
+static int text_axle_at(struct text_reader *r)
+{
+    struct text_axle *w = &r->t->wheel[r->t->wheels];
+    char *word;
+    kern_real width = 0;
+    w->line = r->t->line;
+    w->width = 0;
+    if (text_double(r, TEXT_ANY, &w->x)
+        || text_double(r, TEXT_POSITIVE, &w->force))
+        return -1;
+    word = text_next(r);
+    if (*word) {
+        if (text_value(r, word, TEXT_POSITIVE, &width))
+            return -1;
+        w->width = (double)width;
+    }
+    r->t->wheels++;
+    return 0;
+}
+
+static int text_bond(struct text_reader *r)
+{
+    return text_double(r, TEXT_POSITIVE, &r->t->bond);
+}
+
+static int text_strength(struct text_reader *r)
+{
+    return text_double(r, TEXT_POSITIVE, &r->t->strength);
+}
+
+/* ---- What soil does ------------------------------------------------------ */
+
+/* The outline of all blocks from a side, and memory for it. */
+struct text_surface {
+    struct soil_edge *edge;
+    int edges;
+};
+
+enum { TEXT_SURFACE = 400000000 /* blocks times vertices of an outline */ };
+
+/* Finds the outline from a side. Its edges are the caller's to free. */
+static inline int text_outline(struct text_file *t, enum soil_side side,
+                               struct text_surface *out)
+{
+    size_t n = 1;
+    double *corner;
+    const int stones = t->blocks - t->props;
+    for (int i = 0; i < stones; i++)
+        n += (size_t)t->block[i].vertices;
+    out->edges = 0;
+    out->edge = NULL;
+    if ((double)n * t->blocks > TEXT_SURFACE)
+        return text_fail(t,
+                         "fill, earth and axle take up to 400 million blocks "
+                         "times vertices, read %d times %.0f",
+                         t->blocks, (double)n);
+    out->edge = malloc(n * sizeof *out->edge);
+    corner = malloc(n * sizeof *corner);
+    if (out->edge && corner)
+        out->edges = soil_surface(t->block, stones, side, corner, out->edge);
+    free(corner);
+    return out->edge && corner ? 0 : text_no_memory(t);
+}
+
+/* Adds a force to the sum of a statement. */
+static void text_sum(struct text_soil *s, struct soil_force f)
+{
+    const double was = hypot((double)s->sum.force.x, (double)s->sum.force.y);
+    const double more = hypot((double)f.force.x, (double)f.force.y);
+    const kern_real share = (kern_real)(more / (was + more));
+    s->sum.at.x += share * (f.at.x - s->sum.at.x);
+    s->sum.at.y += share * (f.at.y - s->sum.at.y);
+    s->sum.force.x += f.force.x;
+    s->sum.force.y += f.force.y;
+    s->blocks++;
+}
+
+/* Notes a push, for when the contacts are known. */
+static int text_add_push(struct text_reader *r, struct text_soil *s, int block,
+                         kern_vec at, kern_vec way, double most)
+{
+    struct text_push *p = realloc(r->push, (size_t)(r->pushes + 1) * sizeof *p);
+    if (!p)
+        return text_no_memory(r->t);
+    r->push = p;
+    p += r->pushes++;
+    p->block = block;
+    p->at = at;
+    p->way = way;
+    p->most = most;
+    s->props++;
+    return 0;
+}
+
+/* Lays fill on the upper outline. */
+static int text_lay(struct text_reader *r, struct text_soil *s,
+                    const struct text_surface *above)
+{
+    struct text_file *t = r->t;
+    const double g = -(double)t->gravity.y, top = s->earth.top;
+    r->statement = "fill";
+    for (int i = 0; i < above->edges; i++) {
+        const struct soil_edge *e = above->edge + i;
+        const double dx = (double)(e->q.x - e->p.x);
+        const double dy = (double)(e->q.y - e->p.y);
+        kern_vec p = e->p, q = e->q, middle;
+        if (t->block[e->block].fixed || !((double)q.x > s->from)
+            || !((double)p.x < s->to))
+            continue;
+
+        /* the part that lies below the fill */
+        if ((double)p.x < s->from) {
+            p.y += (kern_real)((s->from - (double)p.x) * dy / dx);
+            p.x = (kern_real)s->from;
+        }
+        if ((double)q.x > s->to) {
+            q.y -= (kern_real)(((double)q.x - s->to) * dy / dx);
+            q.x = (kern_real)s->to;
+        }
+        const struct soil_force f = soil_fill(p, q, top, s->density);
+        const double most = s->earth.phi > 0 ? soil_push_back(
+                                p, q, top, s->density * g, s->earth.phi)
+                                             : 0;
+        if (!(-(double)f.force.y > 0))
+            continue;
+        struct soil_force weight = f;
+        weight.force.y *= (kern_real)g;
+        text_sum(s, weight);
+        if (text_weigh(r, &t->block[e->block], -f.force.y, f.at))
+            return -1;
+        middle.x = (p.x + q.x) / 2;
+        middle.y = (p.y + q.y) / 2;
+        const kern_vec way = {q.y > p.y ? 1 : -1, 0};
+        if (!(most > 1e-6 * (double)t->block[e->block].mass * g))
+            continue;
+        s->most += most;
+        if (text_add_push(r, s, e->block, middle, way, most))
+            return -1;
+    }
+    return 0;
+}
+
+/* Adds a force to the live load. */
+static int text_add_live(struct text_reader *r, int block, struct soil_force f)
+{
+    struct text_file *t = r->t;
+    struct text_live *l = realloc(t->axle, (size_t)(t->lives + 1) * sizeof *l);
+    kern_block alone = t->block[block];
+    if (!l)
+        return text_no_memory(t);
+    t->axle = l;
+    l += t->lives++;
+    t->spread++;
+    l->block = block;
+    l->force = f.force;
+    l->place = f.at;
+    alone.load = t->live[block];
+    kern_block_load(&alone, f.force, f.at, 0);
+    t->live[block] = alone.load;
+    return text_check_load(r, &alone.load);
+}
+
+/* Adds a force on a piece of a back, as its side sees it, to the block. */
+static int text_press(struct text_reader *r, struct text_soil *s, int block,
+                      struct soil_force f)
+{
+    kern_block *b = &r->t->block[block];
+    if (s->side == SOIL_LEFT) { /* seen in a mirror */
+        f.force.x = -f.force.x;
+        f.at.x = -f.at.x;
+    }
+    if (!(fabs((double)f.force.x) + fabs((double)f.force.y) > 0))
+        return 0;
+    text_sum(s, f);
+    if (s->live)
+        return text_add_live(r, block, f);
+    kern_block_load(b, f.force, f.at, 0);
+    return text_check_load(r, &b->load);
+}
+
+/* Finds how the back that earth meets leans over the earth. */
+static int text_lean(struct text_reader *r, struct text_soil *s,
+                     const struct text_surface *back)
+{
+    struct text_file *t = r->t;
+    const struct soil_earth *e = &s->earth;
+    const double highest = e->water > 0 ? fmax(e->top, e->level) : e->top;
+    const struct soil_edge *foot = NULL, *head = NULL;
+    for (int i = 0; i < back->edges; i++) {
+        const struct soil_edge *edge = back->edge + i;
+        if (t->block[edge->block].fixed || !((double)edge->p.y < highest))
+            continue;
+        foot = foot ? foot : edge;
+        head = edge;
+    }
+    if (!foot)
+        return text_fail(t, "earth: no free block is below its top, %.9g",
+                         highest);
+    s->earth.lean = (s->side == SOIL_LEFT ? -1 : 1)
+                  * atan2((double)(head->q.x - foot->p.x),
+                          (double)(head->q.y - foot->p.y));
+    if (fabs(s->earth.lean) <= 0.79)
+        return 0;
+    return text_fail(t,
+                     "earth: a back within 45 degrees of the vertical is "
+                     "expected, read one of %.3g degrees",
+                     57.295779513082321 * s->earth.lean);
+}
+
+/* Presses earth and water on a piece of a back, as its side sees it: on what is
+   above the water, and on what is below. */
+static int text_piece(struct text_reader *r, struct text_soil *s, int block,
+                      kern_vec p, kern_vec q)
+{
+    const struct soil_earth *e = &s->earth;
+    kern_vec cut = q;
+    int parts = 1;
+    if (e->water > 0 && (double)p.y < e->level && (double)q.y > e->level) {
+        cut.y = (kern_real)e->level;
+        cut.x = p.x + (q.x - p.x) * (cut.y - p.y) / (q.y - p.y);
+        parts = 2;
+    }
+    for (int k = 0; k < parts; k++) {
+        const kern_vec low = k ? cut : p, high = k ? q : cut;
+        if (text_press(r, s, block, soil_earth(low, high, e))
+            || text_press(r, s, block, soil_water(low, high, e)))
+            return -1;
+    }
+    return 0;
+}
+
+/* Presses earth and water on the outline of a side. */
+static int text_back(struct text_reader *r, struct text_soil *s,
+                     const struct text_surface *back)
+{
+    struct text_file *t = r->t;
+    const double g = -(double)t->gravity.y;
+    r->statement = "earth";
+    s->earth.weight = s->density * g;
+    s->earth.water *= g;
+    if (text_lean(r, s, back))
+        return -1;
+    for (int i = 0; i < back->edges; i++) {
+        const struct soil_edge *e = back->edge + i;
+        kern_vec p = e->p, q = e->q;
+        if (t->block[e->block].fixed)
+            continue;
+        if (s->side == SOIL_LEFT) { /* seen in a mirror */
+            p.x = -p.x;
+            q.x = -q.x;
+        }
+        if (text_piece(r, s, e->block, p, q))
+            return -1;
+    }
+    t->loads += !s->live;
+    return 0;
+}
+
+/* The level on which an axle stands at x, and the cone of its spread: 0 where
+   nothing lies on the outline. */
+static inline double text_road(const struct text_file *t, double x,
+                               double *cone)
+{
+    double top = -HUGE_VAL;
+    for (int i = 0; i < t->soils; i++)
+        if (t->soil[i].kind == TEXT_FILL && t->soil[i].from <= x
+            && t->soil[i].to >= x)
+            top = fmax(top, t->soil[i].earth.top);
+    *cone = top > -HUGE_VAL ? 0.52359877559829887 : 0; /* 30 degrees */
+    return top;
+}
+
+/* Adds to the pattern all axles, moved by `shift`, as they reach the blocks. */
+static inline void text_axles(const struct text_file *t,
+                              const struct text_surface *above, double shift,
+                              kern_wrench *pattern)
+{
+    for (int k = 0; k < t->wheels; k++) {
+        const struct text_axle *w = t->wheel + k;
+        kern_wrench *one = calloc((size_t)t->blocks, sizeof *one);
+        double cone;
+        const double top = text_road(t, w->x + shift, &cone);
+        if (!one)
+            return;
+        soil_spread(one, t->block, above->edge, above->edges, w->x + shift,
+                    w->width, top, cone);
+        for (int i = 0; i < t->blocks; i++) {
+            if (t->block[i].fixed)
+                continue;
+            pattern[i].fy += (kern_real)w->force * one[i].fy;
+            pattern[i].torque += (kern_real)w->force * one[i].torque;
+        }
+        free(one);
+    }
+}
+
+/* Makes the live load of the axles: one force a block. */
+static int text_drive(struct text_reader *r, const struct text_surface *above)
+{
+    struct text_file *t = r->t;
+    kern_wrench *pattern = calloc((size_t)t->blocks, sizeof *pattern);
+    struct text_live *axle = realloc(t->axle, (size_t)(t->lives + t->blocks)
+                                                  * sizeof *axle);
+    int bad = !pattern || !axle;
+    const int before = t->spread;
+    if (axle)
+        t->axle = axle;
+    r->statement = "axle";
+    t->line = t->wheel[0].line;
+    if (!bad)
+        text_axles(t, above, 0, pattern);
+    for (int i = 0; i < t->blocks && !bad; i++) {
+        const kern_vec c = t->block[i].centre;
+        struct text_live *l = t->axle + t->lives;
+        if (!(pattern[i].fy < 0))
+            continue;
+        l->block = i;
+        l->force.x = 0;
+        l->force.y = pattern[i].fy;
+        l->place.x = c.x + pattern[i].torque / pattern[i].fy;
+        l->place.y = c.y;
+        t->live[i].fy += pattern[i].fy;
+        t->live[i].torque += pattern[i].torque;
+        bad = text_check_load(r, &t->live[i]);
+        t->lives++;
+        t->spread++;
+    }
+    free(pattern);
+    if (!bad && t->spread == before)
+        return text_fail(t, "axle: no free block is below one");
+    return bad && t->message[0] ? -1 : bad ? text_no_memory(t) : 0;
+}
+
+/* Does a statement need the outline from this side? */
+static int text_sees(const struct text_file *t, enum soil_side side)
+{
+    int asked = side == SOIL_ABOVE && t->wheels > 0;
+    for (int i = 0; i < t->soils; i++)
+        asked |= t->soil[i].kind != TEXT_PROP && t->soil[i].side == side;
+    return asked;
+}
+
+/* Does what one statement says. */
+static int text_act(struct text_reader *r, struct text_soil *s,
+                    const struct text_surface *seen)
+{
+    struct text_file *t = r->t;
+    const int fill = s->kind == TEXT_FILL;
+    t->line = s->line;
+    if (s->kind == TEXT_PROP)
+        return text_add_push(r, s, s->block, s->at, s->way, s->most);
+    if ((double)(t->gravity.x * t->gravity.x) > 0 || !(t->gravity.y < 0))
+        return text_fail(
+            t, "%s: gravity straight down is expected, read %.9g %.9g",
+            fill ? "fill" : "earth", (double)t->gravity.x,
+            (double)t->gravity.y);
+    if (!fill)
+        return text_back(r, s, &seen[s->side]);
+    if (text_lay(r, s, &seen[SOIL_ABOVE]))
+        return -1;
+    return s->blocks > 0
+             ? 0
+             : text_fail(t, "fill: no free block is below its top, %.9g",
+                         s->earth.top);
+}
+
+/* Does what fill, earth, prop and axle say, but for the pushes. */
+static int text_soil(struct text_reader *r)
+{
+    struct text_file *t = r->t;
+    struct text_surface seen[3] = {{NULL, 0}, {NULL, 0}, {NULL, 0}};
+    int bad = 0;
+    for (int k = 0; k < 3 && !bad; k++)
+        if (text_sees(t, (enum soil_side)k))
+            bad = text_outline(t, (enum soil_side)k, &seen[k]);
+    for (int i = 0; i < t->soils && !bad; i++)
+        bad = text_act(r, t->soil + i, seen);
+    if (!bad && t->wheels > 0)
+        bad = text_drive(r, &seen[SOIL_ABOVE]);
+    for (int k = 0; k < 3; k++)
+        free(seen[k].edge);
+    return bad;
+}
+
 /* ---- The file ------------------------------------------------------------ */
 
 static int text_line(struct text_reader *r)
@@ -615,7 +1247,10 @@ static int text_line(struct text_reader *r)
                      {"torque", text_torque},     {"com", text_com},
                      {"density", text_density},   {"live", text_live},
                      {"mass", text_mass},         {"measured", text_measured},
-                     {"units", text_units}};
+                     {"units", text_units},       {"fill", text_fill},
+                     {"earth", text_earth},       {"prop", text_prop},
+                     {"axle", text_axle_at},      {"bond", text_bond},
+                     {"strength", text_strength}};
     char *word = text_next(r), shown[TEXT_SHOW_ROOM];
     if (*word == '\0')
         return 0;
@@ -643,7 +1278,8 @@ static int text_begins(const char *s, const char *word)
 static int text_make_room(struct text_reader *r, size_t length)
 {
     struct text_file *t = r->t;
-    size_t blocks = 1, contacts = 1, vertices = 1, points = 1;
+    size_t blocks = 1, contacts = 1, vertices = 1, points = 1, soils = 1;
+    size_t wheels = 1, frictions = 1;
     for (size_t i = 0, n; i < length; i += n + 1) {
         const char *line = t->text + i, *end = memchr(line, '\n', length - i);
         n = end ? (size_t)(end - line) : length - i;
@@ -651,6 +1287,10 @@ static int text_make_room(struct text_reader *r, size_t length)
         contacts += (size_t)text_begins(line, "contact");
         points += (size_t)(text_begins(line, "live")
                            | text_begins(line, "mass"));
+        soils += (size_t)(text_begins(line, "fill") | text_begins(line, "earth")
+                          | text_begins(line, "prop"));
+        wheels += (size_t)text_begins(line, "axle");
+        frictions += (size_t)text_begins(line, "friction");
         if (!text_begins(line, "block") && !text_begins(line, "fixed"))
             continue;
         blocks++;
@@ -669,9 +1309,13 @@ static int text_make_room(struct text_reader *r, size_t length)
     t->vertex = calloc(vertices, sizeof *t->vertex);
     t->contact = calloc(2 * contacts, sizeof *t->contact);
     t->own_mu = calloc(2 * contacts, sizeof *t->own_mu);
-    const void *const taken[] = {r->slot,   r->contact, t->block, t->live,
-                                 t->axle,   t->mass,    t->name,  t->block_line,
-                                 t->vertex, t->contact, t->own_mu};
+    t->soil = calloc(soils, sizeof *t->soil);
+    t->wheel = calloc(wheels, sizeof *t->wheel);
+    r->friction = calloc(frictions, sizeof *r->friction);
+    const void *const taken[] = {r->slot,     r->contact,   t->block, t->live,
+                                 t->axle,     t->mass,      t->name,  t->vertex,
+                                 t->contact,  t->own_mu,    t->soil,  t->wheel,
+                                 r->friction, t->block_line};
     for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
         if (!taken[i])
             return text_no_memory(t);
@@ -725,7 +1369,7 @@ static int text_lines(struct text_reader *r, size_t length)
     }
     if (t->line == 0)
         t->line = 1;
-    return text_check(r);
+    return text_check(r) || text_soil(r);
 }
 
 /* A normal may be too short to tell its direction. */
@@ -736,10 +1380,9 @@ static int text_is_unit(kern_vec n)
 }
 
 /* Makes the explicit contacts, now that the whole file is known. */
-static int text_contacts(struct text_reader *r)
+static int text_given(struct text_reader *r)
 {
     struct text_file *t = r->t;
-    t->given = r->contacts > 0;
     for (int i = 0; i < r->contacts; i++) {
         const struct text_contact *c = &r->contact[i];
         char a[TEXT_SHOW_ROOM], b[TEXT_SHOW_ROOM];
@@ -770,6 +1413,172 @@ static int text_contacts(struct text_reader *r)
         for (int k = 0; k < made; k++)
             t->own_mu[t->contacts++] = (char)!(c->mu < 0);
     }
+    return 0;
+}
+
+/* Finds the contacts between all blocks, as the file's options say. */
+static int text_find(struct text_reader *r)
+{
+    struct text_file *t = r->t;
+    const kern_real size = kern_mean_size(t->block, t->blocks);
+    kern_options options = t->options;
+    int found = KERN_NO_SPACE, *index;
+    char *own;
+    kern_work work;
+    if (t->error > 0)
+        options = kern_measured_options(
+            &options, t->error, t->turn > 0 ? t->turn : t->error / size);
+    index = calloc((size_t)(2 * t->blocks), sizeof *index);
+    work = kern_work_of(NULL, 0, index, 2 * t->blocks);
+    for (int room = 16 * t->blocks + 64;
+         index && found == KERN_NO_SPACE && room < INT_MAX / 8; room *= 2) {
+        kern_contact *more = realloc(t->contact, (size_t)room * sizeof *more);
+        if (!more)
+            break;
+        t->contact = more;
+        found = kern_contacts(t->block, t->blocks, &options, t->contact, room,
+                              &work);
+    }
+    free(index);
+    if (found == KERN_NO_SPACE)
+        return text_no_memory(t);
+    if (found < 0) {
+        const int i = work.fault.block, j = work.fault.other;
+        char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+        t->line = i < 0 ? 0 : t->block_line[i > j ? i : j];
+        return text_fail(
+            t, "block '%s'%s%s%s: %s", i < 0 ? "" : text_show(one, t->name[i]),
+            j < 0 ? "" : " and '", j < 0 ? "" : text_show(two, t->name[j]),
+            j < 0 ? "" : "'", kern_status_text((kern_status)found));
+    }
+    own = realloc(t->own_mu, (size_t)found + 1);
+    if (!own)
+        return text_no_memory(t);
+    memset(own, 0, (size_t)found + 1);
+    t->own_mu = own;
+    t->contacts = found;
+    t->found = 1;
+    return 0;
+}
+
+/* Sets the friction of a contact from those of its blocks: that of the pair, or
+   else the least of both. */
+static void text_set_friction(const struct text_reader *r, int k)
+{
+    kern_contact *c = &r->t->contact[k];
+    kern_real mu[2] = {-1, -1}, pair = -1;
+    for (int i = 0; i < r->frictions; i++) {
+        const struct text_friction *f = r->friction + i;
+        const int same = (f->a == c->a && f->b == c->b)
+                      || (f->a == c->b && f->b == c->a);
+        if (same)
+            pair = f->mu;
+        if (f->b < 0 && f->a == c->a)
+            mu[0] = f->mu;
+        if (f->b < 0 && f->a == c->b)
+            mu[1] = f->mu;
+    }
+    if (pair < 0)
+        pair = mu[0] < 0 || (mu[1] >= 0 && mu[1] < mu[0]) ? mu[1] : mu[0];
+    if (pair < 0 || r->t->own_mu[k])
+        return;
+    c->mu = pair;
+    r->t->own_mu[k] = 1;
+}
+
+/* Makes room for pushes: blocks, names, and contact points. */
+static int text_prop_room(struct text_reader *r)
+{
+    struct text_file *t = r->t;
+    const size_t n = (size_t)(t->blocks + r->pushes);
+    const size_t points = (size_t)(t->contacts + 2 * r->pushes);
+    kern_block *block = realloc(t->block, n * sizeof *block);
+    if (block)
+        t->block = block;
+    kern_wrench *live = realloc(t->live, n * sizeof *live);
+    if (live)
+        t->live = live;
+    char **name = realloc(t->name, n * sizeof *name);
+    if (name)
+        t->name = name;
+    int *line = realloc(t->block_line, n * sizeof *line);
+    if (line)
+        t->block_line = line;
+    kern_contact *contact = realloc(t->contact, points * sizeof *contact);
+    if (contact)
+        t->contact = contact;
+    char *own = realloc(t->own_mu, points);
+    if (own)
+        t->own_mu = own;
+    t->prop_vertex = calloc((size_t)r->pushes, 4 * sizeof *t->prop_vertex);
+    t->prop_name = calloc((size_t)r->pushes, 16);
+    return block && live && name && line && contact && own && t->prop_vertex
+                && t->prop_name
+             ? 0
+             : text_no_memory(t);
+}
+
+/* Makes a block of each push, and its contacts. */
+static int text_props(struct text_reader *r)
+{
+    struct text_file *t = r->t;
+    const double size = (double)kern_mean_size(t->block, t->blocks);
+    int floor = 0, number = 0;
+    if (r->pushes == 0)
+        return 0;
+    while (floor < t->blocks && !t->block[floor].fixed)
+        floor++;
+    if (floor == t->blocks)
+        return text_fail(t, "a fixed block is expected, from which props and "
+                            "fill push, read none");
+    if (text_prop_room(r))
+        return -1;
+    for (int k = 0; k < r->pushes; k++) {
+        const struct text_push *p = r->push + k;
+        const int i = t->blocks;
+        char *name = t->prop_name + 16 * k;
+        const int bad = soil_prop(t->block, i, t->prop_vertex + 4 * k,
+                                  t->contact + t->contacts, &t->options, floor,
+                                  p->block, p->at, p->way, p->most, t->gravity,
+                                  size);
+        if (bad < 0)
+            return text_fail(t, "a push of up to %g on '%s': %s", p->most,
+                             t->name[p->block],
+                             kern_status_text((kern_status)bad));
+        do
+            snprintf(name, 16, "prop%d", ++number);
+        while (r->slot[text_slot(r, name)]);
+        t->name[i] = name;
+        t->block_line[i] = t->block_line[p->block];
+        memset(&t->live[i], 0, sizeof t->live[i]);
+        memset(t->own_mu + t->contacts, 1, 2);
+        t->contacts += 2;
+        t->blocks++;
+        t->props++;
+    }
+    return 0;
+}
+
+/* Makes the contacts that statements give or need, and what acts in them. */
+static int text_contacts(struct text_reader *r)
+{
+    struct text_file *t = r->t;
+    if (text_given(r))
+        return -1;
+    t->given = r->contacts > 0 || r->frictions > 0 || r->pushes > 0
+            || t->bond > 0 || t->strength > 0;
+    if (!t->given)
+        return 0;
+    if (r->contacts == 0 && text_find(r))
+        return -1;
+    for (int k = 0; k < t->contacts; k++)
+        text_set_friction(r, k);
+    if (t->bond > 0) {
+        soil_bond(t->block, t->contact, t->contacts, t->bond);
+        t->loads++;
+    }
+    if (text_props(r))
+        return -1;
     kern_contact_travels(t->contact, t->contacts);
     return 0;
 }
@@ -787,6 +1596,14 @@ static inline void text_free(struct text_file *t)
     free(t->own_mu);
     free(t->text);
     free(t->vertex);
+    free(t->soil);
+    free(t->wheel);
+    free(t->prop_vertex);
+    free(t->prop_name);
+    t->soil = NULL;
+    t->wheel = NULL;
+    t->prop_vertex = NULL;
+    t->prop_name = NULL;
     t->block = NULL;
     t->live = NULL;
     t->axle = NULL;
@@ -822,12 +1639,14 @@ static inline int text_read(struct text_file *t, const char *data,
         memcpy(t->text, data, length);
     t->text[length] = '\0';
 
-    struct text_reader r = {t,    NULL, NULL, "", 1,    0, 0,
-                            NULL, 0,    NULL, 0,  NULL, 0};
+    struct text_reader r = {t,    NULL, NULL, "", 1,    0, 0,    NULL, 0,
+                            NULL, 0,    NULL, 0,  NULL, 0, NULL, 0};
     int bad = text_make_room(&r, length) || text_lines(&r, length)
            || text_contacts(&r);
     free(r.slot);
     free(r.contact);
+    free(r.friction);
+    free(r.push);
     return bad ? -1 : 0;
 }
 

@@ -253,7 +253,12 @@ class _Text(ctypes.Structure):
                 ("options", _Options), ("epsilon_line", c_int),
                 ("error", c_double), ("turn", c_double), ("units", c_char_p),
                 ("line", c_int), ("message", ctypes.c_char * 512),
-                ("text", c_void_p), ("vertex", c_void_p)]
+                ("text", c_void_p), ("vertex", c_void_p), ("wheel", c_void_p),
+                ("soil", c_void_p), ("wheels", c_int), ("soils", c_int),
+                ("spread", c_int), ("props", c_int), ("found", c_int),
+                ("bond", c_double), ("strength", c_double),
+                ("force_units", c_char_p), ("prop_vertex", c_void_p),
+                ("prop_name", c_void_p)]
 
 
 class _Cases(ctypes.Structure):
@@ -267,7 +272,8 @@ class _Asked(ctypes.Structure):
                 ("densities", c_void_p), ("density_words", c_int),
                 ("has_ground", c_int), ("ground", c_double),
                 ("pixel", c_double), ("tolerance", c_double),
-                ("image", c_char_p)]
+                ("image", c_char_p), ("frictions", c_void_p),
+                ("friction_words", c_int), ("phi", c_double)]
 
 
 _LAYOUTS = {
@@ -292,7 +298,7 @@ _ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 _HEADERS = ("kern.h", "kern_lp.h", "examples/python/many.h", *(
     "examples/parts/%s.h" % part for part in (
     "draw", "drawing", "dxf", "falls", "image", "lines", "outlines", "room",
-    "shapes", "statements", "svg", "text", "tokens", "words")))
+    "shapes", "soil", "statements", "svg", "text", "tokens", "words")))
 _FLAGS = ("-O2", "-ffp-contract=off", "-shared", "-fPIC", "-I%s" % _ROOT)
 
 
@@ -2894,6 +2900,9 @@ def _structure_of(t: _Text, name: str) -> Structure:
     out.lives = [(blocks[a.block].name, (a.force.x, a.force.y),
                   (a.place.x, a.place.y)) for a in t.axle[:t.lives]]
     out.units = t.units.decode(errors="replace") if t.units else None
+    if t.strength > 0:
+        warnings.warn("%s: stone does not crush here, 'strength' is for the "
+                      "program" % name, DrawingWarning, 3)
     return out
 
 

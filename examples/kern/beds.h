@@ -1,0 +1,234 @@
+/* beds.h - one resultant a bed or joint, and the stresses at its two ends.
+
+   A bed is all that lies on one line across gravity without a wide gap: the stones of
+   a course on those of the course below. Any other interface is a joint of its
+   own. The forces are those of the report; stresses are linear over the bed,
+   without tension.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef PROGRAM_BEDS_H
+#define PROGRAM_BEDS_H
+
+#include "../../kern.h"
+
+#include "../parts/json.h"
+#include "loads.h"
+#include "state.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+struct bed {
+    int a, b;             /* blocks of its first interface                */
+    int interfaces;       /* how many                                     */
+    kern_vec n;           /* normal, into b                               */
+    double level;         /* of its line along n                          */
+    double low, high;     /* ends, along the tangent                      */
+    double normal, shear; /* forces                                       */
+    double moment;        /* of normal forces, along the tangent          */
+};
+
+static inline double bed_along(const struct bed *d, kern_vec p)
+{
+    return (double)(p.y * d->n.x - p.x * d->n.y);
+}
+
+/* The point of a bed at a place along it. */
+static inline kern_vec bed_point(const struct bed *d, double along)
+{
+    kern_vec p;
+    p.x = (kern_real)(d->level * d->n.x - along * d->n.y);
+    p.y = (kern_real)(d->level * d->n.y + along * d->n.x);
+    return p;
+}
+
+/* The bed of the interface that begins with contact k and has n points. */
+static inline struct bed bed_of(const struct analysis *a, int k, int n)
+{
+    const kern_contact *c = &a->task.s.contact[k];
+    struct bed d = {c->a, c->b, 1, c->n, 0, HUGE_VAL, -HUGE_VAL, 0, 0, 0};
+    d.level = (double)(c->p.x * c->n.x + c->p.y * c->n.y);
+    for (int i = 0; i < n; i++) {
+        const double along = bed_along(&d, c[i].p);
+        d.low = fmin(d.low, along);
+        d.high = fmax(d.high, along);
+        d.normal += (double)a->force[k + i].normal;
+        d.shear += (double)a->force[k + i].tangential;
+        d.moment += along * (double)a->force[k + i].normal;
+    }
+    return d;
+}
+
+/* Is e a part of the same bed? */
+static inline int bed_meets(const struct analysis *a, const struct bed *d,
+                            const struct bed *e, double size)
+{
+    const kern_vec g = a->task.s.gravity;
+    const double across = (double)(d->n.x * g.x + d->n.y * g.y) / gravity_of(a);
+    return fabs(across) > 0.95
+        && (double)(d->n.x * e->n.x + d->n.y * e->n.y) > 0.999
+        && fabs(d->level - e->level) < 0.02 * size
+        && fmax(d->low, e->low) - fmin(d->high, e->high) < 0.2 * size;
+}
+
+static inline void bed_join(struct bed *d, const struct bed *e)
+{
+    d->interfaces += e->interfaces;
+    d->low = fmin(d->low, e->low);
+    d->high = fmax(d->high, e->high);
+    d->normal += e->normal;
+    d->shear += e->shear;
+    d->moment += e->moment;
+}
+
+/* Finds all beds and joints of stones that forces press, in the order of the
+   file. Returns how many; *out is the caller's to free. */
+static inline int find_beds(const struct analysis *a, struct bed **out)
+{
+    const kern_structure *s = &a->task.s;
+    const double size = mean_size(a);
+    struct bed *bed = array(s->contacts, sizeof *bed);
+    int beds = 0, joined = 1;
+    *out = bed;
+    if (!bed || a->shown != KERN_STANDS)
+        return 0;
+    for (int k = 0, n = 1; k < s->contacts; k += n) {
+        for (n = 1; k + n < s->contacts
+                    && s->contact[k + n].a == s->contact[k].a
+                    && s->contact[k + n].b == s->contact[k].b;)
+            n++;
+        if (s->contact[k].a < stones(a) && s->contact[k].b < stones(a))
+            bed[beds++] = bed_of(a, k, n);
+    }
+
+    /* parts may meet by others: until none is left */
+    while (joined && gravity_of(a) > 0) {
+        joined = 0;
+        for (int i = 0; i < beds; i++)
+            for (int j = i + 1; j < beds; j++) {
+                if (!bed_meets(a, &bed[i], &bed[j], size))
+                    continue;
+                bed_join(&bed[i], &bed[j]);
+                for (int k = j--; k + 1 < beds; k++)
+                    bed[k] = bed[k + 1];
+                beds--;
+                joined = 1;
+            }
+    }
+    return beds;
+}
+
+/* The stress at the low and the high end of a bed; NAN for a point. */
+static inline void bed_stress(const struct bed *d, double *e, double *low,
+                              double *high)
+{
+    const double wide = d->high - d->low, middle = (d->low + d->high) / 2;
+    const double off = d->moment / d->normal - middle;
+    const double pressed = 3 * (wide / 2 - fabs(off));
+    double most = 2 * d->normal / fmax(pressed, 0), least = 0;
+    *e = wide > 0 ? off / wide : 0;
+    *low = *high = (double)NAN;
+    if (!(wide > 0))
+        return;
+    if (fabs(off) * 6 <= wide) {
+        most = d->normal / wide * (1 + 6 * fabs(off) / wide);
+        least = d->normal / wide * (1 - 6 * fabs(off) / wide);
+    }
+    *low = off > 0 ? least : most;
+    *high = off > 0 ? most : least;
+}
+
+/* A row of the tables. */
+struct bed_row {
+    kern_vec at, low_end, high_end;
+    double e, low, high, shear;
+};
+
+/* Returns 0 where the bed is not pressed, but for rounding. */
+static inline int bed_row_of(const struct analysis *a, const struct bed *d,
+                             struct bed_row *row)
+{
+    double most = 0;
+    for (int k = 0; k < a->task.s.contacts; k++)
+        most = fmax(most, (double)a->force[k].normal);
+    if (!(d->normal > 1e-9 * most))
+        return 0;
+    row->shear = fabs(d->shear) < 1e-9 * d->normal ? 0 : d->shear;
+    bed_stress(d, &row->e, &row->low, &row->high);
+    row->at = bed_point(d, d->moment / d->normal);
+    row->low_end = bed_point(d, d->low);
+    row->high_end = bed_point(d, d->high);
+    return 1;
+}
+
+/* A stress, or that there is none. */
+static inline const char *bed_number(double stress, char out[32])
+{
+    snprintf(out, 32, isnan(stress) ? "-" : "%.4g", stress);
+    return out;
+}
+
+static inline void report_beds(const struct analysis *a)
+{
+    struct bed *bed;
+    const int beds = find_beds(a, &bed);
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    struct bed_row r;
+    if (beds > 0)
+        printf("  beds        %-10s %-10s %9s %9s %7s %9s %-18s %9s at\n",
+               "from", "on", "normal", "shear", "e / b", "stress", "at",
+               "stress");
+    for (int i = 0; i < beds; i++) {
+        const struct bed *d = &bed[i];
+        char low[64], high[64], from[32], to[32];
+        if (!bed_row_of(a, d, &r))
+            continue;
+        printf("              %-10s %-10s %9.4g %9.4g %7.3f %9s %-18s %9s "
+               "%s",
+               text_show(one, a->text.name[d->a]),
+               text_show(two, a->text.name[d->b]), d->normal, r.shear, r.e,
+               bed_number(r.low, from), loads_at(a, r.low_end, low),
+               bed_number(r.high, to), loads_at(a, r.high_end, high));
+        if (d->interfaces > 1)
+            printf(", a bed of %d contacts", d->interfaces);
+        printf("\n");
+    }
+    free(bed);
+}
+
+static inline void json_beds(const struct analysis *a)
+{
+    struct bed *bed;
+    const int beds = find_beds(a, &bed);
+    const char *comma = "";
+    struct bed_row r;
+    printf(", \"beds\": [");
+    for (int i = 0; i < beds; i++) {
+        if (!bed_row_of(a, &bed[i], &r))
+            continue;
+        printf("%s{", comma);
+        json_string("a", a->text.name[bed[i].a]);
+        printf(", ");
+        json_string("b", a->text.name[bed[i].b]);
+        printf(", \"interfaces\": %d", bed[i].interfaces);
+        json_number("x", (double)r.at.x);
+        json_number("y", (double)r.at.y);
+        json_number("normal", bed[i].normal);
+        json_number("tangential", r.shear);
+        json_number("eccentricity", r.e);
+        json_number("x1", (double)r.low_end.x);
+        json_number("y1", (double)r.low_end.y);
+        json_number("stress1", r.low);
+        json_number("x2", (double)r.high_end.x);
+        json_number("y2", (double)r.high_end.y);
+        json_number("stress2", r.high);
+        printf("}");
+        comma = ", ";
+    }
+    printf("]");
+    free(bed);
+}
+
+#endif /* PROGRAM_BEDS_H */

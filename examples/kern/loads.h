@@ -1,0 +1,198 @@
+/* loads.h - what statements about soil, mortar and stone put where, in a line
+   each: for the report and for the file that is handed in.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef PROGRAM_LOADS_H
+#define PROGRAM_LOADS_H
+
+#include "../../kern.h"
+
+#include "../parts/json.h"
+#include "state.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { LOADS_ROOM = 320, LOADS_QUANTITY = TEXT_SHOW_ROOM + 40 };
+
+static inline const char *plural(int count) { return count == 1 ? "" : "s"; }
+
+/* A coordinate without what the width of a bracket left where it should be
+   0. */
+static inline double tidy(const struct analysis *a, double x)
+{
+    return fabs(x) < 2e-6 * mean_size(a) ? 0 : x;
+}
+
+/* A quantity with its unit, of a slice of depth 1, where units are known:
+   `per_length` times a length under the force. */
+static inline const char *loads_number(const struct analysis *a, double value,
+                                       int per_length, char *out)
+{
+    const struct text_file *t = &a->text;
+    char force[TEXT_SHOW_ROOM], length[TEXT_SHOW_ROOM];
+    const double shown = fabs(value) < 1e-12 ? 0 : value;
+    const char *unit = t->force_units;
+    if (!unit)
+        snprintf(out, LOADS_QUANTITY, "%.4g", shown);
+    else if (per_length == 0)
+        snprintf(out, LOADS_QUANTITY, "%.4g %.20s", shown,
+                 text_show(force, unit));
+    else if (per_length == 2 && strcmp(unit, "N") == 0
+             && strcmp(t->units, "m") == 0)
+        snprintf(out, LOADS_QUANTITY, "%.4g Pa", shown);
+    else
+        snprintf(out, LOADS_QUANTITY, "%.4g %.20s/%.20s%s", shown,
+                 text_show(force, unit), text_show(length, t->units),
+                 per_length == 2 ? "2" : "");
+    return out;
+}
+
+/* A place. */
+static inline const char *loads_at(const struct analysis *a, kern_vec at,
+                                   char out[64])
+{
+    snprintf(out, 64, "(%.4g, %.4g)", tidy(a, (double)at.x),
+             tidy(a, (double)at.y));
+    return out;
+}
+
+/* What a statement fill, earth or prop does. */
+static inline void loads_line(const struct analysis *a, int i,
+                              char out[LOADS_ROOM])
+{
+    const struct text_soil *s = &a->text.soil[i];
+    char one[LOADS_QUANTITY], two[LOADS_QUANTITY], at[64];
+    char name[TEXT_SHOW_ROOM];
+    const double fx = (double)s->sum.force.x, fy = (double)s->sum.force.y;
+    if (s->kind == TEXT_PROP) {
+        snprintf(out, LOADS_ROOM,
+                 "up to %.60s on %.60s at %s, toward (%.4g, %.4g), as needed",
+                 loads_number(a, s->most, 0, one),
+                 text_show(name, a->text.name[s->block]),
+                 loads_at(a, s->at, at), (double)s->way.x, (double)s->way.y);
+        return;
+    }
+    if (s->kind == TEXT_EARTH) {
+        snprintf(out, LOADS_ROOM,
+                 "%.60s to the %s and %.60s %s, through %s, on %d face%s%s",
+                 loads_number(a, fabs(fx), 0, one), fx < 0 ? "left" : "right",
+                 loads_number(a, fabs(fy), 0, two), fy > 0 ? "up" : "down",
+                 loads_at(a, s->sum.at, at), s->blocks, plural(s->blocks),
+                 s->live ? ": live load" : "");
+        return;
+    }
+    int n = snprintf(out, LOADS_ROOM, "weighs %.60s about %s on %d face%s",
+                     loads_number(a, -fy, 0, one), loads_at(a, s->sum.at, at),
+                     s->blocks, plural(s->blocks));
+    if (s->props > 0 && n > 0 && n < LOADS_ROOM)
+        snprintf(out + n, (size_t)(LOADS_ROOM - n),
+                 "; pushes %d of them back, with up to %.60s in all, as needed",
+                 s->props, loads_number(a, s->most, 0, two));
+}
+
+static const char *const loads_word[] = {"fill", "earth", "prop"};
+
+/* What an axle does. */
+static inline void loads_axle(const struct analysis *a, int k,
+                              char out[LOADS_ROOM])
+{
+    const struct text_axle *w = &a->text.wheel[k];
+    char one[LOADS_QUANTITY];
+    double cone;
+    text_road(&a->text, w->x, &cone);
+    snprintf(out, LOADS_ROOM, "%.60s at x = %.4g, %.4g wide, %s",
+             loads_number(a, w->force, 0, one), w->x, w->width,
+             cone > 0 ? "spread by the fill" : "without fill below it");
+}
+
+/* What the strength does, or is not asked to. */
+static inline void loads_strength(const struct analysis *a,
+                                  char out[LOADS_ROOM])
+{
+    char one[LOADS_QUANTITY];
+    snprintf(out, LOADS_ROOM,
+             "%.60s: ends of contacts are moved in by up to %.4g where stone "
+             "crushes%s; tilts and horizontal loads crush no more",
+             loads_number(a, a->text.strength, 2, one), a->crushed,
+             a->settled ? "" : ", and did not settle");
+}
+
+/* What --thrust found. */
+static inline void loads_thrust(const struct analysis *a, char out[LOADS_ROOM])
+{
+    char one[LOADS_QUANTITY], two[LOADS_QUANTITY], name[TEXT_SHOW_ROOM];
+    if (isnan(a->thrust_most))
+        snprintf(out, LOADS_ROOM, "undecided");
+    else
+        snprintf(out, LOADS_ROOM,
+                 "[%.60s, %.60s]: to the left, of %.60s; one end as it gives "
+                 "way, the other as it is pressed in",
+                 loads_number(a, a->thrust_least, 0, one),
+                 loads_number(a, a->thrust_most, 0, two),
+                 text_show(name, a->set->thrust));
+}
+
+/* Calls `line` with each word and its sentence. */
+static inline void loads_each(const struct analysis *a,
+                              void (*line)(const char *word, const char *what,
+                                           void *data),
+                              void *data)
+{
+    char text[LOADS_ROOM], one[LOADS_QUANTITY];
+    for (int i = 0; i < a->text.soils; i++) {
+        loads_line(a, i, text);
+        line(loads_word[a->text.soil[i].kind], text, data);
+    }
+    for (int k = 0; k < a->text.wheels; k++) {
+        loads_axle(a, k, text);
+        line("axle", text, data);
+    }
+    if (a->text.bond > 0) {
+        snprintf(text, sizeof text,
+                 "%.60s: a constant compression in every line contact",
+                 loads_number(a, a->text.bond, 2, one));
+        line("bond", text, data);
+    }
+    if (a->text.strength > 0) {
+        loads_strength(a, text);
+        line("strength", text, data);
+    }
+}
+
+/* A line of the report. */
+static inline void loads_print(const char *word, const char *what, void *none)
+{
+    (void)none;
+    printf("  %-10s  %s\n", word, what);
+}
+
+/* The same as JSON: a list of statement, line, numbers. */
+static inline void json_soil(const struct analysis *a)
+{
+    const char *comma = "";
+    if (a->text.strength > 0)
+        json_number("crushed", a->crushed);
+    if (a->text.soils == 0)
+        return;
+    printf(", \"soil\": [");
+    for (int i = 0; i < a->text.soils; i++, comma = ", ") {
+        const struct text_soil *s = &a->text.soil[i];
+        const int prop = s->kind == TEXT_PROP;
+        printf("%s{", comma);
+        json_string("statement", loads_word[s->kind]);
+        printf(", \"line\": %d, \"faces\": %d, \"pushes\": %d", s->line,
+               s->blocks, s->props);
+        json_number("fx", (double)s->sum.force.x);
+        json_number("fy", (double)s->sum.force.y);
+        json_number("x", (double)(prop ? s->at.x : s->sum.at.x));
+        json_number("y", (double)(prop ? s->at.y : s->sum.at.y));
+        json_number("most", s->props > 0 ? s->most : (double)NAN);
+        printf("}");
+    }
+    printf("]");
+}
+
+#endif /* PROGRAM_LOADS_H */

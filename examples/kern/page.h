@@ -1,0 +1,443 @@
+/* page.h - --report: one page in HTML to print and hand in, with the picture in
+   it, what was found, what was assumed, and where the rules come from.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef PROGRAM_PAGE_H
+#define PROGRAM_PAGE_H
+
+#include "../../kern.h"
+
+#include "beds.h"
+#include "let_go.h"
+#include "loads.h"
+#include "picture.h"
+#include "report.h"
+#include "state.h"
+#include "sweep.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PAGE_BEDS = 200 }; /* beds that are listed at most */
+
+static inline void page_text(FILE *out, const char *text)
+{
+    draw_escape(out, text, strlen(text));
+}
+
+static inline void page_head(FILE *out, const char *title)
+{
+    fprintf(out, "<h2>%s</h2>\n", title);
+}
+
+/* A row of two cells and what the second means. */
+static inline void page_row(FILE *out, const char *name, const char *value,
+                            const char *means)
+{
+    fputs("<tr><th>", out);
+    page_text(out, name);
+    fputs("</th><td>", out);
+    page_text(out, value);
+    fputs("</td><td>", out);
+    page_text(out, means);
+    fputs("</td></tr>\n", out);
+}
+
+static inline void page_line(const char *word, const char *what, void *out)
+{
+    page_row(out, word, "", what);
+}
+
+/* The verdict in a sentence. */
+static inline void page_verdict(FILE *out, const struct analysis *a)
+{
+    fputs("<p class=\"verdict\">", out);
+    page_text(out, a->verdict == KERN_STANDS  ? "It stands: forces hold it."
+                   : a->verdict == KERN_FALLS ? "It falls: no forces hold it."
+                                              : "Undecided.");
+    if (a->certain >= 0)
+        page_text(out, a->certain ? " Within the error of the outlines that is "
+                                    "certain."
+                                  : " Within the error of the outlines it may "
+                                    "be otherwise.");
+    if (a->let_go_why[0]) {
+        fprintf(out, " Let go from rest, it %s: ", let_go_word(a));
+        page_text(out, a->let_go_why);
+        fputs(".", out);
+    }
+    fputs("</p>\n", out);
+}
+
+/* Margin, or deficit. */
+static inline void page_margin(FILE *out, const struct analysis *a)
+{
+    char value[TEXT_SHOW_ROOM + 40];
+    const char *unit = a->set->relative ? "a share of each contact" : "";
+    if (a->measured == KERN_FALLS) {
+        page_row(out, "deficit", length_text(a, a->deficit, value),
+                 "how far each contact would have to grow at both ends until "
+                 "it stands");
+    } else if (a->measured == KERN_STANDS) {
+        page_row(out, "margin", length_text(a, (double)a->m.margin, value),
+                 a->m.saturated ? "it stands with every contact a point"
+                 : *unit        ? unit
+                         : "how far each contact can shrink at both ends "
+                           "before it falls");
+        if (!isnan(a->bearing) && !isinf(a->bearing))
+            page_row(out, "bearing", length_text(a, a->bearing, value),
+                     "length of the shortest contact that it needs");
+    } else
+        page_row(out, "margin", "undecided", "");
+}
+
+/* Factors of the live load, of horizontal loads, and tilts. */
+static inline void page_factors(FILE *out, const struct analysis *a)
+{
+    static const double degrees = 57.295779513082321;
+    char one[40], two[40], value[100];
+    if (a->shown >= 0 && a->text.lives > 0) {
+        if (a->lived == KERN_STANDS)
+            snprintf(value, sizeof value, "%s to %s",
+                     factor_text(a->live_least, 1, "", one),
+                     factor_text(a->live, 1, "", two));
+        else
+            snprintf(value, sizeof value, "%s",
+                     a->lived == KERN_FALLS ? "none" : "undecided");
+        page_row(out, "live load", value, "factors at which it stands");
+    }
+    if (a->shown != KERN_STANDS || !(gravity_of(a) > 0))
+        return;
+    snprintf(value, sizeof value, "%s left, %s right",
+             factor_text(a->load[LEFT], 1, "", one),
+             factor_text(a->load[RIGHT], 1, "", two));
+    page_row(out, "horizontal load", value,
+             "in g, of limit analysis (sliding is dilatant in it)");
+    if (asks_raised_loads(a) && !is_near(a)) {
+        snprintf(value, sizeof value, "%s left, %s right",
+                 shown_text(a, LEFT, one), shown_text(a, RIGHT, two));
+        page_row(out, "the same, from rest", value,
+                 "in g, with Coulomb friction; the smaller of both counts");
+    }
+    snprintf(value, sizeof value, "%s left, %s right",
+             factor_text(a->tilt[LEFT], degrees, "\xc2\xb0", one),
+             factor_text(a->tilt[RIGHT], degrees, "\xc2\xb0", two));
+    page_row(out, "tilt", value, "of the ground, until it falls");
+}
+
+static inline void page_results(FILE *out, const struct analysis *a)
+{
+    const int most = most_stressed(a, 0, a->task.s.contacts);
+    char value[LOADS_QUANTITY], means[2 * TEXT_SHOW_ROOM + 80];
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    if (a->set->verdict_only)
+        return;
+    page_head(out, "Results");
+    fputs("<table>\n", out);
+    page_margin(out, a);
+    page_factors(out, a);
+    if (a->set->thrust && a->shown == KERN_STANDS) {
+        char thrust[LOADS_ROOM];
+        loads_thrust(a, thrust);
+        page_row(out, "thrust", "", thrust);
+    }
+    if (most >= 0) {
+        const kern_contact *c = &a->task.s.contact[most];
+        snprintf(means, sizeof means,
+                 "between %s and %s, with twice the margin as its length",
+                 name_of(a, c->a, one), name_of(a, c->b, two));
+        page_row(out, "largest stress",
+                 loads_number(a, a->stress[most], 2, value), means);
+    }
+    fputs("</table>\n", out);
+}
+
+/* Geometry, materials and loads. */
+static inline void page_structure(FILE *out, const struct analysis *a)
+{
+    char value[200], one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    const int ends = line_points(a), given = a->text.given && !a->text.found;
+    page_head(out, "Structure and loads");
+    fputs("<table>\n", out);
+    snprintf(value, sizeof value, "%d blocks on %d fixed",
+             stones(a) - a->text.fixed, a->text.fixed);
+    page_row(out, "blocks", value, "");
+    snprintf(value, sizeof value, "%d lines, %d points", ends / 2,
+             a->task.s.contacts - ends - 2 * a->text.props);
+    page_row(out, "contacts", value,
+             given ? "given by the file" : "found between outlines");
+    snprintf(value, sizeof value, "%.4g", (double)a->task.options.mu);
+    page_row(out, "friction", value,
+             a->text.found ? "tan(friction angle), where the file does not say "
+                             "another"
+                           : "tan(friction angle)");
+    snprintf(value, sizeof value, "%.4g, %.4g", (double)a->task.s.gravity.x,
+             (double)a->task.s.gravity.y);
+    page_row(out, "gravity", value, "x, y");
+    snprintf(value, sizeof value, "%.40s, %.40s",
+             a->text.units ? text_show(one, a->text.units) : "of the file",
+             a->text.force_units ? text_show(two, a->text.force_units)
+                                 : "mass times gravity");
+    page_row(out, "units", value,
+             "of lengths, and of forces on a slice of "
+             "depth 1");
+    snprintf(value, sizeof value, "%d", a->text.lives - a->text.spread);
+    if (a->text.lives > a->text.spread)
+        page_row(out, "live loads", value, "forces of the live load");
+    loads_each(a, page_line, out);
+    fputs("</table>\n", out);
+}
+
+/* One resultant a bed. */
+static inline void page_thrust(FILE *out, const struct analysis *a)
+{
+    struct bed *bed;
+    const int beds = find_beds(a, &bed);
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    struct bed_row r;
+    if (beds > 0) {
+        page_head(out, "Thrust: one resultant a bed or joint");
+        fprintf(out,
+                "<p>%s. Eccentricity is a share of the length, below 1/6 where "
+                "all of it is pressed; stresses are linear without "
+                "tension.</p>\n",
+                a->least ? "The forces of the least norm that hold it"
+                         : "Forces that hold it");
+        fputs("<table class=\"numbers\">\n<tr><th>from</th><th>on</th><th>x"
+              "</th><th>y</th><th>normal</th><th>shear</th><th>eccentricity"
+              "</th><th>stress</th><th>at</th><th>stress</th><th>at</th>"
+              "</tr>\n",
+              out);
+    }
+    for (int i = 0; i < beds && i < PAGE_BEDS; i++) {
+        const struct bed *d = &bed[i];
+        char low[64], high[64], from[32], to[32];
+        if (!bed_row_of(a, d, &r))
+            continue;
+        fputs("<tr><td>", out);
+        page_text(out, name_of(a, d->a, one));
+        fputs("</td><td>", out);
+        page_text(out, name_of(a, d->b, two));
+        fprintf(out,
+                "</td><td>%.4g</td><td>%.4g</td><td>%.4g</td><td>%.4g</td>"
+                "<td>%.3f</td><td>%s</td><td>%s</td><td>%s</td><td>%s</td>"
+                "</tr>\n",
+                tidy(a, (double)r.at.x), tidy(a, (double)r.at.y), d->normal,
+                r.shear, r.e, bed_number(r.low, from),
+                loads_at(a, r.low_end, low), bed_number(r.high, to),
+                loads_at(a, r.high_end, high));
+    }
+    if (beds > 0)
+        fputs("</table>\n", out);
+    if (beds > PAGE_BEDS)
+        fprintf(out, "<p>and %d more (--forces lists all)</p>\n",
+                beds - PAGE_BEDS);
+    free(bed);
+}
+
+/* How it falls, or would. */
+static inline void page_mechanism(FILE *out, const struct analysis *a)
+{
+    kern_critical moving = find_groups(a);
+    if (moving.groups > 0) {
+        page_head(out, a->shown == KERN_FALLS ? "How it falls"
+                       : a->set->mechanism_live
+                           ? "How it falls beyond the live load"
+                           : "How it would fall beyond the margin");
+        fputs("<ul>\n", out);
+        for (int k = 0; k < moving.groups && k < 12; k++)
+            write_group(out, a, &moving, k, "<li>", page_text);
+        fputs("</ul>\n", out);
+    }
+    free(moving.group);
+}
+
+static inline void page_sweep(FILE *out, const struct analysis *a)
+{
+    const int least = sweep_least(a);
+    char one[40];
+    if (a->sweeps == 0 || least < 0)
+        return;
+    page_head(out, "A live load that drives over it");
+    fprintf(out,
+            "<p>The least factor is %s, with the first force at x = %.4g.</p>\n"
+            "<div class=\"picture\">\n",
+            factor_text(a->swept[least].live, 1, "", one), a->swept[least].x);
+    sweep_plot(a, out);
+    fputs("</div>\n", out);
+}
+
+/* What a drawing was taken for, and what of it was left out. */
+static inline void page_drawing(FILE *out, const struct analysis *a)
+{
+    const struct shapes *s = &a->drawing.s;
+    const char *note = s->notes.at ? s->notes.at : "";
+    char kind[TEXT_SHOW_ROOM], label[TEXT_SHOW_ROOM];
+    if (!a->drawing.made)
+        return;
+    page_head(out, s->photograph ? "How the photograph was read"
+                                 : "How the drawing was read");
+    fputs("<ul>\n", out);
+    for (; *note; note = strchr(note, '\n') + 1) {
+        fputs("<li>", out);
+        draw_escape(out, note, strcspn(note, "\n"));
+        fputs("</li>\n", out);
+    }
+    for (int i = 0; i < s->skips; i++) {
+        const struct shapes_skip *k = s->skip + i;
+        fprintf(out, "<li>skipped: %d ", k->count);
+        page_text(out, text_show(kind, shapes_at(s, k->kind)));
+        if (*shapes_at(s, k->label)) {
+            fputs(" on ", out);
+            page_text(out, text_show(label, shapes_at(s, k->label)));
+        }
+        fputs("</li>\n", out);
+    }
+    fputs("</ul>\n", out);
+}
+
+/* A sentence of a list, where it applies. */
+static inline void page_item(FILE *out, int applies, const char *text)
+{
+    if (!applies)
+        return;
+    fputs("<li>", out);
+    page_text(out, text);
+    fputs("</li>\n", out);
+}
+
+/* Does a statement of this kind stand in the file? */
+static inline int page_has(const struct analysis *a, enum text_soil_kind kind)
+{
+    for (int i = 0; i < a->text.soils; i++)
+        if (a->text.soil[i].kind == kind)
+            return 1;
+    return 0;
+}
+
+static inline void page_assumptions(FILE *out, const struct analysis *a)
+{
+    const int fill = page_has(a, TEXT_FILL), earth = page_has(a, TEXT_EARTH);
+    const char *notes = a->drawing.made ? a->drawing.s.notes.at : NULL;
+    page_head(out, "What is assumed");
+    fputs("<ul>\n", out);
+    page_item(out, 1,
+              "Blocks are rigid and lie in a plane: a slice of depth 1. What "
+              "happens across it (spandrel walls, skew) is not seen.");
+    page_item(
+        out, 1,
+        "Joints carry no tension and slide by Coulomb's law. Deflections, "
+        "settlement and time are not seen.");
+    page_item(out, 1,
+              "\"Stands\" says that admissible forces exist: without friction "
+              "that is enough, with friction it is necessary. \"Let go\" adds "
+              "that the load raises such forces from rest.");
+    page_item(out, !(a->text.strength > 0), "Stone does not crush.");
+    page_item(out, a->text.strength > 0,
+              "Stone crushes in a rectangular stress block at the end of a "
+              "contact, at the strength that is given.");
+    page_item(out, !(a->text.bond > 0), "Mortar does not bond.");
+    page_item(out, fill || (notes && strstr(notes, "fill: ")),
+              "Fill lies on the stones right below it with its weight.");
+    page_item(out, a->text.props > 0,
+              "Pushes (passive pressure, props) are there as far as they are "
+              "needed, up to their largest value, whatever the movement.");
+    page_item(out, earth,
+              "Earth is level and presses with its active pressure, in "
+              "proportion to depth.");
+    page_item(out, pose_error(a) > 0,
+              "Outlines were measured: gaps and overlaps of some errors are "
+              "contacts.");
+    page_item(out, a->text.loads > 0,
+              "Loads, earth and bond stay as they are under horizontal loads "
+              "and tilts.");
+    fputs("</ul>\n", out);
+}
+
+static inline void page_sources(FILE *out, const struct analysis *a)
+{
+    const int fill = page_has(a, TEXT_FILL), earth = page_has(a, TEXT_EARTH);
+    page_head(out, "Sources of the rules");
+    fputs("<ul>\n", out);
+    page_item(out, 1,
+              "Equilibrium of rigid blocks without tension: J. Heyman, The "
+              "stone skeleton, Int. J. Solids Struct. 2 (1966) 249; by linear "
+              "programming: R. K. Livesley, Int. J. Numer. Meth. Engng 12 "
+              "(1978) 1853.");
+    page_item(out, 1,
+              "Margin and level: Y. Liu, M. Saboia, V. Thangavelu, N. Napp, "
+              "Approximate Stability Analysis for Drystacked Structures, IROS "
+              "2019.");
+    page_item(out, earth,
+              "Active pressure: C. A. Coulomb, 1776; W. J. M. "
+              "Rankine, 1857.");
+    page_item(out, fill && a->text.props > 0,
+              "Passive pressure: W. J. M. Rankine, 1857.");
+    page_item(out, a->text.wheels > 0 && fill,
+              "Spread of a load through fill: J. Boussinesq, 1885, within 30 "
+              "degrees.");
+    page_item(out, 1,
+              "How far these rules meet experiments: tests/REALITY.md of "
+              "kern.");
+    fputs("</ul>\n", out);
+}
+
+static const char page_style[] =
+    "body{font:14px/1.45 Helvetica,Arial,sans-serif;color:#2b2823;"
+    "max-width:760px;margin:24px auto;padding:0 16px}\n"
+    "h1{font-size:22px;margin:0}h2{font-size:16px;margin:22px 0 6px;"
+    "border-bottom:1px solid #c9c2b6}\n"
+    "table{border-collapse:collapse;width:100%}"
+    "th,td{text-align:left;vertical-align:top;padding:2px 8px 2px 0}\n"
+    "th{font-weight:600;white-space:nowrap;width:1%}td:nth-child(2)"
+    "{white-space:nowrap}.numbers{font-size:11px}"
+    ".numbers td,.numbers th{padding:1px 6px 1px 0}\n"
+    ".verdict{font-size:17px}.picture svg{max-width:100%;height:auto}\n"
+    "footer{margin-top:24px;color:#6a6256;font-size:12px}\n"
+    "tr,li,.picture{break-inside:avoid}h2{break-after:avoid}\n"
+    "@media print{body{margin:0;max-width:none}}@page{margin:18mm}\n";
+
+/* Writes the whole page. */
+static inline int page_write(FILE *out, const struct analysis *a)
+{
+    char name[200];
+    int stem;
+    snprintf(name, sizeof name, "%s", stem_of(a->file, &stem));
+    fputs("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+          "<title>",
+          out);
+    page_text(out, name);
+    fprintf(out, "</title>\n<style>\n%s</style></head><body>\n<h1>",
+            page_style);
+    page_text(out, name);
+    fputs("</h1>\n", out);
+    page_verdict(out, a);
+    fputs("<div class=\"picture\">\n", out);
+    if (draw_to(out, a))
+        return -1;
+    fputs("</div>\n", out);
+    page_results(out, a);
+    page_structure(out, a);
+    page_mechanism(out, a);
+    page_sweep(out, a);
+    page_thrust(out, a);
+    page_drawing(out, a);
+    page_assumptions(out, a);
+    page_sources(out, a);
+    fputs("<footer>kern " KERN_VERSION
+          ". Every verdict was checked against the "
+          "structure before it was reported.</footer>\n</body></html>\n",
+          out);
+    return fflush(out) != 0 || ferror(out) ? -1 : 0;
+}
+
+static inline int write_page(const struct analysis *a)
+{
+    FILE *out;
+    char *path = open_output(a, a->set->page, &out);
+    return close_output(path, out, !out || page_write(out, a));
+}
+
+#endif /* PROGRAM_PAGE_H */
