@@ -210,8 +210,8 @@ END {
         table("CANDIDATES on walls", "places;stand;margin stays;tries/s;" \
               "stay/s;bears/s", which)
         table("TIMES", times ";floor ms;contacts ms", which)
-        table("TIMES of the peers", "GLPK ms;Clp ms;LP closed ms;" \
-              "GLPK's Alg. 1 ms;Clp's Alg. 1 ms", which)
+        table("TIMES of the peers", "GLPK ms;Clp ms;DAQP ms;LP closed ms;" \
+              "GLPK's Alg. 1 ms;Clp's Alg. 1 ms;DAQP's Alg. 1 ms", which)
         table("COUNTS", "points;d*/d_max;pivots at 0;pivots;LPs", which)
     }
     if (!summary) {

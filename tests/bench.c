@@ -10,6 +10,14 @@
        cc -O2 -ffp-contract=off -DBENCH_GLPK -DBENCH_CLP -o bench \
            tests/bench.c -lglpk -lClp -lCoinUtils -lm
 
+   DAQP is fetched: its sources are compiled into a folder of your own,
+
+       git clone https://github.com/darnstrom/daqp DAQP
+       (cd DAQP && cc -O2 -Iinclude -c src/[a-z]*.c && ar rcs libdaqp.a [a-z]*.o)
+
+   and -DBENCH_DAQP -IDAQP/include -LDAQP -ldaqp are added. DAQP's time includes
+   its setup, which factors the matrix.
+
    Then ./bench prints CSV, one line for each number that is known of a
    structure: family or set, blocks, number or file, kind (0 made, 1 a made wall,
    2 a file), the name of the number, its value. It asks the reported half of the
@@ -105,8 +113,10 @@
     X(SEARCH, "contacts ms", 0, 0) /* kern_contacts                    */     \
     X(GLPK, "GLPK ms", 0, 0)                                                  \
     X(CLP, "Clp ms", 0, 0)                                                    \
+    X(DAQP, "DAQP ms", 0, 0)                                                  \
     X(GLPK_WARM, "GLPK's Alg. 1 ms", 0, 0)                                    \
     X(CLP_WARM, "Clp's Alg. 1 ms", 0, 0)                                      \
+    X(DAQP_COLD, "DAQP's Alg. 1 ms", 0, 0)                                    \
     X(LP, "peer's LP ms", 0, 0) /* of the faster peer               */        \
     X(WARM, "peer's Alg. 1 ms", 0, 0)                                         \
     X(LP_CLOSED, "LP closed ms", 0, 0)                                        \
@@ -734,7 +744,7 @@ static int usage(FILE *out, int status)
             "  --release   also 500, 1000 and 2000 blocks\n"
             "  --list FILE the files that it names, and no made structures;\n"
             "              else those of tests/corpus/even.txt are first\n"
-            "  --family F  bond, rag, irr, tower, arch or brick alone\n"
+            "  --family F  bond, rag, irr, tower, arch, brick or fit alone\n"
             "  --sizes N,N at most %d, each of 5 to 5000 blocks\n"
             "  --number K  only structure K of each family and size; with any\n"
             "              of these three no files\n"
