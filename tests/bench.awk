@@ -1,7 +1,8 @@
 # ./bench | awk -f tests/bench.awk                        every table
-# ./bench --quick | awk -v summary=1 -f tests/bench.awk   those of BENCH.md
+# bash tests/bench.sh                             those of BENCH.md
 #
-# Tables of the CSV that tests/bench.c prints, and tests/work.sh. First the files
+# Tables of the CSV that tests/bench.c prints, and tests/work.sh. First a robot's
+# placements by size, then the files
 # of the corpus by size: median, p90 and worst of each ratio, over all tries where
 # stones were tried, and over all structures their sums and the share above one
 # LP; then made structures. Of those a family's number is the median
@@ -27,6 +28,10 @@ $4 == 2 {
     if (!(($1, $3) in file)) { file[$1, $3] = 1; files[class_of($2)]++ }
     next
 }
+$5 ~ /^robot / {
+    robot(substr($5, 7), class_of($2))
+    next
+}
 $1 == "memory" { memory[$2, $5] = $6; next }
 {
     if (!($1 in wall)) { family[++families] = $1; wall[$1] = $4 }
@@ -38,6 +43,50 @@ $1 == "memory" { memory[$2, $5] = $6; next }
         worst[$5, $2] = $6
         worst_of[$5, $2] = $1 "/" $2 "/" $3
     }
+}
+
+# Keeps a number of a placement, and counts how often both judges agree.
+function robot(name, k) {
+    asked[name, k, ++asks[name, k]] = $6
+    if (name == "lets go") lets_go = $6
+    if (name == "Box2D stays") same[k] += lets_go == $6
+}
+
+# A robot's whole question, a row for each class of sizes.
+function robots(    list, item, all, m, k, i, j, n, sum) {
+    m = split("pose us;touch us;bears us;try us;stays us;kern us;Box2D us;" \
+              "Box2D / kern", all, ";")
+    printf("%s| stones | placements |", summary ? "" : "A ROBOT'S QUESTION: " \
+           "median, p90, worst of each step\n\n")
+    for (i = 1; i <= m; i++) cell(all[i])
+    cell("sums, Box2D / kern")
+    cell("agree")
+    printf("\n|---:|---:|")
+    for (i = 1; i <= m + 2; i++) printf("---:|")
+    printf("\n")
+    for (k = 1; k <= classes; k++) {
+        if (!asks["kern us", k]) continue
+        printf("| %s | %d |", k == classes ? "> " class[k - 1] : \
+               (k > 1 ? class[k - 1] + 1 : 1) "-" class[k], asks["kern us", k])
+        for (i = 1; i <= m; i++) {
+            n = asks[all[i], k]
+            for (j = 1; j <= n; j++) list[j] = asked[all[i], k, j]
+            item = n ? number(median(list, n), 2) : ""
+            if (n) item = item "  " number(list[int(0.9 * (n - 1) + 1.5)], 2) \
+                "  " number(list[n], 2)
+            cell(item)
+        }
+        for (i in sum) delete sum[i]
+        n = asks["Box2D us", k]
+        for (j = 1; j <= n; j++) {
+            sum["kern"] += asked["kern us", k, j]
+            sum["Box2D"] += asked["Box2D us", k, j]
+        }
+        cell(n ? number(sum["Box2D"] / sum["kern"], 2) : "")
+        cell(n ? same[k] " of " n : "")
+        printf("\n")
+    }
+    printf("\n")
 }
 
 function class_of(blocks,    k) {
@@ -198,6 +247,8 @@ function over_all() {
 }
 
 END {
+    for (k = 1; k <= classes; k++) if (asks["kern us", k]) placed = 1
+    if (placed) robots()
     corpus(reported)
     if (!families) exit
     times = "verdict ms;measure ms;scan ms;kerns closed ms;load ms;tilt ms"
@@ -210,8 +261,8 @@ END {
         table("CANDIDATES on walls", "places;stand;margin stays;tries/s;" \
               "stay/s;bears/s", which)
         table("TIMES", times ";floor ms;contacts ms", which)
-        table("TIMES of the peers", "GLPK ms;Clp ms;LP closed ms;" \
-              "GLPK's Alg. 1 ms;Clp's Alg. 1 ms", which)
+        table("TIMES of the peers", "GLPK ms;Clp ms;DAQP ms;LP closed ms;" \
+              "GLPK's Alg. 1 ms;Clp's Alg. 1 ms;DAQP's Alg. 1 ms", which)
         table("COUNTS", "points;d*/d_max;pivots at 0;pivots;LPs", which)
     }
     if (!summary) {

@@ -10,6 +10,22 @@
        cc -O2 -ffp-contract=off -DBENCH_GLPK -DBENCH_CLP -o bench \
            tests/bench.c -lglpk -lClp -lCoinUtils -lm
 
+   DAQP is fetched: its sources are compiled into a folder of your own,
+
+       git clone https://github.com/darnstrom/daqp DAQP
+       (cd DAQP && cc -O2 -Iinclude -c src/[a-z]*.c && ar rcs libdaqp.a [a-z]*.o)
+
+   and -DBENCH_DAQP -IDAQP/include -LDAQP -ldaqp are added. DAQP's time includes
+   its setup, which factors the matrix.
+
+   So is Box2D 3, beside which a robot's whole question is asked (robot.h):
+
+       git clone https://github.com/erincatto/box2d BOX2D
+       (cd BOX2D && cc -O2 -DNDEBUG -std=gnu17 -Iinclude -c src/[a-z]*.c &&
+           ar rcs libbox2d.a [a-z]*.o)
+
+   with -DBENCH_BOX2D -IBOX2D/include -LBOX2D -lbox2d -lpthread.
+
    Then ./bench prints CSV, one line for each number that is known of a
    structure: family or set, blocks, number or file, kind (0 made, 1 a made wall,
    2 a file), the name of the number, its value. It asks the reported half of the
@@ -21,11 +37,7 @@
 
        ./bench >times.csv && awk -f tests/bench.awk times.csv
 
-   and those of tests/BENCH.md are made anew by
-
-       ./bench --quick --release | awk -v summary=1 -f tests/bench.awk >summary.md
-           && sed -i -e '/^<!-- bench/,/^<!-- end/{//!d}' \
-               -e '/^<!-- bench/r summary.md' tests/BENCH.md
+   and bash tests/bench.sh writes those of tests/BENCH.md.
 
    Instructions instead of times: bash tests/work.sh corpus.
 
@@ -72,7 +84,7 @@
 
 #include <time.h>
 
-#include "questions.h"
+#include "robot.h"
 
 #define NEAR \
     1e-5             /* mean block sizes around d* where peers, with
@@ -105,8 +117,10 @@
     X(SEARCH, "contacts ms", 0, 0) /* kern_contacts                    */     \
     X(GLPK, "GLPK ms", 0, 0)                                                  \
     X(CLP, "Clp ms", 0, 0)                                                    \
+    X(DAQP, "DAQP ms", 0, 0)                                                  \
     X(GLPK_WARM, "GLPK's Alg. 1 ms", 0, 0)                                    \
     X(CLP_WARM, "Clp's Alg. 1 ms", 0, 0)                                      \
+    X(DAQP_COLD, "DAQP's Alg. 1 ms", 0, 0)                                    \
     X(LP, "peer's LP ms", 0, 0) /* of the faster peer               */        \
     X(WARM, "peer's Alg. 1 ms", 0, 0)                                         \
     X(LP_CLOSED, "LP closed ms", 0, 0)                                        \
@@ -155,7 +169,8 @@ struct bench {
     int tries;
     kern_plan whole; /* of a made wall: a candidate is added to it      */
     int structures, checks, differences, silent;
-    int inside; /* margins of candidates that differ in a bracket  */
+    int place, placements; /* of the robot                                 */
+    int inside;            /* margins of candidates that differ in a bracket  */
 };
 
 static int compare_numbers(const void *a, const void *b)
@@ -560,6 +575,127 @@ static void measure_tops(struct ask *ask)
     }
 }
 
+/* ---- A robot's question --------------------------------------------------- */
+
+/* The contacts of the stone, on a plan of its own. */
+static void run_touch(struct ask *ask)
+{
+    kern_plan *whole = &ask->bench->whole;
+    ask->number = kern_plan_add(whole, &ask->stone);
+    if (ask->number >= 0)
+        kern_plan_remove(whole, whole->task.s.blocks - 1);
+}
+
+static void run_stays_of(struct ask *ask)
+{
+    ask->status = kern_plan_stays(&ask->plan, &ask->stone, &ask->number);
+}
+
+/* The pose: where a brick comes to rest that is let down at the place. */
+static void run_pose(struct ask *ask)
+{
+    static kern_vec corner[8];
+    const kern_vec upright = {1, 0};
+    kern_pose pose;
+    site_lay(ask, ask->bench->place);
+    ask->status = kern_rest(&ask->plan.task, &ask->stone, ask->stone.centre.x,
+                            upright, corner, &pose);
+    if (ask->status == KERN_OK)
+        ask->stone = pose.block;
+}
+
+/* Whether it stands at all: the simulator asks for no margin. */
+static void run_bears_any(struct ask *ask)
+{
+    ask->status = kern_plan_bears(&ask->plan, &ask->stone, 0, NULL);
+}
+
+#ifdef BENCH_BOX2D
+static void run_simulator(struct ask *ask)
+{
+    ask->answer = run_stays(&ask->plan, &ask->stone);
+}
+#endif
+
+/* Prints the times of one placement, their sum, and whether both agree. A step
+   that says no ends the question. Returns 0 where the place overlaps. */
+static int measure_robot(struct ask *ask)
+{
+    static ask_function *const run[STEPS] = {run_pose, run_touch, run_bears_any,
+                                             run_try, run_stays_of};
+    double time[STEPS], sum = 0;
+    int step, lets_go = 1, answered = STEPS;
+    for (step = 0; step < STEPS && lets_go; step++) {
+        time[step] = time_of(ask, run[step], NULL);
+        sum += time[step];
+        answered = step + 1;
+        if (step == TOUCH)
+            lets_go = ask->number >= 0;
+        else if (step == BEARS || step == TRY)
+            lets_go = ask->status == KERN_STANDS;
+        else if (step == STAYS)
+            lets_go = ask->status == KERN_STANDS && ask->number >= ROBOT_CHANCE;
+        if (ask->status == KERN_OVERLAP || (step == TOUCH && !lets_go))
+            return 0;
+    }
+    for (step = 0; step < answered; step++) {
+        char text[20];
+        snprintf(text, sizeof text, "robot %s us", step_name[step]);
+        record(ask, text, 1e3 * time[step]);
+    }
+    record(ask, "robot kern us", 1e3 * sum);
+    record(ask, "robot lets go", lets_go);
+#ifdef BENCH_BOX2D
+    {
+        const double theirs = time_of(ask, run_simulator, NULL);
+        record(ask, "robot Box2D us", 1e3 * theirs);
+        record(ask, "robot Box2D stays", ask->answer);
+        record(ask, "robot Box2D / kern", theirs / sum);
+    }
+#endif
+    return 1;
+}
+
+/* Places along the top of a wall that was measured. */
+static void measure_wall(struct bench *bench, int family, int size, int number)
+{
+    struct scene scene;
+    struct ask ask;
+    int i, places;
+    scene_make(&scene, family, size, number);
+    ask_open(&ask, &scene);
+    ask.bench = bench;
+    run_measure(&ask);
+    if (ask.status == KERN_STANDS && ask.margin.margin > 0) {
+        places = site_open(&ask);
+        bench->whole = plan_open(&ask, -1);
+        for (i = 0; i < places && i < ROBOT_PLACES; i++) {
+            bench->place = i * places / ROBOT_PLACES;
+            if (places < ROBOT_PLACES)
+                bench->place = i;
+            bench->placements += measure_robot(&ask);
+        }
+        plan_close(&bench->whole);
+    }
+    ask_close(&ask);
+    scene_close(&scene);
+}
+
+/* Walls of convex blocks: those without slope. */
+static void measure_robots(struct bench *bench)
+{
+    static const int size[] = {8, 20, 33, 100};
+    int family, number, i;
+    fprintf(stderr, "robot ");
+    for (i = 0; i < (int)(sizeof size / sizeof size[0]); i++)
+        for (family = 0; family < FAMILIES; family++)
+            for (number = 0; number < 3; number++)
+                if (families[family].is_wall
+                    && !(families[family].wall.slope > 0))
+                    measure_wall(bench, family, size[i], number);
+    fprintf(stderr, "%d placements\n", bench->placements);
+}
+
 /* ---- Theirs -------------------------------------------------------------- */
 
 static int lp_stands(struct ask *ask, double shrink)
@@ -734,7 +870,7 @@ static int usage(FILE *out, int status)
             "  --release   also 500, 1000 and 2000 blocks\n"
             "  --list FILE the files that it names, and no made structures;\n"
             "              else those of tests/corpus/even.txt are first\n"
-            "  --family F  bond, rag, irr, tower, arch or brick alone\n"
+            "  --family F  bond, rag, irr, tower, arch, brick or fit alone\n"
             "  --sizes N,N at most %d, each of 5 to 5000 blocks\n"
             "  --number K  only structure K of each family and size; with any\n"
             "              of these three no files\n"
@@ -807,8 +943,10 @@ static void measure_all(struct bench *bench)
         measure_list(bench, bench->list);
         return;
     }
-    if (!some)
+    if (!some) {
+        measure_robots(bench);
         measure_list(bench, "tests/corpus/even.txt");
+    }
     if (bench->sizes == 0)
         read_sizes(bench, bench->release ? "5,10,20,30,50,100,200,500,1000,2000"
                                          : "5,10,20,30,50,100,200");

@@ -1,6 +1,6 @@
 /* peers.h - the linear program of a structure, from the equations, and general
-   solvers that it is given to: GLPK with -DBENCH_GLPK, Clp with -DBENCH_CLP, or
-   none. Nothing here is taken from kern.h but its types:
+   solvers that it is given to: GLPK with -DBENCH_GLPK, Clp with -DBENCH_CLP,
+   DAQP with -DBENCH_DAQP, or none. Nothing here is taken from kern.h but its types:
 
        A(d) x = -w, x >= 0    three rows a free block, two columns a contact
                               point; lengths in mean block sizes, forces in
@@ -18,6 +18,9 @@
 #endif
 #ifdef BENCH_CLP
 #include <coin/Clp_C_Interface.h>
+#endif
+#ifdef BENCH_DAQP
+#include <api.h>
 #endif
 
 /* ---- The linear program -------------------------------------------------- */
@@ -207,13 +210,82 @@ static inline int clp_solve(void *model)
 static inline void clp_close(void *model) { Clp_deleteModel(model); }
 
 #endif
+#ifdef BENCH_DAQP
 
-/* A solver: a model made of a program, with the basis of slacks; its solve by
-   the dual simplex from the basis at hand, 1 feasible, 0 infeasible, -1 no
+/* The least-norm forces: bounds of the columns first, then dense rows. */
+struct daqp {
+    DAQPProblem problem;
+    DAQPSettings settings;
+    DAQPResult result;
+};
+
+static inline void daqp_change(void *model, const struct program *lp)
+{
+    const DAQPProblem *p = &((struct daqp *)model)->problem;
+    int j, k;
+    for (k = 0; k < lp->rows * lp->cols; k++)
+        p->A[k] = 0;
+    for (j = 0; j < lp->cols; j++)
+        for (k = lp->start[j]; k < lp->start[j + 1]; k++)
+            p->A[lp->row[k] * lp->cols + j] = lp->value[k];
+}
+
+static inline void *daqp_open(const struct program *lp)
+{
+    struct daqp *daqp = room_for(1, sizeof *daqp);
+    DAQPProblem *p = &daqp->problem;
+    const size_t rows = (size_t)lp->rows, cols = (size_t)lp->cols;
+    size_t i;
+    memset(daqp, 0, sizeof *daqp);
+    p->n = p->ms = lp->cols;
+    p->m = lp->cols + lp->rows;
+    p->A = room_for(rows * cols, sizeof(double));
+    p->blower = room_for(cols + rows, sizeof(double));
+    p->bupper = room_for(cols + rows, sizeof(double));
+    for (i = 0; i < cols + rows; i++) {
+        p->blower[i] = i < cols ? 0 : lp->rhs[i - cols];
+        p->bupper[i] = i < cols ? DAQP_INF : lp->rhs[i - cols];
+    }
+    p->sense = room_for(cols + rows, sizeof(int));
+    daqp->result.x = room_for(cols, sizeof(double));
+    daqp->result.lam = room_for(cols + rows, sizeof(double));
+    daqp_default_settings(&daqp->settings);
+    daqp_change(daqp, lp);
+    return daqp;
+}
+
+/* Begins from nothing each time: DAQP factors while it reads the matrix. It
+   marks rows in `sense`, which is cleared first. */
+static inline int daqp_answer(void *model)
+{
+    struct daqp *daqp = model;
+    memset(daqp->problem.sense, 0, (size_t)daqp->problem.m * sizeof(int));
+    daqp_quadprog(&daqp->result, &daqp->problem, &daqp->settings);
+    return daqp->result.exitflag == DAQP_EXIT_OPTIMAL    ? 1
+         : daqp->result.exitflag == DAQP_EXIT_INFEASIBLE ? 0
+                                                         : -1;
+}
+
+static inline void daqp_close(void *model)
+{
+    struct daqp *daqp = model;
+    free(daqp->problem.A);
+    free(daqp->problem.blower);
+    free(daqp->problem.bupper);
+    free(daqp->problem.sense);
+    free(daqp->result.x);
+    free(daqp->result.lam);
+    free(daqp);
+}
+
+#endif
+
+/* A solver: a model made of a program, with the basis of slacks; its solve from
+   the basis at hand (DAQP keeps none), 1 feasible, 0 infeasible, -1 no
    answer; and new entries in the same places. */
 static const struct peer {
     const char *name;
-    int number; /* 0 GLPK, 1 Clp                                   */
+    int number; /* 0 GLPK, 1 Clp, 2 DAQP                           */
     int most;   /* largest structures that it is asked about       */
     void *(*open)(const struct program *lp);
     void (*change)(void *model, const struct program *lp);
@@ -225,6 +297,9 @@ static const struct peer {
 #endif
 #ifdef BENCH_CLP
     {"Clp", 1, 2000, clp_open, clp_change, clp_solve, clp_close},
+#endif
+#ifdef BENCH_DAQP
+    {"DAQP", 2, 50, daqp_open, daqp_change, daqp_answer, daqp_close},
 #endif
     {NULL, 0, 0, NULL, NULL, NULL, NULL},
 };

@@ -263,6 +263,8 @@ static const struct family {
     {"tower", make_tower, 0, {{0, 0}, 0, {0, 0}, 0, 0, 0, 0}},
     {"arch", make_arch, 0, {{0, 0}, 0, {0, 0}, 0, 0, 0, 0}},
     {"brick", make_wall, 1, {{0.5, 0.5}, 0, {0, 0}, 0, 0, 0, 0}},
+    /* fitted masonry: beds with knees, and closed head joints */
+    {"fit", make_wall, 1, {{0.4, 0.7}, 0.3, {0, 0}, 0.1, 0.1, 0.12, 0.2}},
 };
 enum { FAMILIES = sizeof families / sizeof families[0] };
 
