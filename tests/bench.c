@@ -383,8 +383,11 @@ static kern_status measure_verdict(struct ask *ask)
     settle(ask);
     note(ask, PIVOTS, ask->work.pivots);
     note(ask, SOLVES, ask->work.solves);
-    if (ask->status == KERN_LIMIT) /* the verdict is all there is to compare */
+    if (ask->status
+        == KERN_LIMIT) { /* the verdict is all there is to compare */
+        ask->margin.margin = 0;
         return ask->status = first;
+    }
     check(ask, first == ask->status, "verdict at 0, of the measure", first,
           ask->status);
     return ask->status;
