@@ -11284,7 +11284,7 @@ static kern_real kern_repose_settle(kern_repose *r, kern_real most)
 
 /* Returns how far a structure settles where every few-th stretch is open at a
    time, KERN_INFINITY where that is far. */
-static kern_real kern_rest_doubt(const kern_task *task)
+KERN_SHARED static kern_real kern_repose_doubt(const kern_task *task)
 {
     kern_real way = KERN_R(0);
     kern_repose r;
@@ -11305,7 +11305,8 @@ static kern_real kern_rest_doubt(const kern_task *task)
 
 /* Lets the measured blocks settle from the gaps between their outlines. Writes
    the contact points that are closed then to out. Returns how many there are. */
-static int kern_repose_contacts(const kern_task *task, kern_contact *out)
+KERN_SHARED static int kern_repose_contacts(const kern_task *task,
+                                            kern_contact *out)
 {
     const kern_structure *s = &task->s;
     kern_outline outline;
@@ -11407,9 +11408,10 @@ static kern_status kern_limit_less(kern_task *task, kern_status status)
    which it is found: those of edges and corners within twice the error, whose
    kerns are longer, and those of the task, which hold what they held before.
    Returns how many there are, or a status below 0. */
-static int kern_contacts_most(const kern_task *task, kern_options *options,
-                              kern_contact *contact, int room, kern_real by,
-                              kern_real turn)
+KERN_SHARED static int kern_contacts_most(const kern_task *task,
+                                          kern_options *options,
+                                          kern_contact *contact, int room,
+                                          kern_real by, kern_real turn)
 {
     int i, n;
     *options = kern_measured_options(options, 2 * task->options.pose_error,
@@ -11459,9 +11461,9 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     turn = KERN_ERROR_CONE * task->options.pose_turn;
     out->low = KERN_R(0);
     out->high = out->settles = KERN_INFINITY;
-    other = *task;
-    other.s.contact = contact;
-    other.known = kern_known_of(NULL, NULL);
+    other = kern_task_of(task->s.block, task->s.blocks, contact, 0, task->work);
+    other.s.gravity = task->s.gravity;
+    other.options = task->options;
     other.options.limit = kern_limit_of(task->options.limit);
 
     /* low: less than the margin of the blocks where they come to rest */
@@ -11485,7 +11487,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
         kern_contacts_err(contact, other.s.contacts, by, turn);
         status = kern_limit_less(&other, kern_verdict(&other, KERN_R(0), NULL));
         if (status == KERN_STANDS) {
-            out->settles = kern_rest_doubt(&other);
+            out->settles = kern_repose_doubt(&other);
             status = kern_limit_less(&other, kern_ended(&other, status));
         }
     }

@@ -284,6 +284,16 @@ static inline int find_lengths(struct analysis *a)
     return a->measured == KERN_STANDS ? find_bearing(a) : 0;
 }
 
+/* What options ask for beside the margin and the loads. */
+static inline int find_more(struct analysis *a)
+{
+    const struct settings *set = a->set;
+    return (set->sweep > 0 && find_sweep(a)) || (set->place && find_places(a))
+                || (set->thrust && find_thrust(a))
+             ? -1
+             : 0;
+}
+
 /* What follows the verdict. */
 static inline int measure(struct analysis *a)
 {
@@ -312,11 +322,7 @@ static inline int measure(struct analysis *a)
     find_stress(a);
     show_stage(a, "  load factors ...");
     find_loads(a);
-    if (find_live(a))
-        return -1;
-    if (a->set->sweep > 0 && find_sweep(a))
-        return -1;
-    if ((a->set->place && find_places(a)) || (a->set->thrust && find_thrust(a)))
+    if (find_live(a) || find_more(a))
         return -1;
     show_stage(a, "  profile ...");
     if (a->set->profile)

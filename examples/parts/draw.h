@@ -663,8 +663,6 @@ static void draw_measure_sizes(const struct draw_scene *d, struct draw_view *v,
         for (j = 0; j < k->vertices; j++)
             draw_widen(v, k->vertex[j].x, k->vertex[j].y);
     }
-    for (i = 0; i < d->shows; i++)
-        draw_widen(v, d->shown[i].x, d->shown[i].y);
     for (c = 0; c < s->contacts; c++) {
         draw_widen(v, s->contact[c].p.x, s->contact[c].p.y);
         if (d->force && draw_force_ends(d, 1, c, &a, &b))
@@ -763,6 +761,8 @@ static void draw_measure(const struct draw_scene *d, struct draw_view *v,
     int c;
 
     draw_measure_sizes(d, v, z);
+    for (c = 0; c < d->shows; c++)
+        draw_widen(v, d->shown[c].x, d->shown[c].y);
     draw_measure_motion(d, z);
     lowest = draw_measure_blocks(d, v, z);
     for (c = 0; d->force && c < s->contacts; c++)
