@@ -110,17 +110,17 @@ static inline void page_factors(FILE *out, const struct analysis *a)
     }
     if (a->shown != KERN_STANDS || !(gravity_of(a) > 0))
         return;
-    snprintf(value, sizeof value, "%s left, %s right",
-             factor_text(a->load[LEFT], 1, "", one),
-             factor_text(a->load[RIGHT], 1, "", two));
-    page_row(out, "horizontal load", value,
-             "in g, of limit analysis (sliding is dilatant in it)");
     if (asks_raised_loads(a) && !is_near(a)) {
         snprintf(value, sizeof value, "%s left, %s right",
                  shown_text(a, LEFT, one), shown_text(a, RIGHT, two));
-        page_row(out, "the same, from rest", value,
-                 "in g, with Coulomb friction; the smaller of both counts");
+        page_row(out, "horizontal load", value,
+                 "in g, that Coulomb friction bears from rest");
     }
+    snprintf(value, sizeof value, "%s left, %s right",
+             factor_text(a->load[LEFT], 1, "", one),
+             factor_text(a->load[RIGHT], 1, "", two));
+    page_row(out, "the same, limit analysis", value,
+             "in g, with dilatant sliding: where it is larger it is too high");
     snprintf(value, sizeof value, "%s left, %s right",
              factor_text(a->tilt[LEFT], degrees, "\xc2\xb0", one),
              factor_text(a->tilt[RIGHT], degrees, "\xc2\xb0", two));
