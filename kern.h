@@ -88,7 +88,7 @@
        both KERN_LEAN_ sizes        9,124    12,364    20,204    64,404
 
    KERN_LEAN_REALS and KERN_LEAN_INTS (from 10 blocks on) are enough where few
-   blocks move at the margin, as in most walls: 0.7 MB, not 20, for 1000 blocks
+   blocks move at the margin, as in most walls: 0.7 MB, not 11, for 1000 blocks
    and 7000 points. Where many do, as in arches, a call returns KERN_NO_SPACE.
 
    VERDICTS AND PROOFS                                             >>verdicts
@@ -103,6 +103,8 @@
    last bit, as without. A call takes at most 3,000 instructions and 2,000 for
    each unit of its limit, a whole answer 650 to 2,000 for each unit that it
    took (tests/work.sh limits): 0.1 to 0.6 microseconds of a desktop computer.
+   Where most blocks have a single contact, as pushes of a fill, a unit of the
+   limit was up to 3,100 instructions, and one of a whole answer 2,230.
 
    CONFIGURATION                                                     >>config
 
@@ -775,12 +777,17 @@ typedef struct kern_lp {
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
 /* Constant expressions (>>memory); blocks include fixed ones. KERN_ROOM is for
-   factors of columns with fill-in (>>lp), KERN_LP_ROOM of a dense program. */
+   factors of columns with fill-in (>>lp), KERN_LP_ROOM of a dense program.
+   KERN_ROOM is a square up to 300 blocks, which are 458 extras, and its tangent
+   above. Where it is full the basis is factored again; where it is full then,
+   as it may be for large structures near critical, the call returns
+   KERN_NO_SPACE. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
     ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 2)
-#define KERN_ROOM(extras) ((extras) * ((extras) + 5))
+#define KERN_ROOM(extras) \
+    ((extras) < 458 ? (extras) * ((extras) + 5) : (extras)*921 - 458 * 458)
 #define KERN_REALS(blocks, contacts)                                  \
     (KERN_ROOM(KERN_EXTRAS(blocks)) + 54 * (blocks) + 12 * (contacts) \
      + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)

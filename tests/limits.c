@@ -87,10 +87,15 @@ int main(int argc, char **argv)
             fprintf(stderr, "%s: %s\n", argv[file], t.message);
             return 2;
         }
-        n = kern_contacts(t.block, t.blocks, &t.options, contact, POINTS,
-                          &work);
-        if (n < 0)
+        n = t.given ? t.contacts
+                    : kern_contacts(t.block, t.blocks, &t.options, contact,
+                                    POINTS, &work);
+        if (n < 0 || n > POINTS) {
+            fprintf(stderr, "%s: no contacts\n", argv[file]);
             return 2;
+        }
+        for (i = 0; t.given && i < n; i++)
+            contact[i] = t.contact[i];
         work = room_work(t.blocks, n);
         task = kern_task_of(t.block, t.blocks, contact, n, &work);
         task.s.gravity = t.gravity;
