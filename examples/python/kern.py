@@ -1743,7 +1743,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         >>> wall.options = wall.options.measured(0.01, 0.01)
         >>> wall.update()
         >>> interval = wall.interval()
-        >>> interval.low < 0.3 < interval.high, interval.stands
+        >>> interval.low < 0.3 < interval.high, interval.surely_stands
         (True, True)
         """
         m, out, status = _Margin(), _Interval(), int(Status.NO_SPACE)
