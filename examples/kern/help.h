@@ -159,7 +159,8 @@ static const char help_format[] =
 static const char help_json[] =
 "\n"
 "JSON: numbers that do not exist, are not shown or have no bound are null; the\n"
-"lists undecided and unbounded say which are null for these reasons.\n"
+"lists undecided and unbounded say which are null for these reasons, and\n"
+"raised_end_left and raised_end_right why a raised load is not shown.\n"
 "  status              stands, falls, undecided, limit, error\n"
 "  file, error         its name; what is wrong with it, else null\n"
 "  version             of kern\n"

@@ -53,17 +53,15 @@ static inline const char *not_shown_why(const struct analysis *a, kern_end end)
                                 : "the verdict is undecided";
 }
 
-/* How it stays: where gravity acts, the reserve up to what is enough for stones
-   that are let go tells a firm structure from one on the edge. */
+/* How it stays: where gravity acts, the reserve tells a firm structure from one
+   on the edge. It is the one that --raised prints. */
 static inline void explain_staying(struct analysis *a)
 {
-    kern_task task = a->task;
     kern_raising how;
     kern_real reserve = 0;
     kern_status status = KERN_UNDECIDED;
-    task.options.reserve = ENOUGH_RESERVE;
-    if (gravity_of(a) > 0 && task.s.blocks <= RAISED_MOST)
-        status = kern_raised(&task, 0, &how, &reserve, NULL);
+    if (gravity_of(a) > 0 && a->task.s.blocks <= RAISED_MOST)
+        status = kern_raised(&a->task, 0, &how, &reserve, NULL);
     snprintf(a->let_go_why, sizeof a->let_go_why,
              "its load raises the forces that hold it");
     if (status == KERN_STANDS && reserve < ENOUGH_RESERVE) {
@@ -85,6 +83,12 @@ static inline int find_let_go(struct analysis *a)
         return fail_memory(a);
     a->work.end = KERN_END_NONE;
     a->let_go = kern_let_go(&a->task, &how, &proof);
+
+    /* What falls moves, as its verdict proves, whatever the limit says. */
+    if (a->let_go == KERN_LIMIT && a->verdict == KERN_FALLS) {
+        a->let_go = KERN_FALLS;
+        memcpy(motion, a->motion, sizeof *motion * (size_t)a->task.s.blocks);
+    }
     if (a->let_go == KERN_STANDS)
         explain_staying(a);
     else if (a->let_go == KERN_FALLS)

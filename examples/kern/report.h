@@ -88,14 +88,16 @@ static inline void report_structure(const struct analysis *a)
 }
 
 /* Why there is no answer: of a status below 0, or of a number that is missing
-   beside one that is not. */
-static inline const char *undecided_why(kern_status status)
+   beside one that is not, for which a limit of the command line speaks. */
+static inline const char *undecided_why(const struct analysis *a,
+                                        kern_status status)
 {
-    return status == KERN_LIMIT ? "the limit of work ended it (--limit 0 goes "
-                                  "on)"
-                                : "no proof either way was found: it is "
-                                  "critical within rounding, or sizes and "
-                                  "weights differ by much";
+    return status == KERN_LIMIT || a->set->limit > 0
+             ? "the limit of work ended it (--limit 0 goes "
+               "on)"
+             : "no proof either way was found: it is "
+               "critical within rounding, or sizes and "
+               "weights differ by much";
 }
 
 static inline void report_let_go(const struct analysis *a)
@@ -109,7 +111,7 @@ static inline void report_level(const struct analysis *a)
     char length[TEXT_SHOW_ROOM];
     length_text(a, (double)a->m.epsilon, length);
     if (a->measured < 0 || a->m.level < 0) {
-        printf("  level       undecided: %s\n", undecided_why(a->measured));
+        printf("  level       undecided: %s\n", undecided_why(a, a->measured));
         return;
     }
     printf("  level       %-8d", a->m.level);
@@ -147,7 +149,7 @@ static inline void report_margin(const struct analysis *a)
         return;
     }
     if (a->measured < 0 || isnan(value)) {
-        printf("undecided: %s\n", undecided_why(a->measured));
+        printf("undecided: %s\n", undecided_why(a, a->measured));
         return;
     }
     if (isinf(value)) {
@@ -175,7 +177,7 @@ static inline void report_bearing(const struct analysis *a)
     char length[TEXT_SHOW_ROOM];
     printf("  bearing     ");
     if (isnan(a->bearing))
-        printf("undecided: %s\n", undecided_why(KERN_UNDECIDED));
+        printf("undecided: %s\n", undecided_why(a, KERN_UNDECIDED));
     else if (isinf(a->bearing))
         printf("none      it needs points alone\n");
     else
@@ -649,7 +651,7 @@ static inline void report_verdict(const struct analysis *a)
     }
     printf("\n");
     if (is_open(a->verdict))
-        printf("  undecided   %s\n", undecided_why(a->verdict));
+        printf("  undecided   %s\n", undecided_why(a, a->verdict));
     report_friction(a);
     report_unheard(a);
     report_lack(a);
