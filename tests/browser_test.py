@@ -15,6 +15,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -284,6 +285,11 @@ def test_files(browser, folder):
 
     for path in sorted((ROOT / "examples" / "structures").glob("*.kern")):
         give(path)
+        if re.search("^(fill|earth|axle)", path.read_text(), re.M):
+            browser.wait("$('error').textContent.startsWith('%s: line ') && "
+                         "$('error').textContent.endsWith('not the page')"
+                         % path.name)
+            continue
         browser.wait("title === %s" % json.dumps(path.stem))
         want = kern.read(path)
         m = want.measure()
