@@ -10738,6 +10738,8 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
     s = &from->task.s;
     if (s->blocks > to->block_room || s->contacts > to->contact_room)
         return KERN_NO_SPACE;
+
+    /* Known forces and motions go into the arrays of `to`. */
     known = from->task.known;
     known.motion = to->task.known.motion;
     known.force = to->task.known.force;
@@ -10749,6 +10751,8 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
         to->contact[i] = from->contact[i];
         known.force[i] = from->task.known.force[i];
     }
+
+    /* So do blocks and contacts; work memory stays its own. */
     to->task.s = *s;
     to->task.s.block = to->block;
     to->task.s.contact = to->contact;
@@ -11167,11 +11171,17 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
 static kern_real kern_place_number(const kern_place *place, int i,
                                    kern_real alone)
 {
-    const kern_real v = ((const kern_real *)place)[i];
-    return i == 0 ? kern_min(v, KERN_PLACE_STAYS)
-         : i == 1 && kern_abs(v - alone) <= KERN_PLACE_SAME * alone ? alone
-         : i < 4                                                    ? v
-                                                                    : -v;
+    switch (i) {
+    case 0: return kern_min(place->stays, KERN_PLACE_STAYS);
+    case 1:
+        return kern_abs(place->margin - alone) <= KERN_PLACE_SAME * alone
+                 ? alone
+                 : place->margin;
+    case 2: return place->own;
+    case 3: return place->load;
+    case 4: return -place->x;
+    }
+    return -place->turn;
 }
 
 KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
