@@ -108,9 +108,16 @@ class Program(unittest.TestCase):
                              [want[key] for key in ("vx", "vy", "spin")])
 
     def test_readme(self):
-        """The example of the README runs, and draws its picture."""
-        code = re.search(r"```python\n(.*?)```",
-                         (ROOT / "README.md").read_text(), re.S).group(1)
+        """The examples of the README run: one ranks places, one draws."""
+        places, code = re.findall(r"```python\n(.*?)```",
+                                  (ROOT / "README.md").read_text(), re.S)
+        ranked = subprocess.run(
+            [sys.executable, "-S", "-c", places],
+            env={**os.environ, "PYTHONPATH": str(MODULE)},
+            stdout=subprocess.PIPE, check=True).stdout.decode().split("\n")
+        chance = [float(line.split()[2]) for line in ranked if line]
+        self.assertGreater(len(chance), 20)
+        self.assertGreaterEqual(chance[0], 0.9)
         with tempfile.TemporaryDirectory() as folder:
             out = subprocess.run(
                 [sys.executable, "-S", "-c", code], cwd=folder,
@@ -794,8 +801,9 @@ class Conventions(unittest.TestCase):
         for x, stands in ((0.1, True), (0.5, None), (0.8, False)):
             i = Structure(two(x), options=Options().measured(
                 0.01, 0.01)).interval()
-            self.assertEqual((i.stands, i.certain),
-                             (stands, stands is not None), x)
+            self.assertEqual((i.surely_stands, i.surely_falls, i.certain),
+                             (stands is True, stands is False,
+                              stands is not None), x)
 
     def test_plot(self):
         class Axes:
