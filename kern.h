@@ -11171,17 +11171,15 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
 static kern_real kern_place_number(const kern_place *place, int i,
                                    kern_real alone)
 {
-    switch (i) {
-    case 0: return kern_min(place->stays, KERN_PLACE_STAYS);
-    case 1:
-        return kern_abs(place->margin - alone) <= KERN_PLACE_SAME * alone
-                 ? alone
-                 : place->margin;
-    case 2: return place->own;
-    case 3: return place->load;
-    case 4: return -place->x;
-    }
-    return -place->turn;
+    const int same = kern_abs(place->margin - alone) <= KERN_PLACE_SAME * alone;
+    kern_real number[6];
+    number[0] = kern_min(place->stays, KERN_PLACE_STAYS);
+    number[1] = same ? alone : place->margin;
+    number[2] = place->own;
+    number[3] = place->load;
+    number[4] = -place->x;
+    number[5] = -place->turn;
+    return number[i];
 }
 
 KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
