@@ -1,8 +1,8 @@
-"""Drives the page in headless Chromium.
+"""Drives the pages kern.html and essay.html in headless Chromium.
 
-    bash examples/browser/build.sh PAGE.html
-    python3 tests/browser_test.py PAGE.html                   the test
-    python3 tests/browser_test.py PAGE.html --shots FOLDER    pictures of it
+    bash examples/browser/build.sh FOLDER
+    python3 tests/browser_test.py FOLDER/kern.html                  the test
+    python3 tests/browser_test.py FOLDER/kern.html --shots SHOTS    pictures
 
 Chromium is spoken to over a pipe (DevTools protocol). A stone of the wall is
 dragged with the mouse over 200 places: every answer on the page must be that of
@@ -27,6 +27,7 @@ sys.path.insert(0, str(ROOT / "examples" / "python"))
 import kern  # noqa: E402
 
 PAGE = pathlib.Path(sys.argv.pop(1)).resolve()
+ESSAY = PAGE.parent / "essay.html"
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic",
          "--no-first-run", "--disable-background-networking",
          "--disable-component-update", "--disable-sync", "--hide-scrollbars",
@@ -527,6 +528,127 @@ def test_asked(browser):
     browser.wait("$('live-load').textContent.startsWith('61.8 to 621;')")
 
 
+def pull(browser, i, dx, dy=0):
+    """Drags stone i there and lets it go."""
+    list(drag(browser, i, [(dx / 2, dy / 2), (dx, dy)]))
+
+
+def touch_drag(browser, i, dx):
+    x, y = centre_of(browser, i)
+    for kind, points in (("touchStart", [{"x": x, "y": y}]),
+                         ("touchMove", [{"x": x + dx, "y": y}]),
+                         ("touchEnd", [])):
+        browser.send("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+        browser.frame()
+
+
+def open_essay(browser):
+    browser.send("Page.navigate", url=ESSAY.as_uri())
+    browser.wait("typeof shown === 'object' && !!shown && $('steps')"
+                 ".children.length === 5")
+    browser.frame()
+
+
+def same_margin(browser, text):
+    """The step's margin is the library's."""
+    said = kern.parse(text).measure()
+    assert browser.ask("[shown.stands, shown.margin]") == [
+        said.stands, said.margin], said
+
+
+def test_essay(browser):
+    """Each step shows what its text says, by mouse, touch and keys."""
+    with_page = browser.ask("document.querySelector('#first a').href")
+    assert with_page == ESSAY.as_uri(), with_page
+    open_essay(browser)
+    assert browser.ask("document.querySelector('header a').href").endswith(
+        "/kern.html")
+    assert browser.ask("shown.verdict === STANDS && $('shake').hidden")
+
+    margin = browser.ask("shown.margin")  # 1: a stone over an edge
+    assert abs(margin - 0.7) < 1e-9, margin
+    touch_drag(browser, 1, 40)
+    assert 0 < browser.ask("shown.margin") < margin
+    corners = browser.ask("s.stones[1].home.map(p => placed(s.stones[1], p))")
+    same_margin(browser, "friction 0.5\nfixed base -4 -1 0.5 -1 0.5 0 -4 0\n"
+                "block a * " + " ".join("%r %r" % tuple(p) for p in corners))
+    browser.ask("s.stones[1].path.focus(), press('Home'), refresh()")
+    browser.key("ArrowRight")
+    browser.frame()
+    assert 0 < browser.ask("s.stones[1].x") < 0.1
+    browser.ask("moveStone(1, 0.8, 0, 0, true), change()")
+    browser.wait("$('verdict').textContent === 'falls'")
+
+    browser.ask("$('next').click()")  # 2: two stones
+    browser.frame()
+    assert browser.ask("document.activeElement === $('heading')")
+    assert browser.ask("shown.verdict === STANDS && shown.margin > 0.05")
+    for _ in drag(browser, 2, [(0, -30), (0, -60)]):
+        pass
+    assert browser.ask("held < 0 && shown.verdict === STANDS"), "let down"
+    browser.ask("dragged = { i: 2, to: [0, 0.5] }, refresh()")
+    assert browser.ask("$('verdict').textContent") == "falls without small"
+    browser.ask("dragged = null, refresh()")
+
+    browser.ask("showStep(2)")  # 3: the arch
+    browser.frame()
+    arch = (ROOT / "examples" / "structures" / "arch.kern").read_text()
+    same_margin(browser, arch)
+    assert browser.ask("$('thrust').getAttribute('d')").count("M") >= 25
+    for part, verdict in ((0.99, "STANDS"), (1.01, "FALLS")):
+        browser.ask("$('shrink').value = %g * shown.margin / shrinkUnit(),"
+                    " refresh()" % part)
+        assert browser.ask("shown.verdict === " + verdict), part
+
+    browser.ask("showStep(3)")  # 4: each is fine
+    browser.frame()
+    assert browser.ask("shown.verdict === FALLS && fine.every(yes => yes)")
+    assert "s1, s2, s3 and s4" in browser.ask("$('numbers').textContent")
+    for i, x in ((2, -0.5), (3, -1.0), (4, -1.5)):
+        browser.ask("moveStone(%d, %g, 0, 0, true)" % (i, x))
+    browser.ask("refresh()")
+    assert browser.ask("shown.verdict === STANDS")
+
+    browser.ask("showStep(4)")  # 5: ten found stones
+    browser.frame()
+    assert browser.ask("s.stones.filter(t => !t.fixed).length") == 10
+    browser.wait("!!shown.raisedLoads")
+    bears = browser.ask("Math.min(...shown.loads)")
+    right = browser.ask("shown.loads[1]")
+    assert "sideways" in browser.ask("$('numbers').textContent") and bears > 0.1
+    browser.ask("$('shake').click()")
+    browser.wait("shown.verdict === FALLS")
+    fell = browser.ask("push()")
+    print("essay: a load of %.3f to the right, and it fell at %.3f"
+          % (right, fell))
+    assert fell - 0.0051 <= right <= fell
+    browser.ask("$('again').click()")
+    browser.frame()
+    x, y = browser.ask("[s.stones[2], s.stones[3]].map(t => t.centre)")
+    scale = browser.ask("view.scale * svg.clientWidth / view.width")
+    pull(browser, 3, scale * (x[0] - y[0]), -0.8 * scale)
+    browser.frame()
+    assert browser.ask("s.stones[3].centre[1] > s.stones[2].centre[1] + 0.3")
+    assert browser.ask("held < 0 && !shown.overlap")
+
+
+def essay_shots(browser, folder):
+    """Every step, on a desktop and a phone, light and dark."""
+    for width, height, mobile in ((1280, 800, False), (390, 844, True)):
+        browser.send("Emulation.setDeviceMetricsOverride", width=width,
+                     height=height, deviceScaleFactor=1, mobile=mobile)
+        for scheme in ("light", "dark"):
+            browser.send("Emulation.setEmulatedMedia", features=[
+                {"name": "prefers-color-scheme", "value": scheme}])
+            open_essay(browser)
+            for n in range(5):
+                browser.ask("showStep(%d)" % n)
+                browser.frame()
+                time.sleep(0.4)
+                browser.shot(folder / ("essay-%d-%d-%s.png"
+                                       % (n + 1, width, scheme)))
+
+
 def shots(browser, folder):
     """Pictures of what a person would see, to look at."""
     folder.mkdir(parents=True, exist_ok=True)
@@ -562,6 +684,7 @@ def shots(browser, folder):
         {"name": "prefers-color-scheme", "value": "dark"}])
     browser.frame()
     browser.shot(folder / "dark.png")
+    essay_shots(browser, folder)
 
 
 def main():
@@ -585,6 +708,7 @@ def main():
             test_drawings(browser)
             test_asked(browser)
             test_phone(browser)
+            test_essay(browser)
             for event in browser.events:
                 if event.get("method") == "Network.requestWillBeSent":
                     url = event["params"]["request"]["url"]

@@ -495,9 +495,10 @@ assert doctest.testmod(kern).failed == 0
 print(kern.__version__, kern.__file__)')
 }
 
-page() { # is built, no larger than it may be, and works in Chromium
-    bash examples/browser/build.sh "$out/kern.html" &&
+page() { # both are built, no larger than they may be, and work in Chromium
+    bash examples/browser/build.sh "$out" &&
         [ "$(wc -c <"$out/kern.html")" -le 165000 ] &&
+        [ "$(wc -c <"$out/essay.html")" -le 150000 ] &&
         /usr/bin/python3 tests/browser_test.py "$out/kern.html"
 }
 

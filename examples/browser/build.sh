@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# bash examples/browser/build.sh [FILE]
+# bash examples/browser/build.sh [FOLDER]
 #
-# Makes the page kern.html, or FILE: page.html with page.c as WebAssembly and
-# with structures in it. Needs clang, lld (wasm-ld), gzip and base64; the same
-# versions of them make the same page.
+# Makes the pages kern.html (of page.html) and essay.html (of steps.html), here or
+# in FOLDER: each with the files that it includes, page.c as WebAssembly and
+# structures. Needs clang, lld (wasm-ld), gzip and base64; the same versions of
+# them make the same pages.
 set -eu
 shopt -s extglob
+folder=$(cd "${1:-$(dirname "$0")}" && pwd)
 cd "$(dirname "$0")"
-page=${1:-kern.html}
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
@@ -21,11 +22,18 @@ clang --target=wasm32 -std=c99 -Oz -mbulk-memory \
     -Wl,--no-entry -Wl,--strip-all $exports \
     -o "$out/page.wasm" page.c
 
-{
+# Prints a source with what it asks for, without comments and indentation.
+assemble() {
+    local line name
     while IFS= read -r line; do
         case $line in
-        "<!-- structures -->")
-            for name in wall-30 irregular-wall arch tower toppling-slope falls; do
+        *"<!-- include "*)
+            line=${line#*<!-- include }
+            assemble "${line% -->}"
+            ;;
+        "<!-- structures "*)
+            line=${line#<!-- structures }
+            for name in ${line% -->}; do
                 printf '%s' "<script type=\"text/plain\" data-structure " \
                     "id=\"$name\">"
                 sed 's/ *#.*//; /^$/d' "../structures/$name.kern" | tr '\n' '|'
@@ -45,6 +53,10 @@ clang --target=wasm32 -std=c99 -Oz -mbulk-memory \
             printf '%s\n' "${line%%+([[:space:]])// *}"
             ;;
         esac
-    done <page.html
-} | tr '\n' ' ' >"$out/page"
-mv "$out/page" "$page"
+    done <"$1"
+}
+
+for page in page.html:kern.html steps.html:essay.html; do
+    assemble "${page%:*}" | tr '\n' ' ' >"$out/page"
+    mv "$out/page" "$folder/${page#*:}"
+done
