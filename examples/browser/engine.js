@@ -8,7 +8,7 @@ const $ = id => document.getElementById(id);
 /* ==== The library ======================================================= */
 
 let kern, exported;             // what page.c exports, and its arrays
-let STANDS, FALLS, OVERLAP, RAISED, HANGS, LOST, WORK;
+let STANDS, FALLS, OVERLAP, RAISED, HANGS, LOST, WORK, RESTS;
 
 async function loadLibrary() {
     const bytes = Uint8Array.from(atob($("wasm").textContent),
@@ -20,9 +20,9 @@ async function loadLibrary() {
         read_number: readNumber, write_number: writeNumber } });
     exported = instance.exports;
     const ints = new Int32Array(exported.memory.buffer,
-                                exported.constant.value, 9);
+                                exported.constant.value, 10);
     kern = { ...exported, blocks: ints[0], vertices: ints[1] };
-    [STANDS, FALLS, OVERLAP, RAISED, HANGS, LOST, WORK] = ints.slice(2);
+    [STANDS, FALLS, OVERLAP, RAISED, HANGS, LOST, WORK, RESTS] = ints.slice(2);
     lookAtMemory();
 }
 
@@ -745,54 +745,17 @@ function moveStone(i, x, y, turn, comesToRest) {
 
 /* ---- let down ---- */
 
-/* How high a stone with these corners, about its centre at x, comes to lie: one
-   of its corners meets an edge, or a corner one of its edges. What lies above
-   `ceiling` does not stop it. */
-function restHeight(i, corners, x, ceiling) {
-    const over = (p, q, at) => (p[0] < at) === (q[0] < at) ? NaN
-        : p[1] + (q[1] - p[1]) * (at - p[0]) / (q[0] - p[0]);
-    let top = -Infinity;
-    const meet = y => { if (y > top && y <= ceiling) top = y; };
-    s.stones.forEach((other, j) => {
-        if (j === i) return;
-        const there = other.corners;
-        there.forEach((p, k) => {
-            const q = there[(k + 1) % there.length];
-            corners.forEach((u, n) => {
-                const v = corners[(n + 1) % corners.length];
-                meet(over(p, q, x + u[0]) - u[1]);
-                meet(p[1] - over(u, v, p[0] - x));
-            });
-        });
-    });
-    return top;
-}
-
-/* Stone i comes down where it is, and turns with its centre above the same
-   place until that is as low as it gets: then it is held on both sides. */
+/* Stone i comes down where it is, until no way leads down: kern_rest(). What
+   lies above it does not stop it. */
 function settle(i) {
-    const stone = s.stones[i], [x, y] = stone.centre;
-    for (const other of s.stones)
-        other.corners = other.home.map(p => placed(other, p));
-    const about = stone.corners.map(p => [p[0] - x, p[1] - y]);
-    const turned = a => about.map(([u, v]) => [Math.cos(a) * u - Math.sin(a) * v,
-                                               Math.sin(a) * u + Math.cos(a) * v]);
-    const height = a => restHeight(i, turned(a), x, y + 0.5 * stone.size);
-    let step = 0.01, turn = 0, low = height(0);
-    if (low === -Infinity) return;
-    if (height(-step) < low) step = -step;
-    while (Math.abs(turn) < 1.6 && height(turn + step) < low)
-        low = height(turn += step);
-    let a = turn - step, b = turn + step;
-    for (let n = 0; n < 60; n++) {
-        const p = b - 0.618034 * (b - a), q = a + 0.618034 * (b - a);
-        if (height(p) < height(q)) b = q; else a = p;
-    }
-    turn = (a + b) / 2;
-    stone.turn += turn;
-    putStone(i);                // turned about its pivot: shift it back
+    const stone = s.stones[i];
+    putStone(i);                // no longer held
+    if (kern.rest(i, 0.5 * stone.size) !== RESTS) return;
+    const [x, y, cosine, sine] = kern.answer;
+    stone.turn += Math.atan2(sine, cosine);
+    putStone(i);                // turned about its pivot: shift it
     stone.x += x - stone.centre[0];
-    stone.y += height(turn) - stone.centre[1];
+    stone.y += y - stone.centre[1];
     putStone(i);
     rest(i, 0.05 * stone.size);
 }

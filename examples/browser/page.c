@@ -38,9 +38,9 @@ double centre[BLOCKS][2];
 double point[CONTACTS][8];  /* a, b, line, x, y, normal, travel           */
 double overlap[PAIRS][3];   /* a, b, depth                                */
 double fault[4], answer[6]; /* answer: of the last call                   */
-const int constant[9] = {BLOCKS,       VERTICES,    KERN_STANDS, KERN_FALLS,
-                         KERN_OVERLAP, KERN_RAISED, KERN_HANGS, KERN_END_LOST,
-                         KERN_END_WORK};
+const int constant[10] = {
+    BLOCKS,      VERTICES,   KERN_STANDS,   KERN_FALLS,    KERN_OVERLAP,
+    KERN_RAISED, KERN_HANGS, KERN_END_LOST, KERN_END_WORK, KERN_OK};
 
 static kern_block block[BLOCKS];
 static kern_wrench live[BLOCKS]; /* the live load, about the centres          */
@@ -285,6 +285,53 @@ PAGE(rests) int page_rests(int i)
             upright += contact[k].n.y * contact[k].n.y > 0.5;
     }
     return upright;
+}
+
+/* The height of the lowest vertex of a block, against the unit vector down. */
+static kern_real lowest(const kern_block *b, kern_vec down)
+{
+    kern_real height = KERN_INFINITY;
+    int k;
+    for (k = 0; k < b->vertices; k++) {
+        const kern_vec v = b->vertex[k];
+        const kern_real h = -(v.x * down.x + v.y * down.y);
+        if (h < height)
+            height = h;
+    }
+    return height;
+}
+
+/* Where block i comes to rest, let down onto the blocks that begin lower than
+   `above` over its centre. Answer: its centre there, and the cosine and sine of
+   the angle by which it turns on the way. */
+PAGE(rest) int page_rest(int i, double above)
+{
+    static kern_block under[BLOCKS];
+    static kern_vec there[VERTICES];
+    const kern_vec g = task.s.gravity, c = block[i].centre, upright = {1, 0};
+    const kern_real size = KERN_SQRT(g.x * g.x + g.y * g.y);
+    const kern_vec down = {g.x / size, g.y / size};
+    const kern_real top = above - (c.x * down.x + c.y * down.y);
+    kern_task other = task;
+    kern_pose pose;
+    int j, n = 0, status;
+
+    for (j = 0; j < task.s.blocks; j++)
+        if (j != i && lowest(&block[j], down) < top)
+            under[n++] = block[j];
+    other.s.block = under;
+    other.s.blocks = n;
+    other.s.contacts = 0;
+    other.known = kern_known_of(NULL, NULL);
+    status = kern_rest(&other, &block[i], down.x * c.y - down.y * c.x, upright,
+                       there, &pose);
+    if (status == KERN_OK) {
+        answer[0] = pose.block.centre.x;
+        answer[1] = pose.block.centre.y;
+        answer[2] = pose.turn.x;
+        answer[3] = pose.turn.y;
+    }
+    return report(status, &work.fault);
 }
 
 /* A contact that is given, from p to q; after the last one, given(). */
