@@ -465,6 +465,33 @@ def test_drawings(browser):
         assert browser.ask("shown.margin") == want.measure().margin
 
 
+def test_view(browser):
+    """The wheel zooms about the mouse, the background moves with it; neither
+    changes the structure."""
+    browser.ask("show(texts.get('wall-30'), 'wall-30')")
+    browser.frame()
+    before = browser.ask("format(s)")
+    box = browser.ask("(({ x, y }) => [x, y])(svg.getBoundingClientRect())")
+    x, y = box[0] + 8, box[1] + 8  # no stone lies there
+    under = "[(8 - view.x) / view.scale, (view.y - 8) / view.scale]"
+    point, scale = browser.ask(under), browser.ask("view.scale")
+    browser.send("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y,
+                 deltaX=0, deltaY=-120)
+    browser.wait("view.scale > %r" % scale)
+    assert all(abs(a - b) < 1e-9
+               for a, b in zip(point, browser.ask(under))), point
+    there = browser.ask("[view.x, view.y]")
+    browser.mouse("mousePressed", x, y, clickCount=1)
+    browser.mouse("mouseMoved", x + 50, y + 30, buttons=1)
+    browser.mouse("mouseReleased", x + 50, y + 30, clickCount=1)
+    browser.frame()
+    assert browser.ask("[view.x, view.y]") == [there[0] + 50, there[1] + 30]
+    assert browser.ask("format(s)") == before
+    browser.ask("$('fit').click()")
+    browser.frame()
+    assert browser.ask("view.scale") == scale
+
+
 def test_phone(browser):
     """On a phone verdict and picture are the first that is in sight."""
     browser.send("Emulation.setDeviceMetricsOverride", width=390, height=844,
@@ -707,6 +734,7 @@ def main():
             test_changes(browser)
             test_drawings(browser)
             test_asked(browser)
+            test_view(browser)
             test_phone(browser)
             test_essay(browser)
             for event in browser.events:

@@ -376,7 +376,7 @@ function fitView() {
     const width = Math.max(box.width, 200), height = Math.max(box.height, 200);
     const room = [high[0] - low[0] + 2.4 * size, high[1] - low[1] + 2.2 * size];
     const scale = Math.min(width / room[0], height / room[1], 160 / size);
-    view = { scale, size, width, height,
+    view = { scale, fitted: scale, size, width, height,
              x: width / 2 - scale * (low[0] + high[0]) / 2,
              y: height / 2 + scale * (low[1] + high[1] - 0.6 * size) / 2 };
     svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
@@ -907,6 +907,46 @@ svg.addEventListener("focusin", event => choose(stoneOfEvent(event)));
 svg.addEventListener("keydown", event => {
     if (press(event.key, event.shiftKey)) event.preventDefault();
 });
+/* ---- zoom and pan ---- */
+
+let panned = null;              // while a mouse holds the background
+
+/* The point under the mouse stays where it is. */
+svg.addEventListener("wheel", event => {
+    if (dragged) return;
+    event.preventDefault();
+    const box = svg.getBoundingClientRect();
+    const x = event.clientX - box.left, y = event.clientY - box.top;
+    const to = view.scale * Math.exp(
+        -0.0015 * Math.max(-300, Math.min(300, event.deltaY)));
+    const scale = Math.max(view.fitted / 10,
+                           Math.min(50 * view.fitted, to));
+    view.x = x + (view.x - x) * scale / view.scale;
+    view.y = y + (view.y - y) * scale / view.scale;
+    view.scale = scale;
+    change();
+}, { passive: false });
+
+/* A finger on the background scrolls the page instead. */
+svg.addEventListener("pointerdown", event => {
+    if (stoneOfEvent(event) >= 0 || event.button > 0 ||
+        event.pointerType === "touch") return;
+    panned = { pointer: event.pointerId, x: view.x - event.clientX,
+               y: view.y - event.clientY };
+});
+
+addEventListener("pointermove", event => {
+    if (panned?.pointer !== event.pointerId) return;
+    view.x = panned.x + event.clientX;
+    view.y = panned.y + event.clientY;
+    change();
+});
+
+for (const type of ["pointerup", "pointercancel"])
+    addEventListener(type, event => {
+        if (panned?.pointer === event.pointerId) panned = null;
+    });
+
 /* ==== Frames ============================================================ */
 
 let stale = false, waiting = false;
