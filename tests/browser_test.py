@@ -492,6 +492,26 @@ def test_view(browser):
     assert browser.ask("view.scale") == scale
 
 
+def test_falls(browser):
+    """What falls is drawn on its way until it meets another stone, or is gone;
+    the structure in the library is as it was."""
+    caught = {}
+    for name, text in (
+            ("step", "fixed base -2 -1 1 -1 1 0 -2 0\nfixed low 1 -2 4 -2 4 -1 "
+                     "1 -1\nblock a * 0.2 0 2.2 0 2.2 1 0.2 1\n"),
+            ("cliff", "fixed base -2 -9 1 -9 1 0 -2 0\nblock a * 0.2 0 2.2 0 "
+                      "2.2 1 0.2 1\n")):
+        browser.ask("show(%s, '%s')" % (json.dumps(text), name))
+        browser.wait("shown.caught > 0")
+        caught[name] = browser.ask("shown.caught")
+        assert browser.ask("kern.verdict(0) === FALLS")
+        assert browser.ask("s.stones.at(-1).centre") == [1.2, 0.5]
+    print("caught after", caught)
+    assert 0.3 < caught["step"] < caught["cliff"]
+    browser.wait("wayFallen(performance.now()) === shown.caught")
+    browser.wait("wayFallen(performance.now()) < shown.caught / 2")
+
+
 def test_phone(browser):
     """On a phone verdict and picture are the first that is in sight."""
     browser.send("Emulation.setDeviceMetricsOverride", width=390, height=844,
@@ -735,6 +755,7 @@ def main():
             test_drawings(browser)
             test_asked(browser)
             test_view(browser)
+            test_falls(browser)
             test_phone(browser)
             test_essay(browser)
             for event in browser.events:

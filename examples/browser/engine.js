@@ -592,37 +592,90 @@ function drawGhosts() {
     });
 }
 
-const PERIOD = 3000;            // ms of one fall and the way back
+const PERIOD = 3000;            // ms of an outline's way and back
+const FALL = 700, LIE = 900;    // ms to fall by a stone's size, and to lie then
+const FARTHEST = 10;            // stones that a fall is followed
 
+/* What falls moves on until something catches it, lies there and begins again;
+   the outlines of what stands go to and fro. */
 function animate(now) {
     const idle = !shown.motion || dragged ||
         matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const falls = shown.verdict === FALLS && !idle;
     const phase = idle ? dragged ? 0 : 0.25 : (now % PERIOD) / PERIOD;
-    const way = 0.5 - 0.5 * Math.cos(2 * Math.PI * phase);
-    const time = shown.motion && 0.45 * view.size * way / fastest();
+    const way = falls ? wayFallen(now)
+        : 0.45 * (0.5 - 0.5 * Math.cos(2 * Math.PI * phase));
+    const time = shown.motion && way * view.size / fastest();
     let moving = false;
     s.stones.forEach((stone, i) => {
         const itself = stone.ghost === stone.group;
-        const way = stone.ghost ? movedBy(stone, time, ...shown.motion.subarray(
-            3 * i, 3 * i + 3)) : "";
+        const way = stone.ghost ? movedBy(stone, ...movedTo(i, time)) : "";
         stone.group.setAttribute("transform", itself ? way : "");
         stone.label.setAttribute("transform", itself ? way : "");
         if (!stone.ghost) return;
         stone.ghost.setAttribute("transform", way);
         moving = !idle;
     });
-    $("marks").style.opacity = moving && shown.verdict === FALLS ? 0.25 : "";
+    $("marks").style.opacity = moving && falls ? 0.25 : "";
     return moving;
 }
 
-/* Every stone moves at constant speed and spin as seen from itself, so that one
-   that hinges turns about its hinge. */
-function movedBy(stone, time, vx, vy, spin) {
+/* How far the fastest corner has fallen by now, in stones. It begins to when
+   the structure has not changed for a moment. */
+function wayFallen(now) {
+    shown.since ??= now;
+    if (now - shown.since < 150) return 0;
+    shown.caught ??= caughtAfter();
+    const whole = FALL * Math.sqrt(shown.caught);
+    const passed = (now - shown.since - 150) % (whole + LIE) / whole;
+    return shown.caught * Math.min(1, passed * passed);
+}
+
+/* After which way, in stones, one that falls meets another. */
+function caughtAfter() {
+    const unit = view.size / fastest();
+    const meets = way => {
+        s.stones.forEach((stone, i) => {
+            if (moves(i)) putMoved(i, way * unit);
+        });
+        return overlaps().depth > 0.06 * view.size;
+    };
+    let clear = 0, met = 0.1;
+    while (met < FARTHEST && !meets(met)) [clear, met] = [met, met + 0.1];
+    for (let n = 0; n < 5; n++) {
+        const middle = (clear + met) / 2;
+        if (meets(middle)) met = middle; else clear = middle;
+    }
+    putStructure();
+    findContacts();
+    return met;
+}
+
+function putMoved(i, time) {
+    const stone = s.stones[i], [turn, dx, dy] = movedTo(i, time);
+    const c = Math.cos(turn), q = Math.sin(turn), [x, y] = stone.centre;
+    stone.home.forEach((p, k) => {
+        const [u, v] = placed(stone, p);
+        kern.vertex.set([x + dx + c * (u - x) - q * (v - y),
+                         y + dy + q * (u - x) + c * (v - y)],
+                        2 * (stone.first + k));
+    });
+    kern.block(i, stone.first, stone.home.length, stone.density);
+}
+
+/* By which angle, and where to, stone i has moved then: at constant speed and
+   spin as seen from itself, so that one that hinges turns about its hinge. */
+function movedTo(i, time) {
+    const [vx, vy, spin] = shown.motion.subarray(3 * i, 3 * i + 3);
     const turn = spin * time, c = Math.cos(turn), q = Math.sin(turn);
     const even = Math.abs(turn) < 1e-4 ? 1 : q / turn;
     const odd = Math.abs(turn) < 1e-4 ? turn / 2 : (1 - c) / turn;
-    const dx = (even * vx - odd * vy) * time * view.scale;
-    const dy = -(odd * vx + even * vy) * time * view.scale;
+    return [turn, (even * vx - odd * vy) * time, (odd * vx + even * vy) * time];
+}
+
+function movedBy(stone, turn, right, up) {
+    const c = Math.cos(turn), q = Math.sin(turn);
+    const dx = right * view.scale, dy = -up * view.scale;
     const x = px(stone.centre[0]), y = py(stone.centre[1]);
     return `matrix(${c} ${-q} ${q} ${c} ${x + dx - c * x - q * y} ` +
         `${y + dy + q * x - c * y})`;
