@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # bash examples/browser/build.sh [FOLDER]
 #
-# Makes the pages kern.html (of page.html) and essay.html (of steps.html), here or
-# in FOLDER: each with the files that it includes, page.c as WebAssembly and
+# Makes the pages kern.html (of page.html) and essay.html (of steps.html), here
+# or in FOLDER: each with the files that it includes, page.c as WebAssembly and
 # structures. Needs clang, lld (wasm-ld), gzip and base64; the same versions of
 # them make the same pages.
 set -eu
