@@ -1799,10 +1799,13 @@ extern "C" {
 #define KERN_FEW_CHANGES 2
 #define KERN_NEWTON_ROUNDS 3
 /* Steps of a load up to the load factor; where one fails, the share of it that
-   is tried: a step that fails takes the work of ten that are shown, so there is
-   no third size. */
+   is tried, since a step that fails takes the work of ten that are shown; and
+   the share of the load that was shown below which no step is tried. The load
+   factor may be several times too high: a least step that is a share of it
+   would stop within 3 % of limit equilibrium. */
 #define KERN_LOAD_STEPS 10
-#define KERN_LOAD_FINER 16
+#define KERN_LOAD_FINER 4
+#define KERN_LOAD_NARROW KERN_R(0.005)
 /* kern_stays(): from block to block, how many contacts away from the stone what
    is not held may be: with 3 and 5 it tells less. No proof is asked for,
    so that contacts may be less stiff along t. */
@@ -8932,8 +8935,8 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
 }
 
 /* Raises the load of q, by *share of it, from 0 to `most` in steps, each from
-   the last two in the same direction, finer once one fails. The end
-   doubles if unknown. Returns the last share proven, below 0 if none. */
+   the last two in the same direction, finer once one fails, to a share of what
+   was shown. The end doubles if unknown. Returns the last share proven, below 0 if none. */
 static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                                   kern_real *share, kern_real most)
 {
@@ -8947,7 +8950,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
         return KERN_R(-1);
     kern_copy(r->held, u, r->size);
     while (stood < end
-           && step >= end / (2 * KERN_LOAD_FINER * KERN_LOAD_STEPS)) {
+           && step >= KERN_LOAD_NARROW * kern_max(stood, end / 100)) {
         *share = kern_min(stood + step, end);
 
         /* begin where the last two places lead; prices are not negative */
