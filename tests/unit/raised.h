@@ -118,6 +118,35 @@ static void stone_between_leaning(world *w)
     world_touch(w);
 }
 
+/* A stone between upright walls, in a drawing that is turned and has the digits
+   of a file: its joints open or close by 1e-6 and still hold nothing up. */
+static void upright_walls_turned(world *w)
+{
+    static const double square[3][4] = {
+        {0, 0, 1, 1}, {-5, -2, 0, 1}, {1, -2, 6, 1}};
+    int turn, i, k;
+    for (turn = 0; turn < 12; turn++) {
+        const double c = cos(0.5 * turn), s = sin(0.5 * turn), digit = 1e-6;
+        world_reset(w);
+        w->gravity = vec(10 * s, -10 * c);
+        for (i = 0; i < 3; i++) {
+            const double *box = square[i];
+            double corner[8];
+            for (k = 0; k < 4; k++) {
+                const double x = box[k == 1 || k == 2 ? 2 : 0];
+                const double y = box[k > 1 ? 3 : 1];
+                corner[2 * k] = floor((c * x - s * y) / digit) * digit;
+                corner[2 * k + 1] = floor((s * x + c * y) / digit) * digit;
+            }
+            world_polygon(w, i == 0, corner, 4);
+        }
+        world_touch(w);
+        sprintf(context, "upright walls turned by %g", 0.5 * turn);
+        CHECK_INT(raised(w, NULL), KERN_HANGS);
+    }
+    context[0] = 0;
+}
+
 static void raised_by_hand(void)
 {
     static const struct {
@@ -137,6 +166,7 @@ static void raised_by_hand(void)
         CHECK_INT(raised(&w, NULL), walls[i].want);
     }
     context[0] = 0;
+    upright_walls_turned(&w);
     between_walls(&w, 0, 0, 0.4);
     world_box(&w, 0, -1, -1, 2, 0);
     world_touch(&w);
