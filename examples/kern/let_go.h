@@ -134,6 +134,15 @@ static inline kern_status answer_at(const struct analysis *a,
     return answer_of(&task, which);
 }
 
+/* Returns how many contacts take the friction of the file. */
+static inline int frictions_taken(const struct analysis *a)
+{
+    int taken = 0;
+    for (int k = 0; k < a->task.s.contacts; k++)
+        taken += takes_friction(a, k);
+    return taken;
+}
+
 /* A friction at which an answer holds, and one below it at which it does not,
    0 where none is known. */
 struct friction {
@@ -179,11 +188,9 @@ static inline double find_friction(const struct analysis *a, enum answer which,
 {
     struct friction f = {
         a, which, array(a->task.s.contacts, sizeof *f.contact), KERN_OK, 0, 0};
-    int taken = 0, found;
-    for (int k = 0; k < a->task.s.contacts; k++)
-        taken |= takes_friction(a, k);
-    found = f.contact && taken
-         && bracket_friction(&f, fmax((double)a->task.options.mu, 0.01));
+    const int found = f.contact && frictions_taken(a) > 0
+                   && bracket_friction(&f,
+                                       fmax((double)a->task.options.mu, 0.01));
     while (found && f.status != KERN_LIMIT && f.high - f.low > 1e-5 * f.high)
         holds_at(&f, (f.low + f.high) / 2);
     free(f.contact);

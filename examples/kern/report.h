@@ -675,6 +675,18 @@ static inline void report_raised(const struct analysis *a)
     printf("\n");
 }
 
+/* The least friction of an answer, or why there is none. */
+static inline void print_friction(double least, kern_status status,
+                                  const char *what)
+{
+    if (!isnan(least))
+        printf("  friction    %-8.4g  %s\n", least, what);
+    else
+        printf("  friction    %-8s  %s%s\n",
+               status == KERN_LIMIT ? "undecided" : "none", what,
+               status == KERN_LIMIT ? "" : ", up to 8 times that of the file");
+}
+
 /* Beside the range of the live load, and beside loads with near contacts: what
    Coulomb friction bears, from rest. */
 static inline void report_raised_loads(const struct analysis *a)
@@ -704,12 +716,15 @@ static inline void report_error(const struct analysis *a)
             printf(" and %.4g rad in angle", (double)a->set->own_turn);
         printf("\n");
     }
-    if (!isnan(a->least_friction))
-        printf("  friction    %-8.4g  the least of the verdict: it stands\n",
-               a->least_friction);
-    if (!isnan(a->least_friction_let_go))
-        printf("  friction    %-8.4g  the least at which it stays let go\n",
-               a->least_friction_let_go);
+    if (frictions_taken(a) == 0)
+        printf("  friction    as given  every contact has a friction of its "
+               "own\n");
+    else {
+        print_friction(a->least_friction, a->slid,
+                       "the least of the verdict: it stands");
+        print_friction(a->least_friction_let_go, a->slid_let_go,
+                       "the least at which it stays let go");
+    }
     if (!isnan(a->tilt_let_go[LEFT]) && !isnan(a->tilt_let_go[RIGHT]))
         printf("  tilt let go %.4g left, %.4g right, in rad: up to these it "
                "stays let go\n",
