@@ -1635,6 +1635,10 @@ extern "C" {
 #define KERN_ALONE_ROUNDS 10
 /* By what factor a residual must fall in a round, or no forces exist. */
 #define KERN_ALONE_PACE 8
+/* Share of a load that a joint within 30 degrees of upright takes of what a bed
+   would. With .3 verdicts of 126 courses of bricks take eight times the work,
+   with 1 900 times. */
+#define KERN_SIDE_SHARE KERN_R(0.1)
 /* Norm of the forces, in loads of a cluster, beyond which it counts as
    infeasible. Larger, clusters grow later and Newton's method takes more
    steps: without the bound trying a stone costs 4 % more. */
@@ -5345,21 +5349,33 @@ static int kern_pass_three(const kern_real h[9], const kern_real b[3],
 }
 
 typedef struct kern_ray { /* an edge of a friction cone at the group      */
-    kern_real a[3];       /* wrench of a unit of force along it           */
-    kern_real x;          /* its force; below 0: none                     */
+    kern_real a[3];       /* wrench of a unit of x                        */
+    kern_real x;          /* its force, in units; below 0: none           */
     int press;            /* nonzero: it is among those that carry        */
 } kern_ray;
 
-/* Writes the two rays of a row, with their forces at the approach `way`. */
+/* Writes the two rays of a row, with their forces at the approach `way`, in
+   units. */
 static inline void kern_ray_pair(kern_ray *to, const kern_row *row,
-                                 kern_real mu, const kern_real way[2])
+                                 kern_real mu, const kern_real way[2],
+                                 kern_real unit)
 {
     const kern_real more = mu * way[1];
-    kern_row_wrench(row, 1, mu, to[0].a);
-    kern_row_wrench(row, 1, -mu, to[1].a);
-    to[0].x = way[0] + more;
-    to[1].x = way[0] - more;
+    kern_row_wrench(row, unit, unit * mu, to[0].a);
+    kern_row_wrench(row, unit, -unit * mu, to[1].a);
+    to[0].x = (way[0] + more) / unit;
+    to[1].x = (way[0] - more) / unit;
     to[0].press = to[1].press = 1;
+}
+
+/* Returns the unit of the forces of contact i: joints that stand upright take
+   less of a load than beds. Otherwise each stone of a course would push the
+   next, and the last of a long course could not be balanced alone. */
+static kern_real kern_pass_unit(const kern_model *m, int i)
+{
+    const kern_vec g = m->s->gravity;
+    const kern_real up = kern_vec_dot(m->s->contact[i].n, g);
+    return 4 * up * up < kern_vec_dot(g, g) ? KERN_SIDE_SHARE : KERN_R(1);
 }
 
 /* Writes b less what the pressing rays exert, and the matrix of these. */
@@ -5432,7 +5448,7 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     const kern_real tolerance = KERN_PASS_TOL * m->size[g];
     kern_ray c[2 * KERN_ROWS_MOST];
     int of[KERN_ROWS_MOST]; /* ends */
-    kern_real b[3];
+    kern_real unit[KERN_ROWS_MOST], b[3];
     kern_status status;
     int e, k, n = 0;
 
@@ -5450,15 +5466,16 @@ static kern_status kern_pass_alone(kern_model *m, int g)
         if (n == KERN_ROWS_MOST)
             return KERN_UNDECIDED;
         mu = kern_model_prior(m, e >> 1, way);
-        kern_ray_pair(c + 2 * n, &row, mu, way);
+        unit[n] = kern_pass_unit(m, e >> 1);
+        kern_ray_pair(c + 2 * n, &row, mu, way, unit[n]);
         of[n++] = e;
     }
 
     /* Writes the forces; what carries them is balanced again. */
     status = kern_pass_solve(c, 2 * n, b, tolerance);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
-        const kern_real plus = kern_max(c[2 * k].x, 0);
-        const kern_real minus = kern_max(c[2 * k + 1].x, 0);
+        const kern_real plus = unit[k] * kern_max(c[2 * k].x, 0);
+        const kern_real minus = unit[k] * kern_max(c[2 * k + 1].x, 0);
         const kern_force f = {plus + minus,
                               kern_model_mu(m, of[k] >> 1) * (plus - minus)};
         kern_pass_write(m, of[k] >> 1, m->graph.ends[of[k] ^ 1], f, tolerance);

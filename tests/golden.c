@@ -42,8 +42,8 @@ static const struct {
     {1000, 0xd93643430b8f3ce7u},
     {5000, 0x5cb0bf8ded28f5b8u},
 #else
-    {200, 0xd9c7fe6ea412f97bu},
-    {1000, 0xbc2497408d2769e6u},
+    {200, 0xecebd2fbc376bc71u},
+    {1000, 0x23d27ade4af2f07au},
     {5000, 0xa1a5150bbca9f260u},
 #endif
 };

@@ -203,8 +203,8 @@ static void engine_factor(void)
     }
 }
 
-/* A box on two points at -1 and 1, loaded at x: the forces are (1 -+ x) / 2;
-   beyond the points none hold it. */
+/* A box on two points at -1 and 1, loaded at x: the forces are (1 -+ x) / 2,
+   whatever their units; beyond the points none hold it. */
 static void engine_group_on(double x)
 {
     const kern_real b[3] = {0, R(1), R(x)}, rests[2] = {0, 0};
@@ -214,13 +214,14 @@ static void engine_group_on(double x)
     for (k = 0; k < 2; k++) {
         const kern_row row = kern_row_of(vec(0, 1), vec(k ? 1 : -1, -0.5),
                                          R(1));
-        kern_ray_pair(c + 2 * k, &row, R(0.4), rests);
+        kern_ray_pair(c + 2 * k, &row, R(0.4), rests, R(k ? 0.1 : 1));
     }
     got = kern_pass_solve(c, 4, b, R(SINGLE ? 1e-6 : 1e-11));
     CHECK_INT(got, fabs(x) <= 1 ? KERN_STANDS : KERN_FALLS);
     for (k = 0; k < 2 && got == KERN_STANDS; k++) {
-        const double plus = fmax(c[2 * k].x, 0),
-                     minus = fmax(c[2 * k + 1].x, 0);
+        const double unit = k ? 0.1 : 1;
+        const double plus = unit * fmax(c[2 * k].x, 0);
+        const double minus = unit * fmax(c[2 * k + 1].x, 0);
         CHECK_NEAR(plus + minus, (1 + (k ? x : -x)) / 2, 1e4 * EPS);
         CHECK_NEAR(plus, minus, 1e4 * EPS);
     }
@@ -232,6 +233,34 @@ static void engine_group(void)
     int i;
     for (i = 0; i < COUNT_OF(at); i++)
         engine_group_on(at[i]);
+}
+
+/* Running bond of square bricks, closed joints: a bed takes the load of a brick,
+   the joint beside it does not push the next one, so that every brick is
+   balanced alone and once, whatever the side that numbers begin at. */
+static void engine_bond(void)
+{
+    static world w;
+    const int side = 11, courses = 13;
+    kern_work work;
+    int mirror, row, i;
+    for (mirror = -1; mirror <= 1; mirror += 2) {
+        world_reset(&w);
+        w.options.mu = R(0.6);
+        world_box(&w, 0, -20, -1, 20, 0);
+        for (row = 0; row < courses; row++)
+            for (i = 0; i < side + row % 2; i++) {
+                const double left = fmax(i - 0.5 * (row % 2), 0);
+                const double right = fmin(i + 1 - 0.5 * (row % 2), side);
+                world_box(&w, 1, mirror < 0 ? -right : left, row,
+                          mirror < 0 ? -left : right, row + 1);
+            }
+        world_touch(&w);
+        CHECK(w.blocks == 150);
+        work = work_of(&w);
+        CHECK_INT(kern_verdict(world_task(&w, &work), 0, NULL), KERN_STANDS);
+        CHECK(work.units <= 3 * w.blocks);
+    }
 }
 
 /* The basis in which a program ends: header and places are inverse to each
@@ -400,8 +429,9 @@ static void engine_bracket(void)
 }
 
 static const test engine_tests[] = {
-    TEST(engine_rows),    TEST(engine_laws),  TEST(engine_factor),
-    TEST(engine_group),   TEST(engine_basis), TEST(engine_place),
+    TEST(engine_rows),    TEST(engine_laws), TEST(engine_factor),
+    TEST(engine_group),   TEST(engine_bond), TEST(engine_basis),
+    TEST(engine_place),
 #ifndef KERN_NO_INTERIOR
     TEST(engine_step),
 #endif
