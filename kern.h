@@ -101,7 +101,7 @@
    to read the input included, is not begun: the call returns KERN_LIMIT and
    writes what is proven by then. Below the limit the answer is the same, to the
    last bit, as without. A call takes at most 3,000 instructions and 2,000 for
-   each unit of its limit, a whole answer 570 to 2,000 for each unit that it
+   each unit of its limit, a whole answer 550 to 2,000 for each unit that it
    took (tests/work.sh limits): 0.1 to 0.6 microseconds of a desktop computer.
    Where most blocks have a single contact, as pushes of a fill, a unit of the
    limit was up to 3,100 instructions, and one of a whole answer 2,230.
@@ -1486,7 +1486,7 @@ extern "C" {
 #define KERN_WORK_MOST 2000000000
 
 /* ---- what work costs, in units ---- */
-/* Fitted to counts of instructions: a unit is 570 to 2,000 of them, as
+/* Fitted to counts of instructions: a unit is 550 to 2,000 of them, as
    >>verdicts says. A constant *_UNIT tells how many things are done in one
    unit. */
 

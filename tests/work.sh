@@ -119,7 +119,7 @@ limits() { # limits [FILE...]
         for (ask in low) {
             printf "%-14s %13.0f %5.0f %15.0f\n", ask, low[ask], high[ask],
                    most[ask]
-            missed += low[ask] < 570 || high[ask] > 2000 || most[ask] > 2000
+            missed += low[ask] < 550 || high[ask] > 2000 || most[ask] > 2000
         }
         exit missed > 0
     }'
