@@ -458,6 +458,69 @@ hand_in() { # drawings of the bridge and the wall, and a photograph: the answers
         refuses "--mu takes a number not below zero" --mu a=b $wall
 }
 
+stated() { # what numbers leave out or assume is said in report, JSON and page
+    local kern wall=examples/structures/retaining-wall.kern f=$out/bond.kern
+    kern=$(program kern examples/kern.c) || return 1
+    # a live load is no part of the verdict
+    sed 's/^earth.*/& live/; s/13.67/136.7/' $wall >"$out/live.kern" &&
+        says 'live.kern: stands without the live load' "$out/live.kern" &&
+        says 'warning     it falls under the live load as' "$out/live.kern" &&
+        "$kern" --json --report "$out/live.html" "$out/live.kern" \
+            >"$out/live.json" &&
+        grep -q '"without_live": true, "as_stated": "falls"' "$out/live.json" &&
+        grep -q 'Under the live load as stated it falls' "$out/live.html" &&
+        "$kern" --json $wall >"$out/wall.json" &&
+        grep -q '"without_live": null, "as_stated": null' "$out/wall.json" &&
+        "$kern" --help >"$out/help" && $judge keys "$out/live.json" "$out/help" ||
+        return 1
+    # the bond of 2 on 1 by 5 is no compression of the stone: 5 is; as it tips
+    # the pull is 2 at most, and with a strength of 8 a toe of .7 bears
+    printf '%s\n' 'gravity 0 -1' 'friction 9' 'fixed g -2 -1 3 -1 3 0 -2 0' \
+        'block a 5 0 0 1 0 1 2 0 2' 'live a 1 0 0 1' 'bond 2' >"$f"
+    says 'stress      5  ' "$f" && says '[0, 3.5]: factors' "$f" &&
+        says 'warning     the bond is plastic' "$f" &&
+        says ' 5         0   0.000         5 (1, 0)' --forces "$f" &&
+        "$kern" --report "$out/bond.html" "$f" >"$out/o" &&
+        grep -q 'unsafe for brittle mortar' "$out/bond.html" &&
+        echo 'strength 8' >>"$f" && says '[0, 1.05]: factors' "$f" || return 1
+    # fill in front of an upright face lies on nothing
+    printf '%s\n' 'fixed g -5 -1 6 -1 6 0 -5 0' 'block w * 0 0 1 0 1 3 0 3' \
+        'fill .8 18 phi 30 from -5 to 0' >"$out/front.kern"
+    refuses "from x = -5 to 0 is 'g', which is fixed." "$out/front.kern" &&
+        refuses 'write prop NAME FX FY X Y MOST' "$out/front.kern" || return 1
+    sed -i 's/^fill.*/fill .8 18 phi 30/' "$out/front.kern" &&
+        refuses 'the outline begins at 3' "$out/front.kern"
+}
+
+assumed() { # of a drawing: density, friction, ground; masks of LabelMe
+    local kern
+    kern=$(program kern examples/kern.c) || return 1
+    awk '$1 == "block" { $1 = "RING"; $2 = $3 = ""; print }' \
+        examples/structures/arch.kern | drawing >"$out/arch.dxf"
+    says 'note        density 1 is assumed' "$out/arch.dxf" &&
+        says 'note        friction 0.4 is assumed (--mu MU)' "$out/arch.dxf" &&
+        says 'and cannot turn or slide: the favourable side' "$out/arch.dxf" &&
+        says ' per unit of density  mean stress' "$out/arch.dxf" &&
+        "$kern" --mu .6 --density 2000 --kern "$out/arch.kern" "$out/arch.dxf" \
+            >"$out/o" && ! grep -q assumed "$out/o" &&
+        grep -q '^  stress .* Pa ' "$out/o" &&
+        grep -q '^friction .6$' "$out/arch.kern" &&
+        says 'friction 0.4 is assumed where --mu names no' --mu RING=.6 \
+            "$out/arch.dxf" &&
+        diff <(sed -n 's/^.*: stands/stands/; /stands/,$p' "$out/o") \
+            <("$kern" "$out/arch.kern" | sed 's/^.*: stands/stands/') || return 1
+    # a PNG stored, of fixed and of own codes, of all filters, and a broken one
+    "$kern" --kern "$out/mask.kern" tests/seeds/drawing-mask.json >"$out/o" ||
+        return 1
+    grep -q 'skipped     1 mask that is no PNG without interlace on broken, line 9' \
+        "$out/o" && [ "$(grep -c ^block "$out/mask.kern")" -eq 5 ] &&
+        awk '$1 == "block" { for (i = 4; i < NF; i += 2) printf "%g %g ",
+                $i - $4, $(i + 1) - $5
+            print "" }' "$out/mask.kern" | uniq >"$out/o" &&
+        grep -qx '0 0 -16 0 -16 12 -40 12 -40 -18 0 -18 ' "$out/o" &&
+        [ "$(wc -l <"$out/o")" -eq 1 ]
+}
+
 thrust() { # the least and the greatest of a support: of a stone that friction
     # holds by 2 under a load of 5; symmetric
     local kern stone

@@ -801,8 +801,10 @@ static void outlines_lowest(struct outlines *o)
         shapes_put(&s->notes, s->photograph ? "the lowest row is fixed, "
                                             : "the lowest is fixed, ");
         outlines_put_names(o, mark);
-        shapes_put(&s->notes, "; draw what they stand on, or name it "
-                              "(--layer NAME=ground)\n");
+        shapes_put(&s->notes, ", and cannot turn or slide: the favourable side "
+                              "(an arch fixed at its end voussoirs bears more "
+                              "than one on abutments); draw what they stand "
+                              "on, or name it (--layer NAME=ground)\n");
     }
     free(mark);
 }

@@ -404,12 +404,18 @@ static int statements_friction(struct outlines *o, const char *word)
     return count;
 }
 
-/* Writes all of these; says where one is of no block. */
+/* Writes all of these, and that of all others; says where one is of no block. */
 static void statements_frictions(struct outlines *o)
 {
     struct shapes *s = o->s;
     for (int k = 0; k < s->asked->friction_words; k++) {
         const char *word = s->asked->frictions[k];
+        if (shapes_equals(word) < 0) {
+            shapes_put(&s->text, "friction ");
+            shapes_put(&s->text, word);
+            shapes_put(&s->text, "\n");
+            continue;
+        }
         if (statements_friction(o, word) > 0)
             continue;
         shapes_put(&s->notes, "friction ");
@@ -426,7 +432,7 @@ static int statements_write(struct outlines *o)
         shapes_put(&s->text, "units ");
         shapes_put(&s->text, s->units);
         /* a density is in kg/m3, as the user says */
-        if (strcmp(s->units, "m") == 0 && s->asked->density_words > 0)
+        if (strcmp(s->units, "m") == 0 && s->assumed == 0)
             shapes_put(&s->text, " N");
         shapes_put(&s->text, "\n");
     }
@@ -553,9 +559,48 @@ static void statements_unheard(struct shapes *s)
     }
 }
 
+/* Says which density and friction are assumed, for want of being told. Sets how
+   many densities are. */
+static void statements_assumed(struct outlines *o)
+{
+    struct shapes *s = o->s;
+    int weighed = 0, friction = 0;
+    for (int i = 0; i < o->blocks; i++) {
+        const struct shapes_path *path = outlines_path(o, i);
+        if (path->role == SHAPES_GROUND)
+            continue;
+        weighed++;
+        s->assumed += !(shapes_density(s, shapes_at(s, path->label)) > 0);
+    }
+    s->all_assumed = s->assumed == weighed;
+    if (s->assumed > 0) {
+        shapes_put(&s->notes, "density 1 is assumed");
+        if (!s->all_assumed) {
+            shapes_put(&s->notes, " of ");
+            shapes_put_int(&s->notes, s->assumed);
+            shapes_put(&s->notes, " of ");
+            shapes_put_int(&s->notes, weighed);
+            shapes_put(&s->notes, " outlines, beside others that are told");
+        }
+        shapes_put(&s->notes, " (--density D, --density NAME=D)");
+        shapes_put(&s->notes, s->all_assumed
+                                  ? ": forces and stresses are per unit of "
+                                    "density\n"
+                                  : ": forces and stresses have no unit\n");
+    }
+    for (int k = 0; k < s->asked->friction_words; k++)
+        friction |= shapes_equals(s->asked->frictions[k]) < 0;
+    if (!friction)
+        shapes_put(&s->notes, s->asked->friction_words > 0
+                                  ? "friction 0.4 is assumed where --mu names "
+                                    "no layer (--mu MU)\n"
+                                  : "friction 0.4 is assumed (--mu MU)\n");
+}
+
 static void statements_notes(struct outlines *o)
 {
     struct shapes *s = o->s;
+    statements_assumed(o);
     if (s->arcs > 0) {
         shapes_put_int(&s->notes, s->arcs);
         shapes_put(&s->notes, s->arcs == 1 ? " arc is chords within "
