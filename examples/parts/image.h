@@ -294,15 +294,15 @@ static int image_group(struct image *m, int label, int number)
 }
 
 /* Makes a shape that is known by two points: a circle by its centre and a
-   point of it, a rectangle by two corners. Returns 0 where there are others.
-   */
+   point of it, a rectangle by two corners, or by four. Returns 0 where there are
+   others. */
 static int image_special(struct image *m, int first, int circle)
 {
     struct shapes *s = m->s;
     const struct shapes_point *p = s->point + first;
     struct shapes_point a, b;
     if (s->points - first != 2)
-        return 0;
+        return !circle && s->points - first == 4;
     a = p[0];
     b = p[1];
     s->points = first;
@@ -314,9 +314,10 @@ static int image_special(struct image *m, int first, int circle)
 }
 
 /* Makes a shape that is a PNG whose upper left pixel is the first point. */
-static void image_png(struct image *m, int i, int label, int group)
+static void image_png(struct image *m, int i, int label)
 {
     struct tokens *t = &m->t;
+    const int group = image_group(m, label, tokens_get(t, i, "group_id"));
     const int word = tokens_get(t, i, "mask"),
               points = tokens_get(t, i, "points");
     struct image_mask k = {NULL, 0, 0, 0, 0, 0, 0, 0, 0};
@@ -336,7 +337,10 @@ static void image_png(struct image *m, int i, int label, int group)
     if (k.pixel)
         image_outlines(m, &k, label, i, group < 0 ? m->s->groups++ : group);
     else
-        image_skip(m, "mask that is no PNG without interlace", label, i);
+        image_skip(m,
+                   word < 0 ? "mask without its PNG"
+                            : "mask that is no PNG without interlace",
+                   label, i);
     free(k.pixel);
 }
 
@@ -347,7 +351,7 @@ static void image_shape(struct image *m, int i)
     const int points = tokens_get(t, i, "points");
     const int known = type >= 0 && !tokens_same(t, type, "null");
     const int circle = known && tokens_same(t, type, "circle");
-    int label, kind, made;
+    int label, kind;
     if (!tokens_is(t, i, TOKENS_OBJECT)) {
         image_skip(m, "shape that is none", shapes_word(m->s, "", 0), i);
         return;
@@ -355,8 +359,7 @@ static void image_shape(struct image *m, int i)
     label = image_label(m, tokens_get(t, i, "label"));
     kind = known ? tokens_text(t, type) : shapes_word(m->s, "polygon", 7);
     if (known && tokens_same(t, type, "mask")) {
-        image_png(m, i, label,
-                  image_group(m, label, tokens_get(t, i, "group_id")));
+        image_png(m, i, label);
         return;
     }
     if (!circle && known && !tokens_same(t, type, "polygon")
@@ -364,11 +367,9 @@ static void image_shape(struct image *m, int i)
         shapes_listed_as(m->s, kind, label, t->one[i].line);
         return;
     }
-    made = image_pairs(m, points);
-    if (made && (circle || tokens_same(t, type, "rectangle")))
-        made = image_special(m, first, circle)
-            || (!circle && m->s->points - first == 4);
-    if (!made) {
+    if (!image_pairs(m, points)
+        || ((circle || tokens_same(t, type, "rectangle"))
+            && !image_special(m, first, circle))) {
         m->s->points = first;
         image_skip(m, "shape without its points", label, i);
         return;

@@ -271,17 +271,15 @@ static unsigned png_word(const unsigned char *p)
          | p[3];
 }
 
-/* Reads the head, and moves the data of all chunks together behind it. Returns
-   their length; -1: it is no PNG that is read here. */
-static int png_chunks(unsigned char *file, int n, struct png_image *image)
+/* Reads the head. Returns 0 where it is none of an image that is read here. */
+static int png_head(const unsigned char *file, int n, struct png_image *image)
 {
     static const int samples[7] = {1, 0, 3, 1, 2, 0, 4};
     static const unsigned char mark[8] = {0x89, 'P', 'N', 'G', 13, 10, 26, 10};
-    int at = 33, data = 0;
     unsigned wide, tall;
     if (n < 57 || memcmp(file, mark, 8) != 0
         || memcmp(file + 12, "IHDR", 4) != 0)
-        return -1;
+        return 0;
     wide = png_word(file + 16);
     tall = png_word(file + 20);
     image->bits = file[24];
@@ -289,11 +287,21 @@ static int png_chunks(unsigned char *file, int n, struct png_image *image)
     if (wide < 1 || tall < 1 || wide > PNG_PIXELS / tall || image->type > 6
         || samples[image->type] == 0 || file[28] != 0 || image->bits < 1
         || image->bits > 16 || (image->bits & (image->bits - 1)))
-        return -1;
+        return 0;
     image->width = (int)wide;
     image->height = (int)tall;
     image->samples = samples[image->type];
-    image->row = (image->width * image->samples * image->bits + 7) / 8;
+    image->row =
+        (int)(((size_t)wide * (size_t)image->samples * (size_t)image->bits + 7)
+              / 8);
+    return 1;
+}
+
+/* Moves the data of all chunks together, to the beginning of the file. Returns
+   their length; -1: a chunk is longer than the file. */
+static int png_chunks(unsigned char *file, int n)
+{
+    int at = 33, data = 0;
     while (n - at >= 12) {
         const unsigned length = png_word(file + at);
         if (length > (unsigned)(n - at - 12))
@@ -363,7 +371,9 @@ static char *png_mask(struct shapes *s, const char *word, int n, int *width,
     struct png_image image = {0};
     struct png_stream z = {0};
     char *mask = NULL;
-    z.length = file ? png_chunks(file, png_bytes(word, n, file), &image) : -1;
+    const int bytes = file ? png_bytes(word, n, file) : 0;
+    if (file && png_head(file, bytes, &image))
+        z.length = png_chunks(file, bytes);
     if (z.length > 0)
         z.room = image.height * (image.row + 1);
     if (z.room > 0 && z.room / PNG_RATIO <= z.length) {
