@@ -521,6 +521,47 @@ assumed() { # of a drawing: density, friction, ground; masks of LabelMe
         [ "$(wc -l <"$out/o")" -eq 1 ]
 }
 
+arcs() { # arcs LAYER, GAP: a semicircular arch of 21 voussoirs as lines and arcs
+    # on abutments, with fill whose outline has other chords; ends of the second
+    # arc miss the joints by GAP [mm]
+    awk -v layer="$1" -v gap="$2" 'function line(x, y, u, v) {
+            printf "0\nLINE\n8\nRING\n10\n%.9f\n20\n%.9f\n11\n%.9f\n21\n%.9f\n",
+                x, y, u, v }
+        BEGIN { pi = atan2(0, -1)
+        for (r = 4000; r < 4600; r += 500) print "0\nARC\n8\nRING\n10\n0\n20\n" \
+            (r > 4000 ? gap : 0) "\n40\n" r "\n50\n0\n51\n180"
+        for (i = 0; i < 22; i++) { c = cos(pi * i / 21); s = sin(pi * i / 21)
+            line(4000 * c, 4000 * s, 4500 * c, 4500 * s) }
+        for (k = -1; k < 2; k += 2) print "0\nLWPOLYLINE\n8\nABUTMENT\n70\n1\n" \
+            "10\n" 4000 * k "\n20\n0\n10\n" 5500 * k "\n20\n0\n10\n" 5500 * k \
+            "\n20\n-2000\n10\n" 4000 * k "\n20\n-2000"
+        print "0\nLWPOLYLINE\n8\n" layer "\n70\n1\n10\n5500\n20\n0"
+        for (i = 0; i < 61; i++) printf "10\n%.9f\n20\n%.9f\n",
+            4500 * cos(pi * i / 60), 4500 * sin(pi * i / 60)
+        print "10\n-5500\n20\n0\n10\n-5500\n20\n5200\n10\n5500\n20\n5200" }' |
+        awk 'BEGIN { print "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC"
+            print "0\nSECTION\n2\nENTITIES" } { print }
+            END { print "0\nENDSEC\n0\nEOF" }'
+}
+
+drawn() { # an arch of lines and arcs that end across from each other, under fill;
+    # a wall with fill behind it and in front of it
+    local kern f=$out/arch.dxf
+    kern=$(program kern examples/kern.c) && arcs BACKFILL 0 >"$f" &&
+        says 'reads 23 blocks of a drawing, in m' "$f" &&
+        says '21 blocks on 2 fixed; 22 line contacts and 0 points' "$f" &&
+        says 'margin      0.06891 m' "$f" && ! "$kern" "$f" | grep -q skipped &&
+        arcs BACKFILL 9 >"$out/gap.dxf" || return 1
+    says 'note        ends of lines meet within 0.0005, and that of' "$out/gap.dxf" ||
+        return 1
+    printf '%s\n' 'GROUND -4 -2 6 -2 6 -1 -4 -1' 'STONES 0 -1 2 -1 2 1 0 1' \
+        'STONES 0 1 2 1 2 3 0 3' 'BACKFILL 2 -1 6 -1 6 3 2 3' \
+        'SOIL -4 -1 0 -1 0 0 -4 0' | drawing >"$out/wall.dxf"
+    says 'fill: SOIL_5 lies on no stone' --phi 30 "$out/wall.dxf" &&
+        says 'say --layer "BACKFILL=ignore" --kern OUT.kern and write in that file: earth right 3 1800 30 DELTA' \
+            --density 1800 --phi 30 "$out/wall.dxf"
+}
+
 thrust() { # the least and the greatest of a support: of a stone that friction
     # holds by 2 under a load of 5; symmetric
     local kern stone

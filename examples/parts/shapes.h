@@ -158,7 +158,10 @@ struct shapes {
     int down;          /* nonzero: y runs down, from `height`             */
     double height;     /* of a photograph, < 0: not known                 */
     int arcs, groups;
-    int assumed;     /* outlines whose density nobody told                 */
+    double meet;    /* ends of lines as near as that meet; 0: none were drawn */
+    double apart;   /* the nearest ends that do not; 0: none are near      */
+    int apart_line; /* of one of them                                      */
+    int assumed;    /* outlines whose density nobody told                 */
     int all_assumed; /* nonzero: of none is it told                        */
     double sagitta;  /* farthest of a chord from its arc                */
 };
