@@ -776,6 +776,22 @@ static void outlines_line(struct outlines *o, double y, double reach)
     shapes_put(&s->notes, " below it are left out\n");
 }
 
+/* Says which outlines are fixed for want of ground. */
+static void outlines_note_lowest(struct outlines *o, const char *mark)
+{
+    struct shapes *s = o->s;
+    shapes_put(&s->notes, "no label is ground: ");
+    shapes_put(&s->notes, s->photograph ? "the lowest row is fixed, "
+                                        : "the lowest is fixed, ");
+    outlines_put_names(o, mark);
+    shapes_put(&s->notes, ", and cannot turn or slide: the favourable side");
+    if (!s->photograph)
+        shapes_put(&s->notes, " (an arch fixed at its end voussoirs bears "
+                              "more than one on abutments)");
+    shapes_put(&s->notes, "; draw what they stand on, or name it (--layer "
+                          "NAME=ground)\n");
+}
+
 /* Fixes the lowest outlines where no label is ground: of a photograph those
    that begin less than half a stone above the lowest point. */
 static void outlines_lowest(struct outlines *o)
@@ -800,16 +816,8 @@ static void outlines_lowest(struct outlines *o)
         path->role = SHAPES_GROUND;
         mark[i] = 1;
     }
-    if (mark && !found && o->blocks > 0) {
-        shapes_put(&s->notes, "no label is ground: ");
-        shapes_put(&s->notes, s->photograph ? "the lowest row is fixed, "
-                                            : "the lowest is fixed, ");
-        outlines_put_names(o, mark);
-        shapes_put(&s->notes, ", and cannot turn or slide: the favourable side "
-                              "(an arch fixed at its end voussoirs bears more "
-                              "than one on abutments); draw what they stand "
-                              "on, or name it (--layer NAME=ground)\n");
-    }
+    if (mark && !found && o->blocks > 0)
+        outlines_note_lowest(o, mark);
     free(mark);
 }
 
@@ -886,8 +894,8 @@ static void outlines_hang(struct outlines *o)
         shapes_put(&s->notes,
                    hang == 1 ? "hangs in the air: " : "hang in the air: ");
         outlines_put_names(o, mark);
-        shapes_put(&s->notes, hang == 1 ? " touches nothing that is held\n"
-                                        : " touch nothing that is held\n");
+        shapes_put(&s->notes, hang == 1 ? " touches" : " touch");
+        shapes_put(&s->notes, " nothing that is held (--layer NAME=ignore)\n");
     }
     free(mark);
 }
