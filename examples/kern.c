@@ -292,12 +292,12 @@ static int mu_option(struct settings *set, const char *value)
 {
     const char *number = value ? strrchr(value, '=') : NULL;
     kern_real mu;
-    if (!number)
-        return number_option("--mu", value, NOT_NEGATIVE, &set->mu);
-    if (number == value)
+    if (value && number == value)
         return bad_use("NAME=MU is missing after", "--mu");
-    if (number_option("--mu", number + 1, NOT_NEGATIVE, &mu))
+    if (number_option("--mu", number ? number + 1 : value, NOT_NEGATIVE, &mu))
         return -1;
+    if (!number)
+        set->mu = mu;
     if (set->drawing.friction_words == LABELS_MOST)
         return bad_use("more than 100 options", "--mu");
     set->friction[set->drawing.friction_words++] = value;

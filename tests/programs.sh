@@ -458,6 +458,110 @@ hand_in() { # drawings of the bridge and the wall, and a photograph: the answers
         refuses "--mu takes a number not below zero" --mu a=b $wall
 }
 
+stated() { # what numbers leave out or assume is said in report, JSON and page
+    local kern wall=examples/structures/retaining-wall.kern f=$out/bond.kern
+    kern=$(program kern examples/kern.c) || return 1
+    # a live load is no part of the verdict
+    sed 's/^earth.*/& live/; s/13.67/136.7/' $wall >"$out/live.kern" &&
+        says 'live.kern: stands without the live load' "$out/live.kern" &&
+        says 'warning     it falls under the live load as' "$out/live.kern" &&
+        "$kern" --json --report "$out/live.html" "$out/live.kern" \
+            >"$out/live.json" &&
+        grep -q '"without_live": true, "as_stated": "falls"' "$out/live.json" &&
+        grep -q 'Under the live load as stated it falls' "$out/live.html" &&
+        "$kern" --json $wall >"$out/wall.json" &&
+        grep -q '"without_live": null, "as_stated": null' "$out/wall.json" &&
+        "$kern" --help >"$out/help" && $judge keys "$out/live.json" "$out/help" ||
+        return 1
+    # the bond of 2 on 1 by 5 is no compression of the stone: 5 is; as it tips
+    # the pull is 2 at most, and with a strength of 8 a toe of .7 bears
+    printf '%s\n' 'gravity 0 -1' 'friction 9' 'fixed g -2 -1 3 -1 3 0 -2 0' \
+        'block a 5 0 0 1 0 1 2 0 2' 'live a 1 0 0 1' 'bond 2' >"$f"
+    says 'stress      5  ' "$f" && says '[0, 3.5]: factors' "$f" &&
+        says 'warning     the bond is plastic' "$f" &&
+        says ' 5         0   0.000         5 (1, 0)' --forces "$f" &&
+        "$kern" --report "$out/bond.html" "$f" >"$out/o" &&
+        grep -q 'unsafe for brittle mortar' "$out/bond.html" &&
+        echo 'strength 8' >>"$f" && says '[0, 1.05]: factors' "$f" || return 1
+    # fill in front of an upright face lies on nothing
+    printf '%s\n' 'fixed g -5 -1 6 -1 6 0 -5 0' 'block w * 0 0 1 0 1 3 0 3' \
+        'fill .8 18 phi 30 from -5 to 0' >"$out/front.kern"
+    refuses "from x = -5 to 0 is 'g', which is fixed." "$out/front.kern" &&
+        refuses 'write prop NAME FX FY X Y MOST' "$out/front.kern" || return 1
+    sed -i 's/^fill.*/fill .8 18 phi 30/' "$out/front.kern" &&
+        refuses 'the outline begins at 3' "$out/front.kern"
+}
+
+assumed() { # of a drawing: density, friction, ground; masks of LabelMe
+    local kern
+    kern=$(program kern examples/kern.c) || return 1
+    awk '$1 == "block" { $1 = "RING"; $2 = $3 = ""; print }' \
+        examples/structures/arch.kern | drawing >"$out/arch.dxf"
+    says 'note        density 1 is assumed' "$out/arch.dxf" &&
+        says 'note        friction 0.4 is assumed (--mu MU)' "$out/arch.dxf" &&
+        says 'and cannot turn or slide: the favourable side' "$out/arch.dxf" &&
+        says ' per unit of density  mean stress' "$out/arch.dxf" &&
+        "$kern" --mu .6 --density 2000 --kern "$out/arch.kern" "$out/arch.dxf" \
+            >"$out/o" && ! grep -q assumed "$out/o" &&
+        grep -q '^  stress .* Pa ' "$out/o" &&
+        grep -q '^friction .6$' "$out/arch.kern" &&
+        says 'friction 0.4 is assumed where --mu names no' --mu RING=.6 \
+            "$out/arch.dxf" &&
+        diff <(sed -n 's/^.*: stands/stands/; /stands/,$p' "$out/o") \
+            <("$kern" "$out/arch.kern" | sed 's/^.*: stands/stands/') || return 1
+    # a PNG stored, of fixed and of own codes, of all filters, and a broken one
+    "$kern" --kern "$out/mask.kern" tests/seeds/drawing-mask.json >"$out/o" ||
+        return 1
+    grep -q 'skipped     1 mask that is no PNG without interlace on broken, line 9' \
+        "$out/o" && [ "$(grep -c ^block "$out/mask.kern")" -eq 5 ] &&
+        awk '$1 == "block" { for (i = 4; i < NF; i += 2) printf "%g %g ",
+                $i - $4, $(i + 1) - $5
+            print "" }' "$out/mask.kern" | uniq >"$out/o" &&
+        grep -qx '0 0 -16 0 -16 12 -40 12 -40 -18 0 -18 ' "$out/o" &&
+        [ "$(wc -l <"$out/o")" -eq 1 ]
+}
+
+arcs() { # arcs LAYER, GAP: a semicircular arch of 21 voussoirs as lines and arcs
+    # on abutments, with fill whose outline has other chords; ends of the second
+    # arc miss the joints by GAP [mm]
+    awk -v layer="$1" -v gap="$2" 'function line(x, y, u, v) {
+            printf "0\nLINE\n8\nRING\n10\n%.9f\n20\n%.9f\n11\n%.9f\n21\n%.9f\n",
+                x, y, u, v }
+        BEGIN { pi = atan2(0, -1)
+        for (r = 4000; r < 4600; r += 500) print "0\nARC\n8\nRING\n10\n0\n20\n" \
+            (r > 4000 ? gap : 0) "\n40\n" r "\n50\n0\n51\n180"
+        for (i = 0; i < 22; i++) { c = cos(pi * i / 21); s = sin(pi * i / 21)
+            line(4000 * c, 4000 * s, 4500 * c, 4500 * s) }
+        for (k = -1; k < 2; k += 2) print "0\nLWPOLYLINE\n8\nABUTMENT\n70\n1\n" \
+            "10\n" 4000 * k "\n20\n0\n10\n" 5500 * k "\n20\n0\n10\n" 5500 * k \
+            "\n20\n-2000\n10\n" 4000 * k "\n20\n-2000"
+        print "0\nLWPOLYLINE\n8\n" layer "\n70\n1\n10\n5500\n20\n0"
+        for (i = 0; i < 61; i++) printf "10\n%.9f\n20\n%.9f\n",
+            4500 * cos(pi * i / 60), 4500 * sin(pi * i / 60)
+        print "10\n-5500\n20\n0\n10\n-5500\n20\n5200\n10\n5500\n20\n5200" }' |
+        awk 'BEGIN { print "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC"
+            print "0\nSECTION\n2\nENTITIES" } { print }
+            END { print "0\nENDSEC\n0\nEOF" }'
+}
+
+drawn() { # an arch of lines and arcs that end across from each other, under fill;
+    # a wall with fill behind it and in front of it
+    local kern f=$out/arch.dxf
+    kern=$(program kern examples/kern.c) && arcs BACKFILL 0 >"$f" &&
+        says 'reads 23 blocks of a drawing, in m' "$f" &&
+        says '21 blocks on 2 fixed; 22 line contacts and 0 points' "$f" &&
+        says 'margin      0.06891 m' "$f" && ! "$kern" "$f" | grep -q skipped &&
+        arcs BACKFILL 9 >"$out/gap.dxf" || return 1
+    says 'note        ends of lines meet within 0.0005, and that of' "$out/gap.dxf" ||
+        return 1
+    printf '%s\n' 'GROUND -4 -2 6 -2 6 -1 -4 -1' 'STONES 0 -1 2 -1 2 1 0 1' \
+        'STONES 0 1 2 1 2 3 0 3' 'BACKFILL 2 -1 6 -1 6 3 2 3' \
+        'SOIL -4 -1 0 -1 0 0 -4 0' | drawing >"$out/wall.dxf"
+    says 'fill: SOIL_5 lies on no stone' --phi 30 "$out/wall.dxf" &&
+        says 'say --layer "BACKFILL=ignore" --kern OUT.kern and write in that file: earth right 3 1800 30 DELTA' \
+            --density 1800 --phi 30 "$out/wall.dxf"
+}
+
 thrust() { # the least and the greatest of a support: of a stone that friction
     # holds by 2 under a load of 5; symmetric
     local kern stone

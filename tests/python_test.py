@@ -1574,7 +1574,7 @@ class Drawings(unittest.TestCase):
                          [10000, 5000, 10000])
         self.assertEqual({row[0]: row[1] for row in s.skipped}, {
             "line": "bar", "point": "p", "shape without its points": "none",
-            "shape that is none": "", "mask": "mask"})
+            "shape that is none": "", "mask without its PNG": "mask"})
         width, height, rows = 60, 50, [[0] * 60 for _ in range(50)]
         for y in range(10, 40):
             for x in range(5, 55):

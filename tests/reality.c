@@ -428,8 +428,10 @@ static void vaults(void)
                   .05, .45, 18, .25, 1.43, 59, 0, .005, .03}};
     int i;
     section("Vaults with mortar in the laboratory [kN]");
-    text("kern knows no mortar: a bond is a constant compression in each "
-         "joint. These rows show what\nis lost without it.\n\n");
+    text(
+        "kern knows no mortar: a bond is a constant compression in each "
+        "joint, plastic, and so\nunsafe for brittle mortar. These rows show what "
+        "is lost without it.\n\n");
     head();
     for (i = 0; i < (int)(sizeof vault / sizeof *vault); i++) {
         const double whole = (vault[i].span * vault[i].span / 4

@@ -137,7 +137,8 @@ static inline void find_limit(struct analysis *a)
 }
 
 /* At the margin a force acts no nearer to the end of a line contact than that:
-   it can spread over twice the margin, or over all of a shorter contact. */
+   it can spread over twice the margin, or over all of a shorter contact. A bond,
+   which presses all of a joint, is no stress of the stone. */
 static inline void find_stress(struct analysis *a)
 {
     const kern_structure *s = &a->task.s;
@@ -154,7 +155,9 @@ static inline void find_stress(struct analysis *a)
                                          a->set->relative);
             double pressed = (double)force[k].normal + force[k + 1].normal;
             if (pressed > 0)
-                a->stress[k] = pressed / (2 * hypot(q.x - p.x, q.y - p.y));
+                a->stress[k] = fmax(pressed / (2 * hypot(q.x - p.x, q.y - p.y))
+                                        - a->text.bond,
+                                    0);
             k++;
         }
     }

@@ -2,8 +2,8 @@
 
    A bed is all that lies on one line across gravity without a wide gap: the stones of
    a course on those of the course below. Any other interface is a joint of its
-   own. The forces are those of the report; stresses are linear over the bed,
-   without tension.
+   own. The forces are those of the report, less the bond of mortar; stresses are
+   linear over the bed, and without tension where nothing bonds.
 
    SPDX-License-Identifier: MIT */
 
@@ -57,6 +57,11 @@ static inline struct bed bed_of(const struct analysis *a, int k, int n)
         d.normal += (double)a->force[k + i].normal;
         d.shear += (double)a->force[k + i].tangential;
         d.moment += along * (double)a->force[k + i].normal;
+    }
+    if (c->line && d.high > d.low) {
+        const double bond = a->text.bond * (d.high - d.low);
+        d.normal -= bond;
+        d.moment -= bond * (d.low + d.high) / 2;
     }
     return d;
 }
@@ -120,9 +125,10 @@ static inline int find_beds(const struct analysis *a, struct bed **out)
     return beds;
 }
 
-/* The stress at the low and the high end of a bed; NAN for a point. */
-static inline void bed_stress(const struct bed *d, double *e, double *low,
-                              double *high)
+/* The stress at the low and the high end of a bed, below 0 what mortar bears;
+   NAN for a point. */
+static inline void bed_stress(const struct bed *d, int bonds, double *e,
+                              double *low, double *high)
 {
     const double wide = d->high - d->low, middle = (d->low + d->high) / 2;
     const double off = d->moment / d->normal - middle;
@@ -132,7 +138,7 @@ static inline void bed_stress(const struct bed *d, double *e, double *low,
     *low = *high = (double)NAN;
     if (!(wide > 0))
         return;
-    if (fabs(off) * 6 <= wide) {
+    if (bonds || fabs(off) * 6 <= wide) {
         most = d->normal / wide * (1 + 6 * fabs(off) / wide);
         least = d->normal / wide * (1 - 6 * fabs(off) / wide);
     }
@@ -146,17 +152,17 @@ struct bed_row {
     double e, low, high, shear;
 };
 
-/* Returns 0 where the bed is not pressed, but for rounding. */
+/* Returns 0 where nothing but rounding presses the bed, or pulls at its mortar. */
 static inline int bed_row_of(const struct analysis *a, const struct bed *d,
                              struct bed_row *row)
 {
     double most = 0;
     for (int k = 0; k < a->task.s.contacts; k++)
         most = fmax(most, (double)a->force[k].normal);
-    if (!(d->normal > 1e-9 * most))
+    if (!(fabs(d->normal) > 1e-9 * most))
         return 0;
-    row->shear = fabs(d->shear) < 1e-9 * d->normal ? 0 : d->shear;
-    bed_stress(d, &row->e, &row->low, &row->high);
+    row->shear = fabs(d->shear) < 1e-9 * fabs(d->normal) ? 0 : d->shear;
+    bed_stress(d, a->text.bond > 0, &row->e, &row->low, &row->high);
     row->at = bed_point(d, d->moment / d->normal);
     row->low_end = bed_point(d, d->low);
     row->high_end = bed_point(d, d->high);

@@ -21,11 +21,13 @@
 
 enum { CRUSH_ROUNDS = 60 };
 
-/* Moves all ends in by what the forces crush. Returns the largest change. */
+/* Moves all ends in by what the forces crush. A bond is in the forces, and pulls
+   on the stone where they press. Returns the largest change. */
 static inline double crush_ends(struct analysis *a, const kern_force *force)
 {
     const double change = soil_crush(a->contact, a->whole, a->task.s.contacts,
-                                     force, a->text.strength, .5);
+                                     force, a->text.strength + a->text.bond,
+                                     .5);
     kern_contact_travels(a->contact, a->task.s.contacts);
     return change;
 }

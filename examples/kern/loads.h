@@ -36,7 +36,8 @@ static inline const char *loads_number(const struct analysis *a, double value,
     const double shown = fabs(value) < 1e-12 ? 0 : value;
     const char *unit = t->force_units;
     if (!unit)
-        snprintf(out, LOADS_QUANTITY, "%.4g", shown);
+        snprintf(out, LOADS_QUANTITY, "%.4g%s", shown,
+                 is_per_density(a) ? " per unit of density" : "");
     else if (per_length == 0)
         snprintf(out, LOADS_QUANTITY, "%.4g %.20s", shown,
                  text_show(force, unit));
@@ -152,7 +153,8 @@ static inline void loads_each(const struct analysis *a,
     }
     if (a->text.bond > 0) {
         snprintf(text, sizeof text,
-                 "%.60s: a constant compression in every line contact",
+                 "%.60s: tensile strength of line contacts, plastic; forces "
+                 "and thrust hold it as a compression",
                  loads_number(a, a->text.bond, 2, one));
         line("bond", text, data);
     }

@@ -55,9 +55,20 @@ static inline void page_line(const char *word, const char *what, void *out)
 static inline void page_verdict(FILE *out, const struct analysis *a)
 {
     fputs("<p class=\"verdict\">", out);
-    page_text(out, a->verdict == KERN_STANDS  ? "It stands: forces hold it."
-                   : a->verdict == KERN_FALLS ? "It falls: no forces hold it."
-                                              : "Undecided.");
+    const int live = a->text.lives > 0;
+    page_text(out, a->verdict == KERN_STANDS
+                       ? live ? "It stands without the live load: forces hold "
+                                "it."
+                              : "It stands: forces hold it."
+                   : a->verdict == KERN_FALLS
+                       ? live ? "It falls without the live load: no forces "
+                                "hold it."
+                              : "It falls: no forces hold it."
+                       : "Undecided.");
+    if (live && as_stated(a) != KERN_UNDECIDED)
+        page_text(out, as_stated(a) == KERN_STANDS
+                           ? " Under the live load as stated it stands."
+                           : " Under the live load as stated it falls.");
     if (a->certain >= 0)
         page_text(out, a->certain ? " Within the error of the outlines that is "
                                     "certain."
@@ -201,10 +212,11 @@ static inline void page_thrust(FILE *out, const struct analysis *a)
         page_head(out, "Thrust: one resultant a bed or joint");
         fprintf(out,
                 "<p>%s. Eccentricity is a share of the length, below 1/6 where "
-                "all of it is pressed; stresses are linear without "
-                "tension.</p>\n",
+                "all of it is pressed; stresses are linear%s.</p>\n",
                 a->least ? "The forces of the least norm that hold it"
-                         : "Forces that hold it");
+                         : "Forces that hold it",
+                a->text.bond > 0 ? ", below 0 what mortar bears"
+                                 : " without tension");
         fputs("<table class=\"numbers\">\n<tr><th>from</th><th>on</th><th>x"
               "</th><th>y</th><th>normal</th><th>shear</th><th>eccentricity"
               "</th><th>stress</th><th>at</th><th>stress</th><th>at</th>"
@@ -339,6 +351,15 @@ static inline void page_assumptions(FILE *out, const struct analysis *a)
               "Stone crushes in a rectangular stress block at the end of a "
               "contact, at the strength that is given.");
     page_item(out, !(a->text.bond > 0), "Mortar does not bond.");
+    page_item(
+        out, a->text.bond > 0,
+        "The bond of mortar is plastic: it acts over the whole of a joint "
+        "that opens. That is unsafe for brittle mortar, for which the "
+        "answer without bond holds. Forces and thrust hold it as a "
+        "compression.");
+    page_item(out, a->text.lives > 0,
+              "Margin, stress, horizontal load, tilt and thrust are without "
+              "the live load.");
     page_item(out, fill || (notes && strstr(notes, "fill: ")),
               "Fill lies on the stones right below it with its weight.");
     page_item(out, a->text.props > 0,

@@ -356,6 +356,9 @@ static inline void report_live(const struct analysis *a)
         printf("[%s, %s]: factors of the live load at which it stands\n",
                factor_text(a->live_least, 1, "", low),
                factor_text(a->live, 1, "", high));
+    if (as_stated(a) == KERN_FALLS)
+        printf("  warning     it falls under the live load as stated: 1 is "
+               "outside of these factors\n");
 }
 
 /* The load factors: first those that friction bears, where these are lower. */
@@ -387,7 +390,9 @@ static inline void report_load(const struct analysis *a, const char *stay)
 static inline void report_loads(const struct analysis *a)
 {
     static const double degrees = 57.295779513082321;
-    const char *stay = a->text.loads > 0 ? " (loads stay as they are)" : "";
+    const char *stay = a->text.loads > 0 ? " (loads stay as they are)"
+                     : a->text.lives > 0 ? " (without the live load)"
+                                         : "";
     char left[32], right[32];
     if (a->shown >= 0 && a->text.lives > 0)
         report_live(a);
@@ -635,6 +640,8 @@ static inline void report_lack(const struct analysis *a)
 static inline void report_verdict(const struct analysis *a)
 {
     printf("%s: %s", a->file, status_word(a));
+    if (a->text.lives > 0)
+        printf(" without the live load");
     if (shrinkage(a) > 0)
         printf(" when shrunk by %.6g%s", (double)shrinkage(a),
                a->set->relative ? " of each contact" : "");
@@ -798,10 +805,23 @@ static inline void report_thrust(const struct analysis *a)
     loads_print("thrust", thrust, NULL);
 }
 
+/* What the numbers leave out, and what a bond is. */
+static inline void report_warnings(const struct analysis *a)
+{
+    if (a->text.lives > 0)
+        printf("  live load   is left out of verdict, margin, stress, load and "
+               "tilt, and counts in 'live'\n");
+    if (a->text.bond > 0)
+        printf("  warning     the bond is plastic: it acts over the whole of a "
+               "joint that opens; of brittle mortar\n"
+               "              expect what is shown without 'bond'\n");
+}
+
 static inline void report(const struct analysis *a)
 {
     report_structure(a);
     loads_each(a, loads_print, NULL);
+    report_warnings(a);
     report_let_go(a);
     if (is_near(a))
         report_near(a);

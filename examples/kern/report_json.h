@@ -456,6 +456,19 @@ static inline void json_borne(const struct analysis *a, int asked)
     json_known("tilt_let_go_right", a->tilt_let_go[RIGHT], asked);
 }
 
+/* What the live load does as the file states it; verdict, margin, stress, load
+   and tilt are without it. */
+static inline void json_stated(const struct analysis *a, int known)
+{
+    const kern_status status = as_stated(a);
+    known = known && a->text.lives > 0;
+    json_flag("without_live", a->text.lives > 0, known);
+    json_word("as_stated", !known                  ? NULL
+                           : status == KERN_STANDS ? "stands"
+                           : status == KERN_FALLS  ? "falls"
+                                                   : "undecided");
+}
+
 /* A file with an error has the same keys as any other. */
 static inline void report_json(const struct analysis *a)
 {
@@ -481,6 +494,7 @@ static inline void report_json(const struct analysis *a)
     if (a->set->stays)
         (is_all(a->set->stays) ? json_each : json_stays)(a, good && a->stays);
     json_loads(a, asked);
+    json_stated(a, asked);
     json_known("proof_error", (double)a->work.error, good);
     json_count("pivots", a->work.pivots, good);
     json_count("solves", a->work.solves, good);

@@ -365,6 +365,24 @@ static inline int is_open_live(const struct analysis *a)
     return a->lived < 0 || (a->lived == KERN_STANDS && isnan(a->live));
 }
 
+/* Does it stand with the live load as the file states it, at a factor of 1?
+   KERN_UNDECIDED: that is not known. */
+static inline kern_status as_stated(const struct analysis *a)
+{
+    if (a->lived == KERN_FALLS)
+        return KERN_FALLS;
+    if (a->lived != KERN_STANDS || isnan(a->live))
+        return KERN_UNDECIDED;
+    return a->live_least <= 1 + 1e-9 && a->live >= 1 - 1e-9 ? KERN_STANDS
+                                                            : KERN_FALLS;
+}
+
+/* A number of stresses and forces has no unit but this one. */
+static inline int is_per_density(const struct analysis *a)
+{
+    return a->drawing.made && a->drawing.s.all_assumed;
+}
+
 static inline unsigned open_questions(const struct analysis *a)
 {
     int loaded = a->shown == KERN_STANDS && gravity_of(a) > 0;

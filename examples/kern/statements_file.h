@@ -29,8 +29,6 @@ static inline void write_statements(FILE *out, const struct analysis *a)
         fprintf(out, "# skipped: %d %s on '%s', line %d\n", s->skip[i].count,
                 shapes_at(s, s->skip[i].kind), shapes_at(s, s->skip[i].label),
                 s->skip[i].line);
-    if (!(a->set->mu < 0)) /* of the command line */
-        fprintf(out, "friction %.17g\n", (double)a->set->mu);
     fputs(s->text.at, out);
 }
 

@@ -1,7 +1,7 @@
 /* image.h - reads the annotations of a photograph (JSON) as shapes:
 
-       LabelMe  polygons, rectangles, circles; shapes with one label and one
-                group_id are parts of one stone
+       LabelMe  polygons, rectangles, circles, masks (PNG); shapes with one label
+                and one group_id are parts of one stone
        COCO     annotations of one image: polygons, several are parts of one
                 stone; masks (RLE, as numbers or as a word), whose outlines are
                 traced, and whose holes are named
@@ -17,6 +17,7 @@
 #define IMAGE_H
 
 #include "lines.h"
+#include "png.h"
 #include "shapes.h"
 #include "tokens.h"
 
@@ -98,111 +99,13 @@ static void image_box(struct shapes *s, double x, double y, double w, double h)
     shapes_point(s, x, y + h, 0);
 }
 
-/* ---- LabelMe -------------------------------------------------------------- */
-
-/* Returns the group of shapes with this label and number, -1 without a
-   number. */
-static int image_group(struct image *m, int label, int number)
-{
-    const struct tokens *t = &m->t;
-    const char *name = shapes_at(m->s, label);
-    unsigned hash = 2166136261u;
-    int i;
-    if (number < 0 || tokens_same(t, number, "null") || m->s->lost)
-        return -1;
-    for (const char *c = name; *c; c++)
-        hash = (hash ^ (unsigned char)*c) * 16777619u;
-    for (int k = 0; k < t->one[number].length; k++)
-        hash = (hash ^ (unsigned char)t->data[t->one[number].at + k])
-             * 16777619u;
-    for (i = (int)(hash & (unsigned)(m->slots - 1)); m->slot[i];
-         i = (i + 1) & (m->slots - 1)) {
-        const struct tokens_one *a = t->one + m->slot[i] - 1;
-        const struct tokens_one *b = t->one + number;
-        if (a->length == b->length
-            && memcmp(t->data + a->at, t->data + b->at, (size_t)a->length) == 0
-            && strcmp(shapes_at(m->s, m->name[i]), name) == 0)
-            return m->group[i];
-    }
-    m->slot[i] = number + 1;
-    m->name[i] = label;
-    m->group[i] = m->s->groups++;
-    return m->group[i];
-}
-
-/* Makes a shape that is known by two points: a circle by its centre and a
-   point of it, a rectangle by two corners. Returns 0 where there are others.
-   */
-static int image_special(struct image *m, int first, int circle)
-{
-    struct shapes *s = m->s;
-    const struct shapes_point *p = s->point + first;
-    struct shapes_point a, b;
-    if (s->points - first != 2)
-        return 0;
-    a = p[0];
-    b = p[1];
-    s->points = first;
-    if (circle)
-        shapes_arc(s, a.x, a.y, shapes_distance(a, b), 0, 360);
-    else
-        image_box(s, a.x, a.y, b.x - a.x, b.y - a.y);
-    return 1;
-}
-
-static void image_shape(struct image *m, int i)
-{
-    struct tokens *t = &m->t;
-    const int first = m->s->points, type = tokens_get(t, i, "shape_type");
-    const int points = tokens_get(t, i, "points");
-    const int known = type >= 0 && !tokens_same(t, type, "null");
-    const int circle = known && tokens_same(t, type, "circle");
-    int label, kind, made;
-    if (!tokens_is(t, i, TOKENS_OBJECT)) {
-        image_skip(m, "shape that is none", shapes_word(m->s, "", 0), i);
-        return;
-    }
-    label = image_label(m, tokens_get(t, i, "label"));
-    kind = known ? tokens_text(t, type) : shapes_word(m->s, "polygon", 7);
-    if (!circle && known && !tokens_same(t, type, "polygon")
-        && !tokens_same(t, type, "rectangle")) {
-        shapes_listed_as(m->s, kind, label, t->one[i].line);
-        return;
-    }
-    made = image_pairs(m, points);
-    if (made && (circle || tokens_same(t, type, "rectangle")))
-        made = image_special(m, first, circle)
-            || (!circle && m->s->points - first == 4);
-    if (!made) {
-        m->s->points = first;
-        image_skip(m, "shape without its points", label, i);
-        return;
-    }
-    image_path(m, first, "polygon", label, i,
-               image_group(m, label, tokens_get(t, i, "group_id")));
-}
-
-static int image_labelme(struct image *m, int shapes)
-{
-    struct tokens *t = &m->t;
-    if (!tokens_number(t, tokens_get(t, 0, "imageHeight"), &m->s->height))
-        m->s->height = -1;
-    for (m->slots = 64; m->slots < t->count && m->slots < INT_MAX / 4;)
-        m->slots *= 2;
-    m->slot = shapes_array(m->s, m->slots, sizeof *m->slot);
-    m->group = shapes_array(m->s, m->slots, sizeof *m->group);
-    m->name = shapes_array(m->s, m->slots, sizeof *m->name);
-    for (int i = shapes + 1; i < t->one[shapes].next; i = t->one[i].next)
-        image_shape(m, i);
-    return 0;
-}
-
 /* ---- Masks ---------------------------------------------------------------- */
 
 struct image_mask {
     char *pixel; /* 1: of the mask, 2: its upper edge was traced           */
     int width, height;
     int left, right, top, bottom; /* box of the mask, without its ends      */
+    double x, y;                  /* its corner in the image                */
 };
 
 static void image_set(struct image_mask *k, int x, int y)
@@ -296,17 +199,17 @@ static void image_trace(struct shapes *s, struct image_mask *k, int x, int y)
             way = (way + 3) % 4;
         else
             continue;
-        shapes_point(s, x, y, 0);
+        shapes_point(s, k->x + x, k->y + y, 0);
     } while (!s->lost && !(x == start_x && y == start_y && way == 0));
 }
 
-/* Traces all outlines of a mask; those of holes run the other way. Lists
-   specks below a hundredth of the largest. */
+/* Traces all outlines of a mask, parts of one group; those of holes run the other
+   way. Lists specks below a hundredth of the largest. */
 static void image_outlines(struct image *m, struct image_mask *k, int label,
-                           int i)
+                           int i, int group)
 {
     struct shapes *s = m->s;
-    const int first = s->paths, group = s->groups++;
+    const int first = s->paths;
     double largest = 0;
     for (int y = k->top; y < k->bottom; y++)
         for (int x = k->left; x < k->right && !s->lost; x++) {
@@ -338,7 +241,7 @@ static void image_mask(struct image *m, int object, int label, int i)
     const struct tokens *t = &m->t;
     const int size = tokens_get(t, object, "size");
     const int counts = tokens_get(t, object, "counts");
-    struct image_mask k = {NULL, 0, 0, 0, 0, 0, 0};
+    struct image_mask k = {NULL, 0, 0, 0, 0, 0, 0, 0, 0};
     double height = 0, width = 0;
     if (tokens_is(t, size, TOKENS_LIST) && t->one[size].next == size + 3
         && tokens_number(t, size + 1, &height)
@@ -352,10 +255,142 @@ static void image_mask(struct image *m, int object, int label, int i)
         k.pixel = shapes_array(m->s, k.height * k.width, 1);
     }
     if (k.pixel && image_runs(m, counts, &k))
-        image_outlines(m, &k, label, i);
+        image_outlines(m, &k, label, i, m->s->groups++);
     else
         image_skip(m, "mask that is none", label, i);
     free(k.pixel);
+}
+
+/* ---- LabelMe -------------------------------------------------------------- */
+
+/* Returns the group of shapes with this label and number, -1 without a
+   number. */
+static int image_group(struct image *m, int label, int number)
+{
+    const struct tokens *t = &m->t;
+    const char *name = shapes_at(m->s, label);
+    unsigned hash = 2166136261u;
+    int i;
+    if (number < 0 || tokens_same(t, number, "null") || m->s->lost)
+        return -1;
+    for (const char *c = name; *c; c++)
+        hash = (hash ^ (unsigned char)*c) * 16777619u;
+    for (int k = 0; k < t->one[number].length; k++)
+        hash = (hash ^ (unsigned char)t->data[t->one[number].at + k])
+             * 16777619u;
+    for (i = (int)(hash & (unsigned)(m->slots - 1)); m->slot[i];
+         i = (i + 1) & (m->slots - 1)) {
+        const struct tokens_one *a = t->one + m->slot[i] - 1;
+        const struct tokens_one *b = t->one + number;
+        if (a->length == b->length
+            && memcmp(t->data + a->at, t->data + b->at, (size_t)a->length) == 0
+            && strcmp(shapes_at(m->s, m->name[i]), name) == 0)
+            return m->group[i];
+    }
+    m->slot[i] = number + 1;
+    m->name[i] = label;
+    m->group[i] = m->s->groups++;
+    return m->group[i];
+}
+
+/* Makes a shape that is known by two points: a circle by its centre and a
+   point of it, a rectangle by two corners, or by four. Returns 0 where there are
+   others. */
+static int image_special(struct image *m, int first, int circle)
+{
+    struct shapes *s = m->s;
+    const struct shapes_point *p = s->point + first;
+    struct shapes_point a, b;
+    if (s->points - first != 2)
+        return !circle && s->points - first == 4;
+    a = p[0];
+    b = p[1];
+    s->points = first;
+    if (circle)
+        shapes_arc(s, a.x, a.y, shapes_distance(a, b), 0, 360);
+    else
+        image_box(s, a.x, a.y, b.x - a.x, b.y - a.y);
+    return 1;
+}
+
+/* Makes a shape that is a PNG whose upper left pixel is the first point. */
+static void image_png(struct image *m, int i, int label)
+{
+    struct tokens *t = &m->t;
+    const int group = image_group(m, label, tokens_get(t, i, "group_id"));
+    const int word = tokens_get(t, i, "mask"),
+              points = tokens_get(t, i, "points");
+    struct image_mask k = {NULL, 0, 0, 0, 0, 0, 0, 0, 0};
+    const int corner = tokens_is(t, points, TOKENS_LIST) ? points + 1 : -1;
+    if (corner < 0 || !tokens_is(t, corner, TOKENS_LIST)
+        || t->one[corner].next != corner + 3
+        || !tokens_number(t, corner + 1, &k.x)
+        || !tokens_number(t, corner + 2, &k.y)) {
+        image_skip(m, "shape without its points", label, i);
+        return;
+    }
+    if (tokens_is(t, word, TOKENS_STRING))
+        k.pixel = png_mask(m->s, t->data + t->one[word].at, t->one[word].length,
+                           &k.width, &k.height);
+    k.right = k.width;
+    k.bottom = k.height;
+    if (k.pixel)
+        image_outlines(m, &k, label, i, group < 0 ? m->s->groups++ : group);
+    else
+        image_skip(m,
+                   word < 0 ? "mask without its PNG"
+                            : "mask that is no PNG without interlace",
+                   label, i);
+    free(k.pixel);
+}
+
+static void image_shape(struct image *m, int i)
+{
+    struct tokens *t = &m->t;
+    const int first = m->s->points, type = tokens_get(t, i, "shape_type");
+    const int points = tokens_get(t, i, "points");
+    const int known = type >= 0 && !tokens_same(t, type, "null");
+    const int circle = known && tokens_same(t, type, "circle");
+    int label, kind;
+    if (!tokens_is(t, i, TOKENS_OBJECT)) {
+        image_skip(m, "shape that is none", shapes_word(m->s, "", 0), i);
+        return;
+    }
+    label = image_label(m, tokens_get(t, i, "label"));
+    kind = known ? tokens_text(t, type) : shapes_word(m->s, "polygon", 7);
+    if (known && tokens_same(t, type, "mask")) {
+        image_png(m, i, label);
+        return;
+    }
+    if (!circle && known && !tokens_same(t, type, "polygon")
+        && !tokens_same(t, type, "rectangle")) {
+        shapes_listed_as(m->s, kind, label, t->one[i].line);
+        return;
+    }
+    if (!image_pairs(m, points)
+        || ((circle || tokens_same(t, type, "rectangle"))
+            && !image_special(m, first, circle))) {
+        m->s->points = first;
+        image_skip(m, "shape without its points", label, i);
+        return;
+    }
+    image_path(m, first, "polygon", label, i,
+               image_group(m, label, tokens_get(t, i, "group_id")));
+}
+
+static int image_labelme(struct image *m, int shapes)
+{
+    struct tokens *t = &m->t;
+    if (!tokens_number(t, tokens_get(t, 0, "imageHeight"), &m->s->height))
+        m->s->height = -1;
+    for (m->slots = 64; m->slots < t->count && m->slots < INT_MAX / 4;)
+        m->slots *= 2;
+    m->slot = shapes_array(m->s, m->slots, sizeof *m->slot);
+    m->group = shapes_array(m->s, m->slots, sizeof *m->group);
+    m->name = shapes_array(m->s, m->slots, sizeof *m->name);
+    for (int i = shapes + 1; i < t->one[shapes].next; i = t->one[i].next)
+        image_shape(m, i);
+    return 0;
 }
 
 /* ---- COCO ----------------------------------------------------------------- */

@@ -160,9 +160,11 @@ static int lines_is_open(const struct shapes_path *p)
     return !p->closed && !p->gone && p->role != SHAPES_IGNORED;
 }
 
+/* Outlines of fill are no edges of stones, and cover none. */
 static int lines_takes_part(const struct shapes_path *p)
 {
-    return !p->gone && p->role != SHAPES_IGNORED;
+    return !p->gone && p->role != SHAPES_IGNORED
+        && !(p->closed && p->role == SHAPES_FILL);
 }
 
 static void lines_collect(struct lines *l)
@@ -222,6 +224,7 @@ static int lines_measure(struct lines *l)
         l->snap = l->snap < 1e-4 * whole ? l->snap : 1e-4 * whole;
         l->snap = l->snap > 1e-9 * whole ? l->snap : 1e-9 * whole;
     }
+    s->meet = l->snap;
     free(size);
     free(index);
     return l->snap > 0 && l->snap < 1e300;
@@ -249,22 +252,24 @@ static double lines_away(const struct lines_piece *piece, struct shapes_point p,
     const double x = piece->b.x - piece->a.x, y = piece->b.y - piece->a.y;
     const double chord = SHAPES_SQRT(x * x + y * y), b = piece->a.bulge;
     const double size = shapes_abs(b);
-    double radius;
+    double radius, off, beyond;
     struct shapes_point c = {0, 0, 0};
     if (!(chord > 0))
         return -1;
     *share = ((p.x - piece->a.x) * x + (p.y - piece->a.y) * y) / chord / chord;
     if (!(*share > 0 && *share < 1))
         return -1;
+    off = shapes_abs((p.x - piece->a.x) * y - (p.y - piece->a.y) * x) / chord;
     if (!(size > 1e-9))
-        return shapes_abs((p.x - piece->a.x) * y - (p.y - piece->a.y) * x)
-             / chord;
+        return off;
     radius = chord * (1 + size * size) / (4 * size);
     c.x = (piece->a.x + piece->b.x) / 2
         - y / chord * (radius - size * chord / 2) * (b < 0 ? -1 : 1);
     c.y = (piece->a.y + piece->b.y) / 2
         + x / chord * (radius - size * chord / 2) * (b < 0 ? -1 : 1);
-    return shapes_abs(shapes_distance(c, p) - radius);
+    beyond = off - size * chord / 2; /* of the other side of the circle */
+    off = shapes_abs(shapes_distance(c, p) - radius);
+    return beyond > off ? beyond : off;
 }
 
 /* Cuts a piece where an end of another one lies on it. */

@@ -38,6 +38,7 @@ struct outlines_block {
     int root, touches;
     double left, right, low, high, size;
     double mass, mass_x, mass_y; /* of the fill on it                  */
+    int idle;                    /* nonzero: fill that lies on no stone */
 };
 
 struct outlines {
@@ -465,24 +466,27 @@ static void outlines_join(struct outlines *o, double reach)
 
 /* ---- One outline in another ----------------------------------------------- */
 
+/* Returns how far a point is from the straight way from a to b. */
+static double outlines_off(struct shapes_point a, struct shapes_point b,
+                           struct shapes_point q)
+{
+    const double x = b.x - a.x, y = b.y - a.y, whole = x * x + y * y;
+    double share = whole > 0 ? ((q.x - a.x) * x + (q.y - a.y) * y) / whole : 0;
+    share = share < 0 ? 0 : share > 1 ? 1 : share;
+    a.x += share * x;
+    a.y += share * y;
+    return shapes_distance(a, q);
+}
+
 /* Returns 1 if a point is inside an outline, or that near to it. */
 static int outlines_holds(const struct shapes_point *p, int n,
                           struct shapes_point q, double snap)
 {
     if (lines_inside(p, n, q))
         return 1;
-    for (int i = 0; i < n; i++) {
-        const struct shapes_point a = p[i], b = p[i + 1 < n ? i + 1 : 0];
-        const double x = b.x - a.x, y = b.y - a.y, whole = x * x + y * y;
-        double share = whole > 0 ? ((q.x - a.x) * x + (q.y - a.y) * y) / whole
-                                 : 0;
-        struct shapes_point foot = a;
-        share = share < 0 ? 0 : share > 1 ? 1 : share;
-        foot.x += share * x;
-        foot.y += share * y;
-        if (shapes_distance(foot, q) <= snap)
+    for (int i = 0; i < n; i++)
+        if (outlines_off(p[i], p[i + 1 < n ? i + 1 : 0], q) <= snap)
             return 1;
-    }
     return 0;
 }
 
@@ -772,6 +776,22 @@ static void outlines_line(struct outlines *o, double y, double reach)
     shapes_put(&s->notes, " below it are left out\n");
 }
 
+/* Says which outlines are fixed for want of ground. */
+static void outlines_note_lowest(struct outlines *o, const char *mark)
+{
+    struct shapes *s = o->s;
+    shapes_put(&s->notes, "no label is ground: ");
+    shapes_put(&s->notes, s->photograph ? "the lowest row is fixed, "
+                                        : "the lowest is fixed, ");
+    outlines_put_names(o, mark);
+    shapes_put(&s->notes, ", and cannot turn or slide: the favourable side");
+    if (!s->photograph)
+        shapes_put(&s->notes, " (an arch fixed at its end voussoirs bears "
+                              "more than one on abutments)");
+    shapes_put(&s->notes, "; draw what they stand on, or name it (--layer "
+                          "NAME=ground)\n");
+}
+
 /* Fixes the lowest outlines where no label is ground: of a photograph those
    that begin less than half a stone above the lowest point. */
 static void outlines_lowest(struct outlines *o)
@@ -796,14 +816,8 @@ static void outlines_lowest(struct outlines *o)
         path->role = SHAPES_GROUND;
         mark[i] = 1;
     }
-    if (mark && !found && o->blocks > 0) {
-        shapes_put(&s->notes, "no label is ground: ");
-        shapes_put(&s->notes, s->photograph ? "the lowest row is fixed, "
-                                            : "the lowest is fixed, ");
-        outlines_put_names(o, mark);
-        shapes_put(&s->notes, "; draw what they stand on, or name it "
-                              "(--layer NAME=ground)\n");
-    }
+    if (mark && !found && o->blocks > 0)
+        outlines_note_lowest(o, mark);
     free(mark);
 }
 
@@ -880,8 +894,8 @@ static void outlines_hang(struct outlines *o)
         shapes_put(&s->notes,
                    hang == 1 ? "hangs in the air: " : "hang in the air: ");
         outlines_put_names(o, mark);
-        shapes_put(&s->notes, hang == 1 ? " touches nothing that is held\n"
-                                        : " touch nothing that is held\n");
+        shapes_put(&s->notes, hang == 1 ? " touches" : " touch");
+        shapes_put(&s->notes, " nothing that is held (--layer NAME=ignore)\n");
     }
     free(mark);
 }

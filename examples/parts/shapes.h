@@ -133,7 +133,7 @@ struct shapes_asked {
     double pixel;      /* metres a pixel of a photograph; 0: not known     */
     double tolerance;  /* pixels by which an outline may be off            */
     const char *image; /* number or name, of several in a file; NULL      */
-    const char *const *frictions; /* words "NAME=MU" or "NAME,NAME=MU"      */
+    const char *const *frictions; /* words "NAME=MU", "NAME,NAME=MU" or "MU" */
     int friction_words;
     double phi; /* friction angle of fill, in degrees; 0: it is weight alone */
 };
@@ -158,7 +158,12 @@ struct shapes {
     int down;          /* nonzero: y runs down, from `height`             */
     double height;     /* of a photograph, < 0: not known                 */
     int arcs, groups;
-    double sagitta; /* farthest of a chord from its arc                */
+    double meet;    /* ends of lines as near as that meet; 0: none were drawn */
+    double apart;   /* the nearest ends that do not; 0: none are near      */
+    int apart_line; /* of one of them                                      */
+    int assumed;    /* outlines whose density nobody told                 */
+    int all_assumed; /* nonzero: of none is it told                        */
+    double sagitta;  /* farthest of a chord from its arc                */
 };
 
 /* ---- Text ----------------------------------------------------------------- */

@@ -15,6 +15,7 @@
 #include "shapes.h"
 
 enum {
+    STATEMENTS_ENDS = 500,      /* open paths whose ends are compared     */
     STATEMENTS_FILL = 200000000 /* edges of all columns that are weighed */
 };
 
@@ -185,6 +186,12 @@ static double statements_lay(struct outlines *o, int i, int corners,
     return columns < 0 ? -1 : lost / outlines_path(o, i)->area;
 }
 
+static void statements_put(struct shapes_text *t, double x)
+{
+    shapes_put(t, " ");
+    shapes_put_number(t, x, 4);
+}
+
 static void statements_number(struct shapes *s, double x)
 {
     shapes_put(&s->text, " ");
@@ -212,7 +219,7 @@ static int statements_level(const struct outlines *o, int i)
 /* Does this fill push back, and spread loads? It is then a statement fill. */
 static int statements_pushes(const struct outlines *o, int i)
 {
-    return o->s->asked->phi > 0 && statements_level(o, i);
+    return o->s->asked->phi > 0 && !o->block[i].idle && statements_level(o, i);
 }
 
 /* Says of a fill that it is a statement of its own. */
@@ -246,6 +253,108 @@ static void statements_push(struct outlines *o, int i)
     shapes_put(&s->text, "\n");
 }
 
+/* Returns 1 if some of the weight of a fill lies on stones. */
+static int statements_lies(struct outlines *o, int i, int corners,
+                           double density)
+{
+    struct outlines_block *before = shapes_array(o->s, o->blocks,
+                                                 sizeof *before);
+    double mass = 0;
+    if (!before)
+        return 0;
+    memcpy(before, o->block, (size_t)o->blocks * sizeof *before);
+    statements_lay(o, i, corners, density);
+    for (int j = 0; j < o->blocks; j++)
+        if (outlines_path(o, j)->role == SHAPES_STONE)
+            mass += o->block[j].mass - before[j].mass;
+    memcpy(o->block, before, (size_t)o->blocks * sizeof *before);
+    free(before);
+    o->block[i].idle = !(mass > 0);
+    return mass > 0;
+}
+
+/* Says of a fill that it weighs on no stone. */
+static void statements_note_idle(struct outlines *o, int i)
+{
+    struct shapes *s = o->s;
+    shapes_put(&s->notes, "fill: ");
+    shapes_put_shown(&s->notes, shapes_at(s, o->block[i].name));
+    shapes_put(&s->notes, " lies on no stone and counts for nothing\n");
+}
+
+/* Counts the steep edges of stones that fill i lies against on one side, +1 the
+   right of the stones: those whose middle, moved outwards, is in the fill. */
+static int statements_against(const struct outlines *o, int i, int side)
+{
+    const struct shapes_path *fill = outlines_path(o, i);
+    const struct shapes_point *around = outlines_points(o->s, fill);
+    const double reach = 0.05 * o->size;
+    int count = 0;
+    for (int j = 0; j < o->blocks; j++) {
+        const struct shapes_path *path = outlines_path(o, j);
+        const struct shapes_point *p = outlines_points(o->s, path);
+        const double turn = lines_area(p, path->points) < 0 ? -1 : 1;
+        for (int k = 0; k < path->points && path->role == SHAPES_STONE; k++) {
+            const struct shapes_point a = p[k];
+            const struct shapes_point b = p[k + 1 < path->points ? k + 1 : 0];
+            const double rise = b.y - a.y, wide = shapes_abs(b.x - a.x);
+            struct shapes_point at = {0, 0, 0};
+            at.x = (a.x + b.x) / 2 + side * reach;
+            at.y = (a.y + b.y) / 2;
+            count += side * turn * rise > 2 * wide
+                  && side * turn * rise > 0.2 * o->size
+                  && lines_inside(around, fill->points, at);
+        }
+    }
+    return count;
+}
+
+/* Returns 1 if a fill reaches no higher than the stones: it stands behind a wall
+   and not on a bridge. */
+static int statements_behind(const struct outlines *o, int i)
+{
+    double high = o->block[i].low;
+    for (int j = 0; j < o->blocks; j++)
+        if (outlines_path(o, j)->role == SHAPES_STONE
+            && o->block[j].high > high)
+            high = o->block[j].high;
+    return o->block[i].high < high + 0.5 * o->size;
+}
+
+/* Says that the thrust of fill behind a wall does not count, and by what it would:
+   a statement that holds the weight on steps of the back, too. */
+static void statements_note_thrust(struct outlines *o, int i, double density)
+{
+    static const char *const word[] = {"left", "right"};
+    struct shapes *s = o->s;
+    for (int side = 0; side < 2; side++) {
+        const int faces = statements_against(o, i, 2 * side - 1);
+        if (faces == 0 || !statements_behind(o, i))
+            continue;
+        shapes_put(&s->notes, "fill: ");
+        shapes_put_shown(&s->notes, shapes_at(s, o->block[i].name));
+        shapes_put(&s->notes, " lies against ");
+        shapes_put_int(&s->notes, faces);
+        shapes_put(&s->notes, faces == 1 ? " steep face" : " steep faces");
+        shapes_put(&s->notes,
+                   ", and its thrust is not counted; to count it, say "
+                   "--layer \"");
+        shapes_put_shown(&s->notes, shapes_at(s, outlines_path(o, i)->label));
+        shapes_put(&s->notes,
+                   "=ignore\" --kern OUT.kern and write in that file: "
+                   "earth ");
+        shapes_put(&s->notes, word[side]);
+        statements_put(&s->notes, o->block[i].high);
+        statements_put(&s->notes, density);
+        if (s->asked->phi > 0)
+            statements_put(&s->notes, s->asked->phi);
+        shapes_put(&s->notes, s->asked->phi > 0 ? " DELTA" : " PHI DELTA");
+        shapes_put(&s->notes,
+                   " (degrees; DELTA: friction of the wall, from 0 to "
+                   "2/3 PHI)\n");
+    }
+}
+
 /* Lays the weight of all fill, and says so. */
 static void statements_fill(struct outlines *o)
 {
@@ -258,12 +367,18 @@ static void statements_fill(struct outlines *o)
         double density, lost;
         if (outlines_path(o, i)->role != SHAPES_FILL)
             continue;
+        density = shapes_density(s, label);
+        density = density > 0 ? density : 1;
+        statements_note_thrust(o, i, density);
+        if (!statements_lies(o, i, corners, density)) {
+            statements_note_idle(o, i);
+            continue;
+        }
         if (statements_pushes(o, i)) {
             statements_note_push(o, i);
             continue;
         }
-        density = shapes_density(s, label);
-        lost = statements_lay(o, i, corners, density > 0 ? density : 1);
+        lost = statements_lay(o, i, corners, density);
         shapes_put(&s->notes, "fill: ");
         shapes_put_shown(&s->notes, shapes_at(s, o->block[i].name));
         if (lost < 0) {
@@ -272,7 +387,7 @@ static void statements_fill(struct outlines *o)
             continue;
         }
         shapes_put(&s->notes, " is no stone: its weight, of density ");
-        shapes_put_number(&s->notes, density > 0 ? density : 1, 4);
+        shapes_put_number(&s->notes, density, 4);
         shapes_put(&s->notes, ", lies on the blocks right below it; it gives "
                               "neither thrust nor support");
         shapes_put(&s->notes, s->asked->phi > 0
@@ -404,12 +519,18 @@ static int statements_friction(struct outlines *o, const char *word)
     return count;
 }
 
-/* Writes all of these; says where one is of no block. */
+/* Writes all of these, and that of all others; says where one is of no block. */
 static void statements_frictions(struct outlines *o)
 {
     struct shapes *s = o->s;
     for (int k = 0; k < s->asked->friction_words; k++) {
         const char *word = s->asked->frictions[k];
+        if (shapes_equals(word) < 0) {
+            shapes_put(&s->text, "friction ");
+            shapes_put(&s->text, word);
+            shapes_put(&s->text, "\n");
+            continue;
+        }
         if (statements_friction(o, word) > 0)
             continue;
         shapes_put(&s->notes, "friction ");
@@ -426,7 +547,7 @@ static int statements_write(struct outlines *o)
         shapes_put(&s->text, "units ");
         shapes_put(&s->text, s->units);
         /* a density is in kg/m3, as the user says */
-        if (strcmp(s->units, "m") == 0 && s->asked->density_words > 0)
+        if (strcmp(s->units, "m") == 0 && s->assumed == 0)
             shapes_put(&s->text, " N");
         shapes_put(&s->text, "\n");
     }
@@ -486,6 +607,62 @@ static int statements_count(const struct shapes *s, const char *list)
     return count;
 }
 
+/* Finds how far an end is from an open path, where that is near and they do not
+   meet: less than the least so far. */
+static void statements_compare(struct shapes *s, int line,
+                               struct shapes_point end,
+                               const struct shapes_path *path)
+{
+    const struct shapes_point *p = s->point + path->first;
+    double least = 1e300;
+    for (int k = 0; k + 1 < path->points; k++) {
+        const double off = outlines_off(p[k], p[k + 1], end);
+        least = off < least ? off : least;
+    }
+    if (!(least > 2 * s->meet && least < 200 * s->meet)
+        || (s->apart > 0 && !(least < s->apart)))
+        return;
+    s->apart = least;
+    s->apart_line = line;
+}
+
+/* Finds how far ends of the open paths that are left are from the next one. */
+static void statements_find_apart(struct shapes *s)
+{
+    int ends = 0;
+    for (int i = 0; i < s->paths && ends < STATEMENTS_ENDS; i++) {
+        const struct shapes_path *p = s->path + i;
+        if (!lines_is_open(p))
+            continue;
+        ends++;
+        for (int j = 0; j < s->paths; j++) {
+            const struct shapes_path *q = s->path + j; /* used or not */
+            if (j == i || q->closed || q->role == SHAPES_IGNORED)
+                continue;
+            statements_compare(s, p->line, s->point[p->first], s->path + j);
+            statements_compare(s, p->line, s->point[p->first + p->points - 1],
+                               s->path + j);
+        }
+    }
+}
+
+/* Says so. */
+static void statements_put_apart(struct shapes *s, struct shapes_text *t,
+                                 const char *before, const char *after)
+{
+    if (!(s->apart > 0))
+        return;
+    shapes_put(t, before);
+    shapes_put(t, "ends of lines meet within ");
+    shapes_put_number(t, s->meet, 2);
+    shapes_put(t, ", and that of the line or arc in line ");
+    shapes_put_int(t, s->apart_line);
+    shapes_put(t, " is ");
+    shapes_put_number(t, s->apart, 2);
+    shapes_put(t, " away from the next");
+    shapes_put(t, after);
+}
+
 /* Says that nothing was left to make a block of, or to move. */
 static int statements_none(struct shapes *s, int line, const char *what)
 {
@@ -506,6 +683,7 @@ static int statements_none(struct shapes *s, int line, const char *what)
         shapes_put(t, " ");
         shapes_put_shown(t, shapes_at(s, s->skip[i].kind));
     }
+    statements_put_apart(s, t, "; ", "");
     return -1;
 }
 
@@ -553,9 +731,48 @@ static void statements_unheard(struct shapes *s)
     }
 }
 
+/* Says which density and friction are assumed, for want of being told. Sets how
+   many densities are. */
+static void statements_assumed(struct outlines *o)
+{
+    struct shapes *s = o->s;
+    int weighed = 0, friction = 0;
+    for (int i = 0; i < o->blocks; i++) {
+        const struct shapes_path *path = outlines_path(o, i);
+        if (path->role == SHAPES_GROUND)
+            continue;
+        weighed++;
+        s->assumed += !(shapes_density(s, shapes_at(s, path->label)) > 0);
+    }
+    s->all_assumed = s->assumed == weighed;
+    if (s->assumed > 0) {
+        shapes_put(&s->notes, "density 1 is assumed");
+        if (!s->all_assumed) {
+            shapes_put(&s->notes, " of ");
+            shapes_put_int(&s->notes, s->assumed);
+            shapes_put(&s->notes, " of ");
+            shapes_put_int(&s->notes, weighed);
+            shapes_put(&s->notes, " outlines, beside others that are told");
+        }
+        shapes_put(&s->notes, " (--density D, --density NAME=D)");
+        shapes_put(&s->notes, s->all_assumed
+                                  ? ": forces and stresses are per unit of "
+                                    "density\n"
+                                  : ": forces and stresses have no unit\n");
+    }
+    for (int k = 0; k < s->asked->friction_words; k++)
+        friction |= shapes_equals(s->asked->frictions[k]) < 0;
+    if (!friction)
+        shapes_put(&s->notes, s->asked->friction_words > 0
+                                  ? "friction 0.4 is assumed where --mu names "
+                                    "no layer (--mu MU)\n"
+                                  : "friction 0.4 is assumed (--mu MU)\n");
+}
+
 static void statements_notes(struct outlines *o)
 {
     struct shapes *s = o->s;
+    statements_assumed(o);
     if (s->arcs > 0) {
         shapes_put_int(&s->notes, s->arcs);
         shapes_put(&s->notes, s->arcs == 1 ? " arc is chords within "
@@ -591,6 +808,8 @@ static void statements_outlines(struct outlines *o)
     const double reach = s->photograph ? off + s->unit : 0;
     outlines_close(s);
     lines_join(s);
+    statements_find_apart(s);
+    statements_put_apart(s, &s->notes, "", "\n");
     statements_sort_out(s);
     for (int i = 0; i < s->paths && !s->lost; i++)
         if (!s->path[i].gone) {

@@ -1191,6 +1191,44 @@ static int text_sees(const struct text_file *t, enum soil_side side)
     return asked;
 }
 
+/* Says why fill lies on nothing: what its range holds, and what was meant. */
+static int text_no_fill(struct text_file *t, const struct text_soil *s,
+                        const struct text_surface *above)
+{
+    char range[80] = "", shown[TEXT_SHOW_ROOM];
+    const char *fixed = NULL;
+    int free_blocks = 0;
+    double lowest = HUGE_VAL;
+    for (int i = 0; i < above->edges; i++) {
+        const struct soil_edge *e = above->edge + i;
+        if (!((double)e->q.x > s->from) || !((double)e->p.x < s->to))
+            continue;
+        if (t->block[e->block].fixed) {
+            fixed = t->name[e->block];
+            continue;
+        }
+        free_blocks = 1;
+        lowest = fmin(lowest, fmin((double)e->p.y, (double)e->q.y));
+    }
+    if (s->to < HUGE_VAL)
+        snprintf(range, sizeof range, " from x = %.9g to %.9g", s->from, s->to);
+    if (free_blocks)
+        return text_fail(t,
+                         "fill: a top above the upper outline of a free block "
+                         "is expected, read %.9g; the outline%s begins at "
+                         "%.9g",
+                         s->earth.top, range, lowest);
+    return text_fail(t,
+                     "fill: a free block below it is expected, on which it "
+                     "lies; the upper outline%s is %s%s%s. Fill does not push "
+                     "on an upright face: for the passive pressure of soil in "
+                     "front of one write prop NAME FX FY X Y MOST, for active "
+                     "pressure earth",
+                     range, fixed ? "'" : "no block's",
+                     fixed ? text_show(shown, fixed) : "",
+                     fixed ? "', which is fixed" : "");
+}
+
 /* Does what one statement says. */
 static int text_act(struct text_reader *r, struct text_soil *s,
                     const struct text_surface *seen)
@@ -1209,10 +1247,7 @@ static int text_act(struct text_reader *r, struct text_soil *s,
         return text_back(r, s, &seen[s->side]);
     if (text_lay(r, s, &seen[SOIL_ABOVE]))
         return -1;
-    return s->blocks > 0
-             ? 0
-             : text_fail(t, "fill: no free block is below its top, %.9g",
-                         s->earth.top);
+    return s->blocks > 0 ? 0 : text_no_fill(t, s, &seen[SOIL_ABOVE]);
 }
 
 /* Does what fill, earth, prop and axle say, but for the pushes. */

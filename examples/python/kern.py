@@ -297,8 +297,8 @@ _LAYOUTS = {
 _ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 _HEADERS = ("kern.h", "kern_lp.h", "examples/python/many.h", *(
     "examples/parts/%s.h" % part for part in (
-    "draw", "drawing", "dxf", "falls", "image", "lines", "outlines", "room",
-    "shapes", "soil", "statements", "svg", "text", "tokens", "words")))
+    "draw", "drawing", "dxf", "falls", "image", "lines", "outlines", "png",
+    "room", "shapes", "soil", "statements", "svg", "text", "tokens", "words")))
 _FLAGS = ("-O2", "-ffp-contract=off", "-shared", "-fPIC", "-I%s" % _ROOT)
 
 
