@@ -327,7 +327,9 @@
              published brick walls with openings (tests/PUBLISHED.md), once 2.5
              times on random ones; never on settled rubble. Where columns topple
              in a row they are up to five times too high, and the least friction
-             of the verdict is up to 31 % too low. kern_raised_load() has no
+             of the verdict is up to 31 % too low; there is no bound where their
+             base slopes as they do: once 100 times, and a friction of .44 where
+             2.07 is needed. kern_raised_load() has no
              dilatancy, and kern_let_go() says whether such a row stays: none of
              600 random slopes below the friction of limit equilibrium. Both
              answer for one path of loading: take the lower. Bricks that hang in
@@ -343,6 +345,9 @@
    Ambiguous A reserve cannot see equilibria that depend on what happened
    forces    before: of 181 rows of wedges between cliffs that fall in a
              simulator though forces exist, 2 have the largest (tests/TRUST.md).
+             A stone that is pushed out from under a longer one may count on a
+             weight that the longer one can lay elsewhere: of 51 walls under .6
+             to .9 of the load that they bear 7 move in a simulator.
    Loads     stay: what kern_block_load() adds neither grows with a horizontal
              load nor turns with gravity.
    Not       Kerns that are not nested (points of different normals) are asked
@@ -1058,7 +1063,8 @@ KERN_API kern_status kern_stays(const kern_task *task, int i,
 /* Whether the structure stays when all blocks are let go at once, from rest, in
    the poses that are given: the answer for a finished structure.
      KERN_STANDS     It stays: its load raises forces that hold it. Both arrays
-                     of the proof pass kern_check_raised() as KERN_RAISED.
+                     of the proof pass kern_check_raised() as KERN_RAISED. So
+                     does a pencil on its tip: ask kern_raised() for a reserve.
      KERN_FALLS      It moves by proof->motion. It passes kern_check_motion(),
                      or where blocks hang, kern_check_raised() as KERN_HANGS.
      KERN_UNDECIDED  Neither is shown; work->end tells why.

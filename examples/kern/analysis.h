@@ -164,18 +164,6 @@ static inline void find_stress(struct analysis *a)
     free(least);
 }
 
-/* Does anything but weight act? */
-static inline int has_loads(const struct analysis *a)
-{
-    int loads = 0;
-    for (int i = 0; i < a->task.s.blocks; i++) {
-        const kern_wrench *w = &a->task.s.block[i].load;
-        loads += fabs((double)w->fx) > 0 || fabs((double)w->fy) > 0
-              || fabs((double)w->torque) > 0;
-    }
-    return loads > 0;
-}
-
 /* The load factor to a side. A raised load of the same contacts that ended
    there is this factor. */
 static inline double find_load(const struct analysis *a, int side)

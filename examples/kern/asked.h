@@ -64,34 +64,101 @@ static inline int fail_blocks(struct analysis *a, kern_status status,
     return fail_overlaps(a, i > j ? i : j);
 }
 
-/* The largest factor of the live load, on top of its least one, and how it
-   falls just beyond. */
-static inline void find_live_most(struct analysis *a, kern_block *block)
+/* The task with the live load at a factor, in `block`. */
+static inline kern_task loaded_task(const struct analysis *a, kern_block *block,
+                                    double factor)
 {
     const kern_wrench *live = a->text.live;
-    const kern_real least = (kern_real)a->live_least;
+    const kern_real share = (kern_real)factor;
     kern_task task = a->task;
-    kern_real value = 0;
-    kern_status status;
     for (int i = 0; i < task.s.blocks; i++) {
         block[i] = a->task.s.block[i];
         if (block[i].fixed)
             continue;
-        block[i].load.fx += least * live[i].fx;
-        block[i].load.fy += least * live[i].fy;
-        block[i].load.torque += least * live[i].torque;
+        block[i].load.fx += share * live[i].fx;
+        block[i].load.fy += share * live[i].fy;
+        block[i].load.torque += share * live[i].torque;
     }
     task.s.block = block;
-    status = crush_factor(a, &task, live,
-                          a->set->mechanism_live ? a->collapse : NULL, &value);
+    return task;
+}
+
+/* The largest factor of the live load, on top of its least one, and how it
+   falls just beyond. */
+static inline void find_live_most(struct analysis *a, kern_block *block)
+{
+    const kern_task task = loaded_task(a, block, a->live_least);
+    kern_real value = 0;
+    kern_status status = crush_factor(
+        a, &task, a->text.live, a->set->mechanism_live ? a->collapse : NULL,
+        &value);
     a->live = a->live_least + value_or_nan(status, value);
+}
+
+static inline int stays_under(const struct analysis *a, kern_block *block,
+                              double factor)
+{
+    const kern_task task = loaded_task(a, block, factor);
+    return kern_let_go(&task, NULL, NULL) == KERN_STANDS;
+}
+
+/* The factor nearest to `moves` at which it stays, to .1 %. */
+static inline double live_edge(const struct analysis *a, kern_block *block,
+                               double stays, double moves)
+{
+    while (fabs(stays - moves) > 1e-3 * fmax(stays, moves)) {
+        const double middle = (stays + moves) / 2;
+        *(stays_under(a, block, middle) ? &stays : &moves) = middle;
+    }
+    return stays;
+}
+
+/* Between which factors of the live load it stays let go. Without one, this is
+   a path from rest: its raised load. Otherwise factors are walked up from the
+   least at which it stands, or from a thousandth of the weight, by a quarter
+   each, since let go is not monotone. */
+static inline void find_live_let_go(struct analysis *a, kern_block *block)
+{
+    enum { STEPS = 60 };
+    const kern_wrench *live = a->text.live;
+    double weight = 0, push = 0, moves = 0, at;
+    int k;
+    if (a->let_go == KERN_STANDS) {
+        a->live_let_go[0] = 0;
+        a->live_let_go[1] = a->raised_load[LIVE];
+        return;
+    }
+    for (k = 0; k < a->task.s.blocks; k++) {
+        if (a->task.s.block[k].fixed)
+            continue;
+        weight += (double)a->task.s.block[k].mass * gravity_of(a);
+        push += hypot(live[k].fx, live[k].fy);
+    }
+    at = fmax(a->live_least * (1 + 1e-9),
+              push > 0 ? 1e-3 * weight / push : 1e-3);
+
+    /* The first factor at which it stays, and the first beyond that at which it
+       does not. */
+    for (k = 0; k < STEPS && at <= a->live && !stays_under(a, block, at); k++) {
+        moves = at;
+        at *= 1.25;
+    }
+    if (k == STEPS || !(at <= a->live))
+        return;
+    a->live_let_go[0] = moves > 0 ? live_edge(a, block, at, moves) : at;
+    for (;
+         k < STEPS && 1.25 * at <= a->live && stays_under(a, block, 1.25 * at);
+         k++)
+        at *= 1.25;
+    a->live_let_go[1] = live_edge(a, block, at, fmin(1.25 * at, a->live));
 }
 
 /* Between which factors of the live load it stands. */
 static inline int find_live(struct analysis *a)
 {
     kern_real least = 0;
-    a->live_least = a->live = (double)NAN;
+    a->live_least = a->live = a->live_let_go[0] = a->live_let_go[1] = (double)
+        NAN;
     if (a->shown < 0 || a->text.lives == 0)
         return 0;
     a->lived = kern_least_load_of(&a->task, shrinkage(a), a->text.live, &least,
@@ -102,6 +169,8 @@ static inline int find_live(struct analysis *a)
     a->live_least = (double)least;
     if (block)
         find_live_most(a, block);
+    if (block && asks_raised_loads(a))
+        find_live_let_go(a, block);
     free(block);
     return block ? 0 : fail_memory(a);
 }
@@ -276,8 +345,9 @@ static inline void find_error(struct analysis *a)
     a->task.options = options;
     a->least_friction = find_friction(a, OF_VERDICT, &a->slid);
     a->least_friction_let_go = find_friction(a, OF_LET_GO, &a->slid_let_go);
-    a->tilt_let_go[LEFT] = find_tilt_let_go(a, LEFT);
-    a->tilt_let_go[RIGHT] = find_tilt_let_go(a, RIGHT);
+    for (int side = LEFT; side <= RIGHT; side++)
+        a->tilt_let_go[side] = find_tilt_let_go(a, side,
+                                                &a->tilted_let_go[side]);
 }
 
 /* What every report and what options ask for, of the real contacts. */

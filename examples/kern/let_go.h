@@ -29,7 +29,7 @@ static inline const char *fastest_name(const struct analysis *a,
 {
     double most = -1;
     int fastest = 0;
-    for (int i = 0; i < a->task.s.blocks; i++) {
+    for (int i = 0; i < stones(a); i++) {
         const double size = sqrt(fabs((double)a->task.s.block[i].area));
         const double speed = hypot(motion[i].vx, motion[i].vy)
                            + fabs((double)motion[i].spin) * size / 2;
@@ -64,12 +64,15 @@ static inline void explain_staying(struct analysis *a)
         status = kern_raised(&a->task, 0, &how, &reserve, NULL);
     snprintf(a->let_go_why, sizeof a->let_go_why,
              "its load raises the forces that hold it");
-    if (status == KERN_STANDS && reserve < ENOUGH_RESERVE) {
-        const size_t used = strlen(a->let_go_why);
+    const size_t used = strlen(a->let_go_why);
+    if (gravity_of(a) > 0 && a->task.s.blocks > RAISED_MOST)
+        snprintf(a->let_go_why + used, sizeof a->let_go_why - used,
+                 "; the reserve is not asked above %d blocks (--raised)",
+                 RAISED_MOST);
+    if (status == KERN_STANDS && reserve < ENOUGH_RESERVE)
         snprintf(a->let_go_why + used, sizeof a->let_go_why - used,
                  ", with a reserve of %.4g g: %g is enough as a rule",
                  (double)reserve, (double)ENOUGH_RESERVE);
-    }
 }
 
 /* The answer for all blocks at once, on contacts as they are. */
@@ -210,33 +213,53 @@ static inline kern_status stays_tilted(const struct analysis *a, int side,
     return kern_let_go(&task, NULL, NULL);
 }
 
-/* The tilt up to which it stays, at all angles that were asked, to 1e-5 and no
-   more than that of the verdict; NAN where it does not stay as it is, or that is
-   not known. */
-static inline double find_tilt_let_go(const struct analysis *a, int side)
+/* Does anything but weight act? */
+static inline int has_loads(const struct analysis *a)
+{
+    int loads = 0;
+    for (int i = 0; i < a->task.s.blocks; i++) {
+        const kern_wrench *w = &a->task.s.block[i].load;
+        loads += fabs((double)w->fx) > 0 || fabs((double)w->fy) > 0
+              || fabs((double)w->torque) > 0;
+    }
+    return loads > 0;
+}
+
+/* The tilt up to which it stays, at all angles that were asked, to 1e-5, and no
+   more than that of the verdict and than that at which a load sideways of as
+   much is raised from rest; NAN where it does not stay as it is, that is not
+   known, or the limit of work ends a question, of which *status tells. */
+static inline double find_tilt_let_go(const struct analysis *a, int side,
+                                      kern_status *status)
 {
     enum { STEPS = 8 };
     kern_real most = 0;
-    double low = 0, high = 0;
-    if (a->let_go != KERN_STANDS || !(gravity_of(a) > 0)
-        || kern_tilt(&a->task, 0, side == LEFT ? KERN_LEFT : KERN_RIGHT, &most,
-                     NULL)
-               != KERN_STANDS)
+    double low = 0, high = 0, last;
+    *status = KERN_OK;
+    if (a->let_go != KERN_STANDS || !(gravity_of(a) > 0))
         return (double)NAN;
-    const double last = isfinite((double)most) ? (double)most : 1.5;
+    *status = kern_tilt(&a->task, 0, side == LEFT ? KERN_LEFT : KERN_RIGHT,
+                        &most, NULL);
+    if (*status != KERN_STANDS)
+        return (double)NAN;
+    if (!has_loads(a) && a->raised_load[side] >= 0)
+        most = (kern_real)fmin((double)most, atan(a->raised_load[side]));
+    last = isfinite((double)most) ? (double)most : 1.5;
 
     /* Walk up to the first angle at which it does not stay. */
     for (int k = 1; k <= STEPS && !(high > 0); k++) {
         const double angle = last * (1 - 1e-5) * k / STEPS;
-        *(stays_tilted(a, side, angle) == KERN_STANDS ? &low : &high) = angle;
+        *status = stays_tilted(a, side, angle);
+        *(*status == KERN_STANDS ? &low : &high) = angle;
     }
     if (!(high > 0))
         return (double)most;
-    while (high - low > 1e-5) {
+    while (high - low > 1e-5 && *status != KERN_LIMIT) {
         const double middle = (low + high) / 2;
-        *(stays_tilted(a, side, middle) == KERN_STANDS ? &low : &high) = middle;
+        *status = stays_tilted(a, side, middle);
+        *(*status == KERN_STANDS ? &low : &high) = middle;
     }
-    return low;
+    return *status == KERN_LIMIT ? (double)NAN : low;
 }
 
 /* Are raised loads looked for? Near contacts carry nothing at rest. */
@@ -264,8 +287,7 @@ static inline void find_raised_loads(struct analysis *a)
         a->raised_load[k] = (double)NAN;
         kern_status status;
         if (a->verdict != KERN_STANDS || !asks_raised_loads(a)
-            || !(pattern ? a->set->raised && a->text.lives > 0
-                         : k != LIVE && gravity_of(a) > 0))
+            || !(pattern ? a->text.lives > 0 : k != LIVE && gravity_of(a) > 0))
             continue;
         a->work.end = KERN_END_NONE;
         status = kern_raised_load(&a->task, shrinkage(a), side[k], pattern,
@@ -276,11 +298,13 @@ static inline void find_raised_loads(struct analysis *a)
     }
 }
 
-/* Is the raised load to a side more than 2 % below the load factor, or not
-   shown? Asked of loads of the same contacts. */
+/* Is the raised load to a side, or of the live load, more than 2 % below the
+   load factor, or not shown? Asked of loads of the same contacts. */
 static inline int is_lower(const struct analysis *a, int side)
 {
-    const double raised = a->raised_load[side], plain = a->load[side];
+    const double raised = side == LIVE ? a->live_let_go[1]
+                                       : a->raised_load[side];
+    const double plain = side == LIVE ? a->live : a->load[side];
     if (is_near(a) || !asks_raised_loads(a) || isnan(plain) || isinf(raised))
         return 0;
     return isnan(raised) || raised < 0.98 * plain;

@@ -334,16 +334,22 @@ static inline const char *factor_text(double value, double scale,
 }
 
 /* Raised load k; where the limit did not end it, none that is raised exists or
-   none was found. */
+   none was found. Where the load factor has no bound, a path that ended says no
+   more than that: it doubled its end until then. */
 static inline const char *shown_text(const struct analysis *a, int k,
                                      char out[32])
 {
-    return isnan(a->raised_load[k]) && !a->cut[k]
-             ? "not shown"
-             : factor_text(a->raised_load[k], 1, "", out);
+    const double raised = k == LIVE ? a->live_let_go[1] : a->raised_load[k];
+    const double plain = k == LIVE ? a->live : a->load[k];
+    if (isnan(raised) && !a->cut[k])
+        return "not shown";
+    factor_text(raised, 1, "", out);
+    if (isinf(plain) && isfinite(raised))
+        strcat(out, " or more");
+    return isfinite(raised) ? out : factor_text(raised, 1, "", out);
 }
 
-/* The range of the live load. */
+/* The range of the live load: first that in which it stays let go. */
 static inline void report_live(const struct analysis *a)
 {
     char low[32], high[32];
@@ -352,8 +358,24 @@ static inline void report_live(const struct analysis *a)
         printf("none: it falls at every factor of the live load\n");
     else if (a->lived != KERN_STANDS)
         printf("undecided: factors of the live load\n");
-    else
-        printf("[%s, %s]: factors of the live load at which it stands\n",
+    else if (asks_raised_loads(a)) {
+        if (isnan(a->live_let_go[0]))
+            printf("not shown: no factor of the live load at which it stays "
+                   "when it is let go\n");
+        else
+            printf("[%s, %s]: factors of the live load at which it stays when "
+                   "it is let go\n",
+                   factor_text(a->live_let_go[0], 1, "", low),
+                   shown_text(a, LIVE, high));
+        printf("  live limit  [%s, %s]: limit analysis%s\n",
+               factor_text(a->live_least, 1, "", low),
+               factor_text(a->live, 1, "", high),
+               !is_lower(a, LIVE) ? ""
+               : isinf(a->live)   ? ", no bound"
+                                  : ", dilatant sliding, too high");
+    } else
+        printf("[%s, %s]: factors of the live load at which it stands, by "
+               "limit analysis\n",
                factor_text(a->live_least, 1, "", low),
                factor_text(a->live, 1, "", high));
     if (as_stated(a) == KERN_FALLS)
@@ -387,24 +409,50 @@ static inline void report_load(const struct analysis *a, const char *stay)
                stay);
 }
 
-static inline void report_loads(const struct analysis *a)
+/* An angle, or why it is not known. */
+static inline const char *angle_text(double angle, int cut, double scale,
+                                     const char *unit, char out[32])
+{
+    return isnan(angle) && !cut ? "not shown"
+                                : factor_text(angle, scale, unit, out);
+}
+
+/* A tilt to each side; `cut` tells where the limit of work ended it. */
+static inline void report_tilt(const char *name, const double angle[2],
+                               const int cut[2], const char *what)
 {
     static const double degrees = 57.295779513082321;
+    char left[32], right[32];
+    printf("  %-10s  %s left, %s right, ", name,
+           angle_text(angle[LEFT], cut[LEFT], 1, "", left),
+           angle_text(angle[RIGHT], cut[RIGHT], 1, "", right));
+    printf("in rad: %s and %s%s\n",
+           angle_text(angle[LEFT], cut[LEFT], degrees, " deg", left),
+           angle_text(angle[RIGHT], cut[RIGHT], degrees, " deg", right), what);
+}
+
+static inline void report_loads(const struct analysis *a)
+{
     const char *stay = a->text.loads > 0 ? " (loads stay as they are)"
                      : a->text.lives > 0 ? " (without the live load)"
                                          : "";
-    char left[32], right[32];
+    const int lower = is_lower(a, LEFT) || is_lower(a, RIGHT);
+    const int undecided[2] = {1, 1};
     if (a->shown >= 0 && a->text.lives > 0)
         report_live(a);
     if (a->shown != KERN_STANDS || !(gravity_of(a) > 0))
         return;
     report_load(a, stay);
-    printf("  tilt        %s left, %s right, ",
-           factor_text(a->tilt[LEFT], 1, "", left),
-           factor_text(a->tilt[RIGHT], 1, "", right));
-    printf("in rad: %s and %s%s\n",
-           factor_text(a->tilt[LEFT], degrees, " deg", left),
-           factor_text(a->tilt[RIGHT], degrees, " deg", right), stay);
+
+    /* Weight alone at a slant is a load sideways: what friction bears of it is
+       the tilt that friction bears. */
+    if (lower && !has_loads(a)) {
+        const double angle[2] = {atan(a->raised_load[LEFT]),
+                                 atan(a->raised_load[RIGHT])};
+        report_tilt("tilt", angle, a->cut, ": Coulomb friction, from rest");
+    }
+    report_tilt(lower ? "tilt limit" : "tilt", a->tilt, undecided,
+                lower ? ": limit analysis, dilatant sliding" : stay);
 }
 
 static inline void report_forces(const struct analysis *a)
@@ -705,10 +753,6 @@ static inline void report_raised_loads(const struct analysis *a)
         printf("  raised load %s left, %s right: where stones slide without "
                "parting, from rest\n",
                shown_text(a, LEFT, left), shown_text(a, RIGHT, right));
-    if (a->text.lives > 0)
-        printf("  raised live %s: the same where stones slide without parting, "
-               "from rest\n",
-               shown_text(a, LIVE, left));
 }
 
 static inline void report_error(const struct analysis *a)

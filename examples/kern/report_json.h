@@ -234,7 +234,7 @@ static inline void json_raised(const struct analysis *a, int good)
         printf(", \"raised\": null");
     json_known("reserve", a->reserve, known);
     if (a->text.lives > 0)
-        json_known("raised_live", a->raised_load[LIVE], known);
+        json_known("raised_live", a->raised_load[LIVE], good);
 }
 
 /* A chance, null where there is none. */
@@ -304,7 +304,8 @@ static inline void json_unbounded(const struct analysis *a, int good)
         {"tilt_right", a->tilt[RIGHT], 1},
         {"raised_load_left", a->raised_load[LEFT], 1},
         {"raised_load_right", a->raised_load[RIGHT], 1},
-        {"raised_live", a->raised_load[LIVE], a->set->raised},
+        {"raised_live", a->raised_load[LIVE], a->text.lives > 0},
+        {"live_let_go", a->live_let_go[1], a->text.lives > 0},
         {"live", a->live, a->text.lives > 0},
         {"thrust_most", a->thrust_most, a->set->thrust != NULL},
     };
@@ -425,6 +426,9 @@ static inline void json_loads(const struct analysis *a, int asked)
     if (a->text.lives > 0) {
         json_known("live_least", a->live_least, asked);
         json_known("live", a->live, asked);
+        json_known("live_least_let_go", a->live_let_go[0], asked);
+        json_known("live_let_go", a->live_let_go[1], asked);
+        json_word("raised_end_live", a->raised_end[LIVE]);
     }
     if (a->set->thrust) {
         json_known("thrust_least", a->thrust_least, asked);

@@ -86,6 +86,7 @@ struct analysis {
     double deficit, bearing, load[2], tilt[2];
     kern_status lived;         /* whether a factor of the live load holds it */
     double live_least, live;   /* the range of these factors                 */
+    double live_let_go[2];     /* that in which it stays; NAN: none is shown */
     double raised_load[3];     /* left, right, live; NAN: none is shown      */
     const char *raised_end[3]; /* of these: why the path ended; NULL: none */
     int cut[3];                /* of these: the limit of work ended it       */
@@ -111,7 +112,7 @@ struct analysis {
     kern_raising raising;
     double reserve;
     kern_status borne, slid; /* of the measures behind these two: */
-    kern_status slid_let_go;
+    kern_status slid_let_go, tilted_let_go[2];
     double bears, least_friction, least_friction_let_go;
     double tilt_let_go[2];
     double *sequence; /* the margin after each block       */
@@ -310,7 +311,8 @@ static const char *const open_name[] = {
     "tilt_left", "tilt_right", "profile", "live", "certain", "raised", "bears",
     "least_friction", "sequence", "stays", "sweep", "raised_load_left",
     "raised_load_right", "raised_live", "live_least",
-    "least_friction_let_go", "thrust_most"
+    "least_friction_let_go", "thrust_most", "tilt_let_go_left",
+    "tilt_let_go_right"
 };
 /* clang-format on */
 enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
@@ -408,7 +410,9 @@ static inline unsigned open_questions(const struct analysis *a)
                             a->cut[LIVE],
                             a->lived < 0,
                             a->slid_let_go == KERN_LIMIT,
-                            is_open_thrust(a)};
+                            is_open_thrust(a),
+                            a->tilted_let_go[LEFT] == KERN_LIMIT,
+                            a->tilted_let_go[RIGHT] == KERN_LIMIT};
     unsigned bits = 0;
     for (int k = 0; k < OPENS_MOST; k++)
         bits |= open[k] ? 1u << k : 0;
