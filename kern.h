@@ -1235,7 +1235,14 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 KERN_API kern_status kern_plan_remove(kern_plan *plan, int i);
 
 /* What kern_measure() would say with the block added. Time: that of one
-   verdict, where the block does not change which stones are the weakest. */
+   verdict, where the block does not change which stones are the weakest.
+   The search comes from above, so a call that options.limit ends proves an upper
+   bound, out->fails, and a lower one, out->holds, only near its end. At half of
+   the work that they need, 963 tries on walls have these bounds:
+       upper bound, at most 2 margins    0.73      none       0.06
+                    at most 1.1 margins  0.53      any lower  0.03
+   For a lower bound use kern_plan_bears(): with half of the margin it takes 0.44
+   of the work of a try in the median, and 0.13 where a try takes 1,500 units. */
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof);
 
