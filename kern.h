@@ -10902,12 +10902,12 @@ static void kern_descent_arc(const kern_descent *r, kern_course *c,
     const kern_real square = kern_vec_dot(arm, arm), side = square - off * off;
     const kern_real sense = c->spin * KERN_R(r->side);
     kern_real to, cosine, q;
-    if (side < 0 || square < r->touch * r->touch)
+    if (side < 2 * r->graze * off || square < r->touch * r->touch)
         return;
 
     /* of the two places on the line the one where the arc goes in; no turn is
        as large as a right angle */
-    to = sense * KERN_SQRT(side);
+    to = sense * KERN_SQRT(kern_max(side, KERN_R(0)));
     cosine = along * to - out * off;
     if (cosine <= 0 || !kern_descent_on(r, e, kern_edge_foot(e, c->way) + to))
         return;
@@ -10921,10 +10921,10 @@ static void kern_descent_arc(const kern_descent *r, kern_course *c,
 static void kern_descent_keep(kern_descent *r, const kern_edge *e, kern_vec p)
 {
     const kern_real foot = kern_edge_foot(e, p);
+    const kern_real out = kern_vec_cross(kern_vec_sub(p, e->p), e->d);
     kern_footing *f = &r->footing[r->footings];
     if (r->footings >= KERN_REST_TOUCHES || foot < r->touch
-        || foot > e->length - r->touch
-        || kern_abs(kern_vec_cross(kern_vec_sub(p, e->p), e->d)) > r->touch)
+        || foot > e->length - r->touch || out < -r->graze || out > r->touch)
         return;
     f->p = p;
     f->n = kern_vec_scale(kern_vec_turn(e->d), -KERN_R(r->side));
@@ -11107,7 +11107,7 @@ static int kern_descent_move(kern_descent *r)
         const kern_real up = -kern_vec_dot(f->n, r->down);
         if (up > KERN_REST_LEVEL)
             kern_descent_tip(r, f, &best);
-        if (up * KERN_SQRT(1 + mu * mu) < 1)
+        if (up * KERN_SQRT(1 + mu * mu) < 1 - KERN_REST_LEVEL)
             kern_descent_slope(r, f, &best);
     }
     return best.steep > KERN_REST_LEVEL && kern_descent_go(r, &best);
@@ -11140,7 +11140,7 @@ static kern_status kern_descent_begin(kern_descent *r, kern_real x)
     /* all blocks are within `floor` / (2 KERN_ROUNDING) of the origin */
     r->down = kern_vec_scale(s->gravity, 1 / weight);
     r->touch = kern_max(KERN_REST_TOUCH * kern_block_size(r->shape), of.floor);
-    r->graze = KERN_REST_END * r->touch;
+    r->graze = kern_max(KERN_REST_END * r->touch, of.floor / 2);
     r->bottom = of.floor / KERN_ROUNDING + 2 * kern_box_half(r->shape);
     r->footings = 0;
     kern_descent_put(r, kern_vec_step(kern_vec_scale(kern_vec_turn(r->down), x),
