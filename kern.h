@@ -1306,7 +1306,9 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
        x turn  the smaller, so that any order of places gives the same best
    In 46 states of walls with places of which some stay in all six runs of a
    simulator and some do not, the best place stays in 40 and moves in some runs
-   in 6. The place of the largest margin stays in 35. */
+   in 6. The place of the largest margin stays in 35. In 124 other states, with
+   eight places of kern_rest() each and the simulator of examples/laboratory, the
+   best place stays in 120, and that of the largest margin in 110. */
 KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
                                 kern_real alone);
 
@@ -11186,13 +11188,12 @@ static kern_real kern_place_number(const kern_place *place, int i,
                                    kern_real alone)
 {
     const int same = kern_abs(place->margin - alone) <= KERN_PLACE_SAME * alone;
-    kern_real number[6];
-    number[0] = kern_min(place->stays, KERN_PLACE_STAYS);
-    number[1] = same ? alone : place->margin;
-    number[2] = place->own;
-    number[3] = place->load;
-    number[4] = -place->x;
-    number[5] = -place->turn;
+    const kern_real number[6] = {kern_min(place->stays, KERN_PLACE_STAYS),
+                                 same ? alone : place->margin,
+                                 place->own,
+                                 place->load,
+                                 -place->x,
+                                 -place->turn};
     return number[i];
 }
 
