@@ -11037,8 +11037,8 @@ static int kern_descent_go(kern_descent *r, kern_course *c)
     return 1;
 }
 
-/* Makes *best the motion c if that is steeper, or as steep and shorter, and
-   presses no footing. The stone's centre begins to move by m, whose speed is 1. */
+/* Makes *best the motion c if that is steeper, or as steep and a turn, not a
+   slide, or as steep and shorter, and presses no footing. The stone's centre begins to move by m, whose speed is 1. */
 static void kern_descent_prefer(const kern_descent *r, kern_course *best,
                                 kern_course *c, kern_motion m)
 {
@@ -11046,7 +11046,9 @@ static void kern_descent_prefer(const kern_descent *r, kern_course *best,
     int i;
     c->steep = m.vx * r->down.x + m.vy * r->down.y;
     if (c->steep < best->steep - KERN_REST_LEVEL
-        || (c->steep <= best->steep + KERN_REST_LEVEL && c->end >= best->end))
+        || (c->steep <= best->steep + KERN_REST_LEVEL
+            && (c->kind == best->kind ? c->end >= best->end
+                                      : c->kind < best->kind)))
         return;
     for (i = 0; i < r->footings; i++) {
         const kern_footing *f = &r->footing[i];

@@ -469,6 +469,26 @@ static void rest_poses(void)
     CHECK(found > tried * 9 / 10 && held > found * 3 / 4);
 }
 
+/* Lets a tile down with the middle of its edge on a corner: a turn about that
+   and a slide begin equally steeply, and the choice is the same in any scale. */
+static void rest_ties(void)
+{
+    const struct yard_frame frame[2] = {{1, 1024, 0, 0, 0, 0},
+                                        {-1, 1, 0, 0, 0, 0}};
+    kern_vec v[4];
+    int i;
+    for (i = 0; i < 4; i++) {
+        v[i].x = unit_box[i].x / 4;
+        v[i].y = unit_box[i].y / 4;
+    }
+    yard_open(&yard);
+    yard_box(&yard, -9, -1, 9, 0);
+    yard_box(&yard, -2, 0, 0, 2);
+    for (i = 0; i < 2; i++)
+        CHECK(
+            yard_alike(&yard, &frame[i], v, 4, 0.125 * 0.6, -atan2(0.6, 0.8)));
+}
+
 /* Fills a yard with sharp teeth on a floor, a little apart or side by side. */
 static void yard_teeth(struct yard *w)
 {
@@ -653,10 +673,11 @@ static void rest_copies(void)
 }
 
 static const test rest_tests[] = {
-    TEST(rest_flat),    TEST(rest_over_an_edge), TEST(rest_triangles),
-    TEST(rest_slopes),  TEST(rest_gaps),         TEST(rest_shapes),
-    TEST(rest_laws),    TEST(rest_poses),        TEST(rest_teeth),
-    TEST(rest_refused), TEST(rest_ranking),      TEST(rest_copies),
+    TEST(rest_flat),   TEST(rest_over_an_edge), TEST(rest_triangles),
+    TEST(rest_slopes), TEST(rest_gaps),         TEST(rest_shapes),
+    TEST(rest_laws),   TEST(rest_poses),        TEST(rest_teeth),
+    TEST(rest_ties),   TEST(rest_refused),      TEST(rest_ranking),
+    TEST(rest_copies),
 };
 
 #endif
