@@ -455,8 +455,10 @@ def test_drawings(browser):
 
 
 def test_held(browser):
-    """A stone in the hand: the verdict is that of the rest, and its chance that
-    of the wall with the stone in the pose where it would rest."""
+    """A stone in the hand: the verdict is that of the rest, its outline is where
+    kern_rest() puts it, and its chance is that of the wall with it there. A
+    stone in the hand comes down onto what is below it, and what is above it
+    does not stop it."""
     browser.ask("show(texts.get('wall-30'), 'wall-30')")
     wall = kern.read(ROOT / "examples" / "structures" / "wall-30.kern")
     browser.ask("choose(9), press('Home'), moveStone(9, 3, 2, 0, false),"
@@ -466,13 +468,24 @@ def test_held(browser):
     rest, chance = browser.ask("[landing, shown.stays.chance]")
     blocks = list(wall.blocks)
     blocks[9], blocks[-1] = blocks[-1], blocks[9]
-    blocks[-1].move(rest["x"], rest["y"], rest["turn"])
+    blocks[-1].move(3, 2)
+    at = kern.Plan(blocks[:-1], options=wall.options).rest(
+        blocks[-1], blocks[-1].body().centre[0])
+    blocks[-1].move(rest["x"] - 3, rest["y"] - 2, rest["turn"])
+    for p, q in zip(at.vertices.tolist(), blocks[-1].vertices.tolist()):
+        assert math.dist(p, q) < 1e-9, (p, q)
     there = kern.Structure(blocks, options=wall.options)
     assert abs(chance - there.stays(len(blocks) - 1)) < 1e-6, (chance, rest)
     assert browser.ask("$('landing').firstChild.style.stroke !== ''")
     browser.ask("restingPose(9), hand = -1, change()")
     browser.frame()
     assert browser.ask("held") == -1
+    browser.ask("choose(9), press('Home'), choose(2), press('Home'),"
+                "moveStone(2, 0, 0.02, 0, false), hand = 2, change()")
+    browser.wait("held === 2 && shown.stays && shown.stays.stone === 2")
+    assert max(map(abs, browser.ask(
+        "[landing.x, landing.y, landing.turn]"))) < 1e-6
+    browser.ask("press('Home')")
     print("in the hand: the rest as native, it would stay with %.3f" % chance)
 
 
@@ -659,8 +672,9 @@ def shots(browser, folder):
     time.sleep(0.8)
     browser.shot(folder / "falls.png")
     browser.ask("choose(30), press('Home')")
-    list(drag(browser, 27, [(20, 30)]))
-    browser.shot(folder / "overlap.png")
+    browser.ask("moveStone(27, 0.6, 0.9, 0.2, false), hand = 27, change()")
+    browser.wait("shown.stays && shown.stays.stone === 27")
+    browser.shot(folder / "held.png")
     browser.ask("choose(27), press('Home')")
     browser.ask("$('shrink').value = 0.7, change()")
     browser.frame()

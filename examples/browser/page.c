@@ -323,6 +323,45 @@ PAGE(rests) int page_rests(int i)
     return upright;
 }
 
+/* Returns the height of a block's lowest vertex. */
+static double foot(const kern_block *b, kern_vec down)
+{
+    double height = KERN_INFINITY;
+    int k;
+    for (k = 0; k < b->vertices; k++)
+        height = kern_min(height, -kern_vec_dot(b->vertex[k], down));
+    return height;
+}
+
+/* Finds where block i comes to rest on the blocks that begin lower than `above`
+   over its centre. Answer: its centre there, cosine and sine of its turn. */
+PAGE(rest) int page_rest(int i, double above)
+{
+    static kern_block under[BLOCKS];
+    static kern_vec there[VERTICES];
+    const kern_vec down = kern_vec_unit(task.s.gravity), upright = {1, 0};
+    const kern_vec from = block[i].centre;
+    kern_task other = task;
+    kern_pose pose;
+    int k, n = 0, status;
+    for (k = 0; k < task.s.blocks; k++)
+        if (k != i && foot(&block[k], down) + kern_vec_dot(from, down) < above)
+            under[n++] = block[k];
+    other.s.block = under;
+    other.s.blocks = n;
+    other.s.contacts = 0;
+    other.known = kern_known_of(NULL, NULL);
+    status = kern_rest(&other, &block[i], kern_vec_cross(down, from), upright,
+                       there, &pose);
+    if (status == KERN_OK) {
+        answer[0] = pose.block.centre.x;
+        answer[1] = pose.block.centre.y;
+        answer[2] = pose.turn.x;
+        answer[3] = pose.turn.y;
+    }
+    return report(status, &work.fault);
+}
+
 /* A contact that is given, from p to q; after the last one, given(). */
 PAGE(contact)
 int page_contact(int a, int b, double nx, double ny, double px, double py,

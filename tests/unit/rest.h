@@ -177,6 +177,7 @@ static void rest_slopes(void)
     const kern_block box = yard_block(unit_box, 4);
     const double quarter = 0.7853981633974483, lean = atan(0.3);
     const double c = cos(lean), s = sin(lean);
+    int i;
 
     /* a groove of two slopes of 45 degrees: it slides to the bottom */
     yard_open(&yard);
@@ -198,6 +199,11 @@ static void rest_slopes(void)
     CHECK(yard_rest(&yard, &box, 4, lean) == KERN_OK);
     AT(4, 1.2 + 0.5 / c, lean);
     CHECK(yard.pose.motions == 1 && yard_stands(&yard));
+    yard.plan.task.options.mu = (kern_real)0.3; /* as steep as friction holds */
+    for (i = 0; i < 20; i++) {
+        CHECK(yard_rest(&yard, &box, 2 + 0.3 * i, lean) == KERN_OK);
+        CHECK_NEAR(yard.pose.block.centre.x, 2 + 0.3 * i, REST_EXACT);
+    }
     yard.plan.task.options.mu = (kern_real)0.2;
     CHECK(yard_rest(&yard, &box, 4, lean) == KERN_OK);
     AT((c + s) / 2, 0.15 * (c + s) + 0.5 / c, lean);
@@ -463,6 +469,92 @@ static void rest_poses(void)
     CHECK(found > tried * 9 / 10 && held > found * 3 / 4);
 }
 
+/* Lets a tile down with the middle of its edge on a corner: a turn about that
+   and a slide begin equally steeply, and the choice is the same in any scale. */
+static void rest_ties(void)
+{
+    const struct yard_frame frame[2] = {{1, 1024, 0, 0, 0, 0},
+                                        {-1, 1, 0, 0, 0, 0}};
+    kern_vec v[4];
+    int i;
+    for (i = 0; i < 4; i++) {
+        v[i].x = unit_box[i].x / 4;
+        v[i].y = unit_box[i].y / 4;
+    }
+    yard_open(&yard);
+    yard_box(&yard, -9, -1, 9, 0);
+    yard_box(&yard, -2, 0, 0, 2);
+    for (i = 0; i < 2; i++)
+        CHECK(
+            yard_alike(&yard, &frame[i], v, 4, 0.125 * 0.6, -atan2(0.6, 0.8)));
+}
+
+/* Fills a yard with sharp teeth on a floor, a little apart or side by side. */
+static void yard_teeth(struct yard *w)
+{
+    double x = -4;
+    yard_open(w);
+    w->plan.task.options.mu = (kern_real)uniform(0.2, 0.9);
+    yard_box(w, -9, -1, 9, 0);
+    while (x < 4 && w->plan.task.s.blocks < YARD_BLOCKS - 1) {
+        const double wide = uniform(0.5, 2);
+        yard_triangle(w, x, 0, x + wide, 0, x + wide * uniform(0, 1),
+                      uniform(0.2, 3));
+        x += wide + (uniform(0, 2) < 1 ? 0 : uniform(0, 0.4));
+    }
+}
+
+/* Stones between teeth: with two legs, splinters, and round ones of up to 40
+   corners, small and large. The mirrored pose is the same, and a million away
+   from the origin no stone is inside a block. A stone whose corner has just slid
+   past the tip of a tooth is not held by the tooth's other side. */
+static void rest_teeth(void)
+{
+    const struct yard_frame mirror = {-1, 1, 0, 0, 0, 0};
+    const struct yard_frame away = {1, 1, 1e6, -1e6, 0, 0};
+    int i, k, tried = 0, alike = 0, found = 0, held = 0;
+    for (i = 0; i < some(600); i++) {
+        const kern_vec legs[8] = {{0, 0}, {1, 0}, {1, 6}, {6, 6},
+                                  {6, 0}, {7, 0}, {7, 7}, {0, 7}};
+        const double size = uniform(0, 2) < 1 ? uniform(0.01, 0.1)
+                                              : uniform(0.2, 0.9);
+        const double flat = uniform(0.001, 0.02);
+        const double x = uniform(-3, 3), turn = uniform(-3, 3);
+        const int n = i % 3 == 0 ? 8
+                    : i % 3 == 1 ? 3
+                                 : 5 + (int)uniform(0, 35.9);
+        kern_vec v[YARD_CORNERS];
+        kern_block b;
+        yard_teeth(&yard);
+        for (k = 0; k < n; k++) {
+            const double a = 6.283185307179586 * k / n;
+            v[k].x = (kern_real)(size * cos(a));
+            v[k].y = (kern_real)(size * (n == 3 ? flat : 1) * sin(a));
+            if (i % 3 == 0) {
+                v[k].x = (kern_real)size / 4 * legs[k].x;
+                v[k].y = (kern_real)size / 4 * legs[k].y;
+            }
+        }
+        b = yard_block(v, n);
+        tried++;
+        alike += yard_alike(&yard, &mirror, v, n, x, turn);
+        if (yard_rest(&yard, &b, x, turn) != KERN_OK)
+            continue;
+        found++;
+        held += yard_stands(&yard);
+        if (SINGLE)
+            continue;
+        yard_alike(&yard, &away, v, n, x, turn);
+        CHECK(kern_plan_bears(&other_yard.plan, &other_yard.pose.block, 0, NULL)
+              != KERN_OVERLAP);
+    }
+    printf("%d stones on teeth: %d rest, %d of these are held, %d have their "
+           "mirrored pose\n",
+           tried, found, held, alike);
+    CHECK(alike >= (SINGLE ? tried / 2 : tried));
+    CHECK(found > tried * 9 / 10 && held > found * 92 / 100);
+}
+
 /* ---- what is refused ---- */
 
 static void rest_refused(void)
@@ -581,10 +673,11 @@ static void rest_copies(void)
 }
 
 static const test rest_tests[] = {
-    TEST(rest_flat),    TEST(rest_over_an_edge), TEST(rest_triangles),
-    TEST(rest_slopes),  TEST(rest_gaps),         TEST(rest_shapes),
-    TEST(rest_laws),    TEST(rest_poses),        TEST(rest_refused),
-    TEST(rest_ranking), TEST(rest_copies),
+    TEST(rest_flat),   TEST(rest_over_an_edge), TEST(rest_triangles),
+    TEST(rest_slopes), TEST(rest_gaps),         TEST(rest_shapes),
+    TEST(rest_laws),   TEST(rest_poses),        TEST(rest_teeth),
+    TEST(rest_ties),   TEST(rest_refused),      TEST(rest_ranking),
+    TEST(rest_copies),
 };
 
 #endif
