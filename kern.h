@@ -277,8 +277,8 @@
        of 630 that stay, kept  0.96   0.95   0.93   0.83
        of 205 that move, not   0.90   0.96   0.985  0.995
 
-   What moves is told by how far blocks go until forces are raised: a long way
-   makes many equilibria possible, and friction decides between them.
+   The chance follows from the displacement that raises the forces. After a
+   large one many equilibria are possible, and friction decides between them.
 
    Whether a finished structure stays. kern_let_go() asks all blocks at once:
    the answer is the same in any order of the blocks. kern_least_load_of() and
@@ -704,8 +704,8 @@ typedef struct kern_work {
     /* the library adds up; the caller reads, and sets to 0 as it likes       */
     int pivots;       /* of all linear programs                           */
     int solves;       /* top-down passes and linear programs              */
-    int units;        /* work of the last call but searches for contacts;
-                             limit + 1 with KERN_LIMIT, else within the limit */
+    int units;        /* work of the last call, without searches for
+                             contacts; limit + 1 after KERN_LIMIT           */
     kern_real error;  /* largest of a proof, in what is allowed: <= 1     */
     kern_fault fault; /* of the last call that returned less than 0       */
     kern_end end;     /* of the last call that searched for raised forces */
@@ -717,8 +717,8 @@ typedef struct kern_work {
    or none. Whatever stands there changes the time of an answer and not the
    answer: it is verified first. */
 typedef struct kern_known {
-    kern_motion *motion; /* one a block: of the mechanism, at fails          */
-    kern_force *force;   /* one a contact point: at holds                    */
+    kern_motion *motion; /* one a block: the mechanism at `fails`            */
+    kern_force *force;   /* one a contact point: forces at `holds`           */
     kern_real holds, margin, fails; /* of the last measure; fails 0: none     */
 } kern_known;
 
@@ -890,8 +890,8 @@ KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
    many there are, which is the least `room` that is enough. These are a simple
    polygon, ready for kern_block_init(): where edges would cross, the tolerance
    is halved, up to eight times, and then 0. The vertices and the way they turn
-   are the same wherever the outline begins. Mirrored or turned, of two vertices
-   that are equally far another one may stay.
+   are the same wherever the outline begins. Where two vertices are equally far,
+   an outline that is mirrored or turned may keep the other one.
    `vertex` may touch or cross itself, and must not overlap `out`. Returns below
    0 KERN_NO_SPACE, KERN_FEW_VERTICES, KERN_NO_AREA or KERN_CROSSING (no polygon
    remains; out means nothing), KERN_BAD_COUNT (above 1,000,000),
@@ -986,7 +986,8 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 
 /* Whether the structure stands: KERN_STANDS, KERN_FALLS or KERN_UNDECIDED.
    Time: O(B + C) where forces can be passed on from the top down, as in most
-   walls; else C and the entries of factors (>>lp), at most B^2, for a pivot. */
+   walls. Otherwise a pivot takes C plus the entries of the factors (>>lp),
+   which are at most B^2. */
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
@@ -1231,7 +1232,8 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
    contact points it has, or what kern_touch() does below 0, KERN_NO_SPACE also
    without room for it, KERN_BAD_POINTER also without known forces or motions;
    the plan is then as it was. The block is copied, its vertices are NOT: they
-   must outlive the plan. Options, friction too, count as of now. Time: O(B). */
+   must outlive the plan. Its contacts are found with the options as they are
+   now, and keep that friction. Time: O(B). */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 
 /* Takes block i away; those behind it move up, in contacts too. KERN_OK: done.
@@ -1318,23 +1320,24 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
 
 /* -- proofs -- */
 
-/* The error of a proof as a share of what is allowed: up to 1 it holds.
-   KERN_INFINITY where it proves nothing, and for bad input: NULL, what is not a
-   number. Allowed is: for forces, 1e-9 (float: 1e-4) of what acts on a block in
-   each of its equations, and roundings of the largest force there, in sum 1e6
-   (1e3) weights; for a motion, that such forces could not stop it, whatever
-   rounding does. Time: O(B + C). Work memory: for forces 4 B reals. */
+/* Returns the error of a proof over the error that is allowed: up to 1 the
+   proof holds. Returns KERN_INFINITY where it proves nothing, and for bad input
+   (NULL, NaN). Forces may leave 1e-9 (float: 1e-4) of the load on a block in
+   each of its equations, and roundings of the largest force there; their sum
+   may be 1e6 (1e3) weights. A motion must be one that such forces could not
+   stop, whatever rounding does. Time: O(B + C). Work memory: for forces 4 B
+   reals. */
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
                                      const kern_force *force);
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
                                      const kern_motion *motion);
 
-/* The same for what kern_raised() found. Raised: besides the forces, that the
-   motion approaches at every force which equilibrium would miss, and slides by
-   less than 1/500 (float: 1/5) of that where it must not. Hanging: that the
-   motion moves blocks without a load, that no contact with another presses one
-   of them against gravity, and that the forces hold the others without them.
-   KERN_NOT_SHOWN proves nothing. Work memory: 5 B reals. */
+/* Returns the error of the proof of kern_raised(). Raised: besides the forces,
+   that the motion approaches at every force which equilibrium would miss, and
+   slides by less than 1/500 (float: 1/5) of that where it must not. Hanging:
+   that the motion moves blocks without a load, that no contact with another
+   presses one of them against gravity, and that the forces hold the others
+   without them. KERN_NOT_SHOWN proves nothing. Work memory: 5 B reals. */
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
                                      kern_raising raising,
                                      const kern_proof *proof);
@@ -1456,7 +1459,7 @@ extern "C" {
    for the contact to stick. */
 #define KERN_SLIDES_TOL KERN_TOL
 /* Raised forces: least force of a contact that must approach, as a share of the
-   least load of a block. Equilibrium would not miss a smaller one. */
+   least load of a block. Without a smaller force equilibrium still holds. */
 #define KERN_PRESSED_LEAST KERN_TOL
 /* Raised forces: the largest slide that is taken for sticking, in approaches.
    The stiffness along t that >>raised begins with is its inverse. */
@@ -1522,8 +1525,8 @@ extern "C" {
 /* Products that a step of Newton's method takes for a contact: its row, its law
    and its block of the matrix. */
 #define KERN_CONTACT_PRODUCTS KERN_R(100)
-/* Products that the factor takes for a row, over the square of its blocks: 27
-   for each of half of all pairs. */
+/* Products that the factor takes for a row, over the square of its blocks. Half
+   of all pairs of blocks take 27 products each. */
 #define KERN_PAIR_PRODUCTS KERN_R(14)
 
 /* ---- model ---- */
@@ -1620,8 +1623,8 @@ extern "C" {
 
 /* ---- minimum-norm forces ---- */
 
-/* What is added to the diagonal of Newton's matrix, as a share of its mean:
-   otherwise what no ray presses has no pivot. */
+/* Shift of the diagonal of Newton's matrix, as a share of its mean: without it
+   a row that no ray presses has no pivot. */
 #define KERN_DUAL_SHIFT KERN_ROUNDING
 /* Most rounds of Newton's method: it ends in far fewer, unless digits are
    lost. */
@@ -1683,7 +1686,7 @@ extern "C" {
 #define KERN_BASIS_NOISE KERN_PICK(1e-10, 1e-5)
 /* Most places of a bracket: four to eight suffice, unless digits are lost. */
 #define KERN_BRACKET_ROUNDS 100
-/* Most places of a least load, which takes one for each mechanism. */
+/* Most verdicts of a search for a least load; each mechanism takes one. */
 #define KERN_LEAST_ROUNDS 100
 /* Most bends of a power, where kerns close, that Newton's method passes. */
 #define KERN_BENDS 8
@@ -1698,14 +1701,14 @@ extern "C" {
    angle], by the corpus' odd half and by walls of 100 to 200 blocks. */
 #define KERN_CLIMB KERN_R(0.1)
 #define KERN_CLIMB_PUSH KERN_R(0.5)
-/* A step, in the one before. */
+/* Growth of these steps: each is this many times the one before. */
 #define KERN_CLIMB_GROWS KERN_R(1.5)
 
 /* ---- interior point ---- */
 
-/* Most steps: it takes ten, usually, unless digits are lost. */
+/* Most steps. Usually ten suffice, unless digits are lost. */
 #define KERN_IPM_ROUNDS 100
-/* What is added to a diagonal without pivots, as a share of its mean. */
+/* Shift of a diagonal that has no pivots, as a share of its mean. */
 #define KERN_IPM_SHIFT KERN_PICK(1e-10, 1e-5)
 /* Share of the way to x, z = 0 that a step leaves, less as the gap closes: from
    the boundary no further step is possible. */
@@ -1713,7 +1716,7 @@ extern "C" {
 /* Least share of a ray's force that a step leaves: a force that rounds to 0
    would never grow again. */
 #define KERN_IPM_KEEP KERN_EPS
-/* Least share of a ray's force that is left when forces are balanced. */
+/* Least share of its force that a ray keeps when forces are balanced. */
 #define KERN_IPM_BALANCE KERN_R(1e-3)
 /* How far x and z are lifted to begin, in their least entry (Mehrotra). */
 #define KERN_IPM_LIFT_LEAST KERN_R(1.5)
@@ -1727,7 +1730,8 @@ extern "C" {
 #define KERN_IPM_GAP KERN_R(1e-3)
 /* Least product x z after a step, in means of all. */
 #define KERN_IPM_CENTRE KERN_R(0.03)
-/* Least share of a gap that a step aims at: with less, less is decided. */
+/* Least share of a gap that a step aims at. With less, fewer verdicts are
+   decided. */
 #define KERN_IPM_AIM KERN_R(0.03)
 /* Gap that is rounding: the square of what shifts the diagonal. */
 #define KERN_IPM_GAP_LEAST (KERN_IPM_SHIFT * KERN_IPM_SHIFT)
@@ -1736,15 +1740,16 @@ extern "C" {
 /* Share of the gap that a step may leave, in the mean, or the method begins
    again: without that some walls take three times the work. */
 #define KERN_IPM_PACE KERN_R(0.95)
-/* How much larger than its first gap a continued query may begin. */
+/* Gap of a later step of a continued query, over its first gap, above which the
+   method begins again. */
 #define KERN_IPM_SLACK KERN_R(1.1)
 
 /* ---- simplex method ---- */
 
 /* Violation of x >= 0 that counts, as a share of the largest load. */
 #define KERN_VALUE_TOL KERN_PICK(1e-10, 1e-5)
-/* Least gain of a column that enters, as a share of the largest price. Less,
-   and the method chases rounding. */
+/* Least gain of a column that enters, as a share of the largest price. With a
+   lower gain the method would follow rounding. */
 #define KERN_PRICE_TOL KERN_VALUE_TOL
 /* Least pivot, as a share of the largest entry of the entering column. */
 #define KERN_PIVOT_LEAST KERN_VALUE_TOL
@@ -1770,7 +1775,7 @@ extern "C" {
 #define KERN_CRASH_COLUMNS 12
 /* Crash basis: least determinant of three columns with entries of about 1. */
 #define KERN_CRASH_DET KERN_LATE_PIVOT
-/* Crash basis: loads that a column may pull. */
+/* Crash basis: most pull of a column, in loads. */
 #define KERN_CRASH_PULL KERN_R(2)
 /* Pivots before prices are refined: most programs take fewer. */
 #define KERN_PIVOTS 50
@@ -1778,8 +1783,9 @@ extern "C" {
 #define KERN_PIVOTS_ROW 2
 /* Bland's rule begins after this multiple of these: it is safe, and slow. */
 #define KERN_PIVOTS_BLAND 5
-/* Pivots in all of a program of a structure, in budgets of these and one for each
-   column: only jams take more than two budgets, and the interior point answers these sooner. */
+/* Limit of the pivots of a program of a structure: this many budgets of the
+   pivots above, plus one for each column. Only jams take more than two budgets,
+   and the interior point answers them sooner. */
 #define KERN_PIVOTS_JAM 3
 /* Pivots in all of other programs, to end what rounding might keep going. */
 #define KERN_PIVOTS_MOST 200
@@ -1792,7 +1798,7 @@ extern "C" {
 #define KERN_RAISE_NORM KERN_R(200)
 /* Slide of a stone that falls into a jam, in approaches. */
 #define KERN_SLIDE_MOST KERN_R(100)
-/* Rounds of Newton's method for one set of prices; it ends in four, usually. */
+/* Most rounds of Newton's method for one set of prices; usually it takes 4. */
 #define KERN_PRICED_ROUNDS 10
 /* A search is lost once u goes this many times as far as in its first round,
    and once more for each group, since in a row their slides add up; or, from a
@@ -1806,8 +1812,8 @@ extern "C" {
 #define KERN_PATIENCE 20
 /* The most work of one search, in factors of its matrix. */
 #define KERN_SEARCH_COSTS 3000
-/* Prices go forward, by how many of their last changes, where the cosine of two
-   changes is larger than this. */
+/* Prices are extrapolated by KERN_FORWARD of their last changes where the
+   cosine of the last two changes is larger than KERN_COHERENT. */
 #define KERN_FORWARD KERN_R(2)
 #define KERN_COHERENT KERN_R(0.7)
 /* Share of a price's fall in a round. */
@@ -1829,8 +1835,9 @@ extern "C" {
    so that contacts may be less stiff along t. */
 #define KERN_STAYS_NEAR 4
 #define KERN_STAYS_STIFF KERN_R(4)
-/* Its law, fitted to placements: the largest reserve that it asks for, since
-   more says no more; what is added to it; and its scale. */
+/* The law of kern_stays(), fitted to placements: the largest reserve that it
+   searches for, the number added to the reserve, and the scale. A larger
+   reserve does not change the chance. */
 #define KERN_STAYS_MOST KERN_R(0.01)
 #define KERN_STAYS_ADD KERN_R(0.004)
 #define KERN_STAYS_ODDS KERN_R(5.5e7)
@@ -2156,8 +2163,8 @@ static kern_real kern_force_size(const kern_wrench *w)
     return kern_max(kern_vec_length(f), kern_vec_largest(f));
 }
 
-/* Adds a share of a wrench on block b to a sum. Returns the magnitude of what
-   is added. */
+/* Adds a share of a wrench on block b to a sum. Returns the magnitude of the
+   addend. */
 static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
                                  const kern_wrench *w, kern_real share)
 {
@@ -2567,8 +2574,7 @@ static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                     error, left / (KERN_TOL * size + KERN_ROUNDING * sum[3]));
         }
 
-    /* The sum of the forces, as a share of the largest that is taken for
-       real. */
+    /* The sum of the forces, over the largest that a proof may have. */
     weight *= KERN_BOUND;
     if (!kern_is_finite(weight)) /* it would allow any forces */
         return KERN_INFINITY;
@@ -2890,12 +2896,12 @@ typedef struct kern_graph {
     int *carrier;      /* of a group: what alone bears it; or KERN_OUT   */
 } kern_graph;
 
-/* What was found for the last verdict.
+/* The forces and the motion of the last verdict.
 
    `force` has two phases. Between verdicts, and in the pass, it holds contact
-   forces: those from which the pass begins become those that it finds. While a
-   program of all groups is solved they mean nothing, and the place belongs to
-   kern_model_rays(). `sum` is scratch of the proofs: no function leaves
+   forces: the pass replaces the forces from which it begins by those that it
+   finds. While a program of all groups is solved, kern_model_rays() keeps other
+   data in `force`. `sum` is scratch memory of the proofs: no function leaves
    anything in it for another. */
 typedef struct kern_answer {
     const kern_known *known; /* forces that held one like it, or NULL        */
@@ -3138,8 +3144,9 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
 }
 
 /* The row of a contact at one of its ends: three equations of the group there.
-   All that look for forces use it by two verbs, motion to speed and force to
-   wrench; proofs have their own, so as not to share a fault. */
+   Every method that looks for forces takes from it the speed of a motion at the
+   contact, and the wrench of a force. Proofs have code of their own, so that no
+   fault is in both. */
 typedef struct kern_row {
     kern_real n[3]; /* wrench of a unit of normal force             */
     kern_real turn; /* along t it is (-n[1], n[0], turn)            */
@@ -3559,8 +3566,9 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
     const kern_factors *f = &sx->factors;
     int e, g, k;
 
-    /* B_0^-1: from top to bottom each group's columns take what its rows ask
-       for, and pass on what they do to the group that they lead to. */
+    /* Multiplies by B_0^-1 from top to bottom: solves the rows of each group
+       for its own columns, and subtracts what these exert on the group that
+       they lead to. */
     for (g = 0; g < f->groups; g++) {
         const kern_real *d = f->block + 18 * g;
         kern_real *own = v + 3 * g;
@@ -4006,8 +4014,8 @@ static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 
 /* Computes prices and chooses the variable that enters, sx->enters, by the
    rule: it lowers the sum of violations, or the costs, at the rate sx->gain =
-   c_j - y.A_j. What would have to carry more than lp->most to undo the
-   violations is no help: it is of a jam. Returns 0 if none enters. */
+   c_j - y.A_j. A variable that would have to exceed lp->most to remove the
+   violations does not enter: it belongs to a jam. Returns 0 if none enters. */
 static int kern_entering(kern_simplex *sx, kern_rule rule)
 {
     const kern_program *lp = sx->lp;
@@ -4613,9 +4621,9 @@ static void kern_skyline_factor(kern_skyline *a)
         kern_real *row = a->entry + a->offset[g], *d = row + wide - 3;
         const kern_real was[3] = {d[0], d[wide + 1], d[2 * wide + 2]};
 
-        /* The row's blocks from its first column to the diagonal: first less
-           what the row has in common with row h, from the later of their first
-           columns on. */
+        /* Computes the row's blocks from its first column to the diagonal.
+           From each it subtracts the products of the columns that this row has
+           in common with row h. */
         for (h = a->first[g]; h <= g; h++) {
             const int from = a->first[g] > a->first[h] ? a->first[g]
                                                        : a->first[h];
@@ -5416,8 +5424,8 @@ static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
 }
 
 /* Finds the least change that makes the rays exert b, by Newton's method with
-   full steps. Returns KERN_STANDS; KERN_FALLS, where something is left whatever
-   the rays do; KERN_UNDECIDED, where the method does not end. */
+   full steps. Returns KERN_STANDS; KERN_FALLS where the rays cannot exert b; or
+   KERN_UNDECIDED where the method does not end. */
 static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
                                    kern_real tolerance)
 {
@@ -5486,7 +5494,7 @@ static kern_status kern_pass_alone(kern_model *m, int g)
         of[n++] = e;
     }
 
-    /* Writes the forces; what carries them is balanced again. */
+    /* Writes the forces, and marks the groups that carry them as open. */
     status = kern_pass_solve(c, 2 * n, b, tolerance);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_real plus = unit[k] * kern_max(c[2 * k].x, 0);
@@ -5640,8 +5648,8 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.b[n]);
 
-    /* Where the norm grows without limit no forces exist, but only a motion
-       that parts from what rests on the part proves that it falls. */
+    /* Where the norm grows without limit no forces exist. That the part falls
+       is proven only by a motion that parts from all that rests on it. */
     status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_CLUSTER_NORM * load,
                             KERN_START_COLD, KERN_NORM_ROUNDS);
     if (status == KERN_STANDS)
@@ -5675,8 +5683,8 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
     return status;
 }
 
-/* Makes the next pass begin with the known forces, if there are any. Where
-   kerns are no smaller than there these balance all but the last block. */
+/* Makes the next pass begin with the known forces, if there are any. Where the
+   kerns are as large as then, only the last block is unbalanced. */
 static void kern_known_begin(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
@@ -5765,7 +5773,7 @@ typedef struct kern_ipm {
     kern_real s;
     kern_real gap;     /* sum of x z: s is so near to the maximum      */
     kern_real *z;      /* of a ray: its opening speed                  */
-    kern_real *dx;     /* of a ray: its step; that of z is dual.turn   */
+    kern_real *dx;     /* of a ray: its step; z has its in dual.turn   */
     kern_real *d;      /* of a ray: D                                  */
     kern_real *excess; /* of a row: A x - b + s g                      */
     kern_real *g;      /* of a row                                     */
@@ -6023,7 +6031,8 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
 {
     int rays, n;
 
-    /* A program of all groups may lie where the lists of the groups must be. */
+    /* Makes the lists of the groups again if a program of all groups has taken
+       their memory. */
     if (m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
@@ -6090,8 +6099,8 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
     kern_model_arms(m, q);
     kern_part_load(p, q, p->eq.rhs);
 
-    /* What was found for the last query is near: lifted a little, it saves some
-       rounds. */
+    /* Starts from the solution of the last query, which is close; lifting it a
+       little saves some rounds. */
     if (in->gap <= KERN_IPM_GAP_MOST) {
         in->s = kern_min(in->s, -KERN_IPM_S);
         kern_ipm_centre(in, kern_max(in->gap, KERN_IPM_GAP));
@@ -6163,7 +6172,7 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     KERN_ASSERT(eq->lp.rows == 3 * p->groups);
     m->reduction = kern_reduction(q);
 
-    /* Units and loads depend on all of a query. */
+    /* Units and loads depend on the whole query. */
     for (k = 0; k < p->groups; k++)
         kern_model_unit(m, q, p->group[k]);
     kern_part_load(p, q, eq->rhs);
@@ -6367,7 +6376,8 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     status = kern_part_evaluate(p, q);
 
     /* The last resort, in double only: the interior point rounds differently
-       and needs other memory. In float it would prove what is critical. */
+       and needs other memory. In float its proofs are too coarse near the
+       critical value. */
     if (KERN_PICK(1, 0) > 0
         && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
             || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
@@ -6960,7 +6970,8 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
         *e += 2;
     }
 
-    /* A kern closes at `most`: a line that is met later stands there. */
+    /* The kern closes at `most`. If no end has met the load by then, none
+       does. */
     return crit + offset <= most ? crit : KERN_INFINITY;
 }
 
@@ -7070,8 +7081,8 @@ static int kern_start_falls(kern_model *m, kern_path *path,
 }
 
 /* Returns the verdict on the open part alone at s, all other blocks held; after
-   KERN_FALLS path->critical is its critical value. Its standing proves nothing:
-   KERN_UNDECIDED, and `holds` stays that of the whole. */
+   KERN_FALLS path->critical is its critical value. That the part stands proves
+   nothing about the whole: then returns KERN_UNDECIDED and leaves `holds`. */
 static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_real holds = path->holds;
@@ -7134,8 +7145,8 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     if (known && kern_start_falls(m, path, known))
         return at;
 
-    /* 2. A body tips: just before its value. If that is the start or lies
-       before it, the start falls, or is asked. */
+    /* 2. A body tips: just before its value. The start itself if the value
+       does not lie beyond it. */
     kern_body_first(m, path, &body);
     if (body.margin < most) {
         if (body.holds > path->start)
@@ -7222,8 +7233,8 @@ static kern_status kern_path_interior(kern_model *m, kern_path *path,
 }
 
 /* Finds the critical value of the whole beyond path->holds, at q, by its linear
-   program. KERN_UNDECIDED at the first place that this cannot decide, if the
-   interior point goes on. */
+   program. Returns KERN_UNDECIDED at the first place that the program cannot
+   decide if the interior point can continue from there. */
 static kern_status kern_path_program(kern_model *m, kern_path *path,
                                      const kern_query *q, kern_real first,
                                      kern_real step)
@@ -7480,8 +7491,7 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     if (status != KERN_OK)
         return status;
 
-    /* The path is not followed: its query is the task's at `shrink`, which is
-       the question. */
+    /* Answers the path's first query, which is the task at `shrink`. */
     status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
     kern_proof_out(&c.m, proof, status);
     return kern_ended(task, status);
@@ -8022,8 +8032,8 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
         if (rounds-- == 0)
             return KERN_UNDECIDED;
 
-        /* What moves in the mechanism is taken away. The others are asked just
-           beyond the proof. */
+        /* Removes the blocks that move in the mechanism. The verdict on the
+           others is just beyond the proof. */
         if (status == KERN_FALLS) { /* the rest, just beyond the proof */
             kern_fall_add(m, fall, at, KERN_FALL_MOVING);
             kern_model_group(m, &path->q);
@@ -9237,8 +9247,9 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* Sine of 10 degrees: the normals of a line contact and of a vertex that
    belongs to it differ by less, those at a corner by more. */
 #define KERN_SAME_FACE KERN_R(0.17364817766693036)
-/* Strides of the search for overlap to a gap, and of a stride to its growth. An
-   overlap may be a stride deeper unseen. More strides take more time. */
+/* Strides of the search for overlap to a gap, and of a stride to its growth.
+   The depth that is found may be too low by a stride. More strides take more
+   time. */
 #define KERN_STRIDES 32
 /* Most triangles of a size that are tried for an inner point of a block. */
 #define KERN_TRIANGLES 32
@@ -10047,7 +10058,7 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
                                    : KERN_INFINITY;
         half = c->travel * cosine;
 
-        /* the line holds this point's place */
+        /* the line contact already covers this point */
         if (lead->line && !c->line && cosine > 0 && sine < KERN_SAME_FACE
             && kern_max(off, hollow) <= pair->gap)
             continue;
@@ -10295,7 +10306,7 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
 
 /* Makes one ground of all fixed blocks, so that what is cut in two carries as
    before: contacts with any of them become contacts with the first, and
-   stretches which follow each other one. Travels of points follow. */
+   stretches which follow each other one. Sets the travels of points again. */
 static void kern_search_ground(kern_search *s)
 {
     kern_pair *pair = &s->pair;
@@ -10447,7 +10458,8 @@ static int kern_search_run(const kern_block *block, int blocks,
     if (status != KERN_OK)
         return (int)status;
 
-    /* lines become two points; lone points need all that carry their block */
+    /* Turns each line into two points. The travel of a lone point depends on
+       all contacts that carry its block, so it comes last. */
     if (kind == KERN_SEARCH_OVERLAPS)
         return s.pair.count;
     if (kind >= KERN_SEARCH_STRETCHES)

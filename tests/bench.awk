@@ -5,10 +5,11 @@
 # placements by size, then the files
 # of the corpus by size: median, p90 and worst of each ratio, over all tries where
 # stones were tried, and over all structures their sums and the share above one
-# LP; then made structures. Of those a family's number is the median
-# over its structures, a size's number the median over the families' numbers; the
-# worst is that of any structure. In rates (names that end with /s) the least is
-# the worst.
+# LP; then the answers and the times of each peer; then made structures. Of those
+# a family's number is the median over its structures, a size's number the median
+# over the families' numbers but that of fitted masonry, which has a row of its
+# own; the worst is that of any structure. In rates (names that end with /s) the
+# least is the worst.
 
 BEGIN {
     FS = ","
@@ -19,6 +20,10 @@ BEGIN {
 }
 
 $1 == "family" || NF != 6 { next }
+$5 ~ /^peer / {
+    peer($4 == 2 ? "corpus" : "made")
+    next
+}
 $4 == 2 {
     ratio[$5, class_of($2), ++ratios[$5, class_of($2)]] = $6
     total[$5] += $6
@@ -52,12 +57,48 @@ function robot(name, k) {
     if (name == "Box2D stays") same[k] += lets_go == $6
 }
 
+# Keeps an answer of a peer: which question it was, how the answer was, and its
+# time over that of kern.h.
+function peer(set,    word, key) {
+    split($5, word, " ")
+    key = set " " word[3] " " word[2]
+    if (!(key in answers)) asked_of[++peers_asked] = key
+    slower[key, ++answers[key]] = $6
+    answer[key, word[4]]++
+}
+
+# How often each peer answered, and its time over the verdict's where it was right
+# or not; the corpus first.
+function peer_table(    list, word, text, i, j, k, n, set) {
+    text["open"] = "as it is"
+    text["closed"] = "kerns closed"
+    printf("%s| structures | question | solver | asked | right | no answer | " \
+           "wrong | time / verdict: median, p90, worst |\n" \
+           "|---|---|---|---:|---:|---:|---:|---:|\n",
+           summary ? "## Other solvers\n\n" : "ANSWERS of the peers\n\n")
+    split("corpus made", set, " ")
+    for (k = 1; k <= 2; k++)
+        for (i = 1; i <= peers_asked; i++) {
+            split(asked_of[i], word, " ")
+            if (word[1] != set[k]) continue
+            n = answers[asked_of[i]]
+            for (j = 1; j <= n; j++) list[j] = slower[asked_of[i], j]
+            j = median(list, n)
+            printf("| %s | %s | %s | %d | %d | %d | %d | %s  %s  %s |\n",
+                   word[1], text[word[2]], word[3], n,
+                   answer[asked_of[i], "right"], answer[asked_of[i], "none"],
+                   answer[asked_of[i], "wrong"], number(j, 2),
+                   number(list[int(0.9 * (n - 1) + 1.5)], 2), number(list[n], 2))
+        }
+    printf("\n")
+}
+
 # A robot's whole question, a row for each class of sizes.
 function robots(    list, item, all, m, k, i, j, n, sum) {
     m = split("pose us;touch us;bears us;try us;stays us;kern us;Box2D us;" \
               "Box2D / kern", all, ";")
-    printf("%s| stones | placements |", summary ? "" : "A ROBOT'S QUESTION: " \
-           "median, p90, worst of each step\n\n")
+    printf("%s| stones | placements |", summary ? "## A robot's question\n\n" : \
+           "A ROBOT'S QUESTION: median, p90, worst of each step\n\n")
     for (i = 1; i <= m; i++) cell(all[i])
     cell("sums, Box2D / kern")
     cell("agree")
@@ -108,8 +149,8 @@ function spread(name, from, to,    list, n, i, k, m) {
 function corpus(list,    all, m, k, i, name, unit, sum, mean) {
     m = split(list, all, ";")
     if (!("verdict / LP" in of)) return
-    printf("%s| stones | structures |", summary ? "" : "THE CORPUS: median, " \
-           "p90, worst of each question / LP\n\n")
+    printf("%s| stones | structures |", summary ? "## Real structures\n\n" : \
+           "THE CORPUS: median, p90, worst of each question / LP\n\n")
     for (i = 1; i <= m; i++) cell(all[i])
     printf("\n|---:|---:|")
     for (i = 1; i <= m; i++) printf("---:|")
@@ -161,9 +202,10 @@ function of_family(name, blocks, f,    list, i, n) {
     return median(list, n)
 }
 
-# The median over all families, or over the walls alone.
+# The median over all families but fitted masonry, or over the walls alone.
 function of_all(name, blocks, walls,    list, i, n, v) {
     for (i = 1; i <= families; i++) {
+        if (family[i] == "fit") continue
         v = of_family(name, blocks, family[i])
         if (v != "" && (!walls || wall[family[i]])) list[++n] = v
     }
@@ -195,13 +237,13 @@ function cell(text) { printf(summary ? " %s |" : " %18s |", text) }
 
 function heading(name) { sub(/ ms$/, ", ms", name); return name }
 
-# Rows of one size: the median, each family, the worst.
+# Rows of one size: the median, fitted masonry or each family, the worst.
 function rows(blocks, names, n,    i, k, v, top, digits) {
     digits = summary ? 2 : 3
     for (i = 0; i <= families + (blocks != "growth"); i++) {
-        if (summary && i > 0 && i <= families) continue
-        printf("| %6s | %-6s |", blocks, i == 0 ? "median" : i <= families ? \
-               family[i] : "worst")
+        if (summary && i > 0 && i <= families && family[i] != "fit") continue
+        printf("| %6s | %-6s |", blocks, i == 0 ? "median" : i > families ? \
+               "worst" : summary ? "fitted" : family[i])
         for (k = 1; k <= n; k++) {
             top = worst_of[names[k], blocks]
             v = i == 0 ? of_all(names[k], blocks) : i <= families ? \
@@ -250,10 +292,11 @@ END {
     for (k = 1; k <= classes; k++) if (asks["kern us", k]) placed = 1
     if (placed) robots()
     corpus(reported)
+    if (peers_asked) peer_table()
     if (!families) exit
     times = "verdict ms;measure ms;scan ms;kerns closed ms;load ms;tilt ms"
     for (which = 0; which < 2 && !summary; which++) {
-        table("RATIOS to the faster peer's cold LP and warm Algorithm 1; to " \
+        table("RATIOS to the faster simplex's cold LP and warm Algorithm 1; to " \
               "the floor", "verdict / LP;measure / LP;kerns closed / LP;" \
               "Alg. 1 / peer's;scan / peer's;measure / floor", which)
         table("RATIOS to the measure",
@@ -261,8 +304,8 @@ END {
         table("CANDIDATES on walls", "places;stand;margin stays;tries/s;" \
               "stay/s;bears/s", which)
         table("TIMES", times ";floor ms;contacts ms", which)
-        table("TIMES of the peers", "GLPK ms;Clp ms;DAQP ms;LP closed ms;" \
-              "GLPK's Alg. 1 ms;Clp's Alg. 1 ms;DAQP's Alg. 1 ms", which)
+        table("TIMES of the peers", "GLPK ms;Clp ms;DAQP ms;OSQP ms;" \
+              "LP closed ms;GLPK's Alg. 1 ms;Clp's Alg. 1 ms", which)
         table("COUNTS", "points;d*/d_max;pivots at 0;pivots;LPs", which)
     }
     if (!summary) {
@@ -271,7 +314,7 @@ END {
         printf("Without a margin:%s\n", fallen)
         exit
     }
-    printf("\n")
+    printf("## Made structures\n\n")
     for (which = 0; which < 2; which++) {
         table("", "verdict ms;measure ms;peer's LP ms;verdict / LP;" \
               "measure / LP;kerns closed / LP;Alg. 1 / peer's", which)

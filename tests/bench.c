@@ -15,8 +15,16 @@
        git clone https://github.com/darnstrom/daqp DAQP
        (cd DAQP && cc -O2 -Iinclude -c src/[a-z]*.c && ar rcs libdaqp.a [a-z]*.o)
 
-   and -DBENCH_DAQP -IDAQP/include -LDAQP -ldaqp are added. DAQP's time includes
-   its setup, which factors the matrix.
+   and -DBENCH_DAQP -IDAQP/include -LDAQP -ldaqp are added. OSQP 1.0 is fetched,
+   too (its own build fetches QDLDL):
+
+       git clone https://github.com/osqp/osqp OSQP
+       cmake -S OSQP -B OSQP/build -DCMAKE_BUILD_TYPE=Release
+       cmake --build OSQP/build --target osqpstatic
+
+   with -DBENCH_OSQP -IOSQP/include/public -IOSQP/build/include/public
+   -LOSQP/build/out -losqpstatic. Both look for the least-norm forces; their times
+   include the setup, which factors the matrix. OSQP ends at 1e-6.
 
    So is Box2D 3, beside which a robot's whole question is asked (robot.h):
 
@@ -74,7 +82,10 @@
    MEDIANS, of bench.awk: files count alike, by size; of made structures a
    family's number is the median over its structures, a size's number the median
    over the families' numbers. A ratio is taken for each structure, against the
-   faster peer on that structure. The worst is that of any structure. What kern.h
+   faster simplex on that structure. The worst is that of any structure. Each
+   peer's own times stand beside the verdict's, with how often it had no answer or
+   a wrong one: two questions a structure that stands, as it is and with all kerns
+   closed, and wrong only beyond NEAR of the critical value. What kern.h
    leaves undecided is in no median, but is listed as DISAGREE; structures
    without a margin are listed at the end.
 
@@ -118,10 +129,10 @@
     X(GLPK, "GLPK ms", 0, 0)                                                  \
     X(CLP, "Clp ms", 0, 0)                                                    \
     X(DAQP, "DAQP ms", 0, 0)                                                  \
+    X(OSQP, "OSQP ms", 0, 0)                                                  \
     X(GLPK_WARM, "GLPK's Alg. 1 ms", 0, 0)                                    \
     X(CLP_WARM, "Clp's Alg. 1 ms", 0, 0)                                      \
-    X(DAQP_COLD, "DAQP's Alg. 1 ms", 0, 0)                                    \
-    X(LP, "peer's LP ms", 0, 0) /* of the faster peer               */        \
+    X(LP, "peer's LP ms", 0, 0) /* of the faster simplex            */        \
     X(WARM, "peer's Alg. 1 ms", 0, 0)                                         \
     X(LP_CLOSED, "LP closed ms", 0, 0)                                        \
     X(POINTS, "points", 0, 0) /* contact points                   */          \
@@ -717,43 +728,72 @@ static void run_lp_levels(struct ask *ask)
     ask->answer = algorithm_1(ask, lp_stands);
 }
 
-static double lp_time(struct ask *ask, double shrink, ask_function *run)
+/* Asks a peer one question, and records its time, that of the verdict on it, and
+   whether its answer is right, wrong or none. Returns the time. */
+static double ask_peer(struct ask *ask, const char *question, double shrink,
+                       int right, double ours)
 {
+    char text[40];
+    const char *name = ask->peer->name;
     double time;
     ask->shrink = shrink;
-    time = time_of(ask, run, open_lp);
+    time = time_of(ask, run_lp, open_lp);
     ask->bench->silent += ask->answer < 0;
     close_lp(ask);
+    (void)snprintf(text, sizeof text, "peer %s %s %s", name, question,
+                   ask->answer < 0                     ? "none"
+                   : right < 0 || ask->answer == right ? "right"
+                                                       : "wrong");
+    record(ask, text, time / ours);
     return time;
 }
 
-/* Differences count unless the shrinkage is as good as critical. */
+/* Asks a simplex for the level of Algorithm 1, each verdict from the last basis. */
+static void measure_peer_levels(struct ask *ask)
+{
+    const struct peer *peer = ask->peer;
+    const kern_margin *m = &ask->margin;
+    double time;
+    ask->shrink = 0;
+    time = time_of(ask, run_lp_levels, open_lp);
+    ask->bench->silent += ask->answer < 0;
+    close_lp(ask);
+    note(ask, GLPK_WARM + peer->number, time);
+    note(ask, WARM, fmin(ask->bench->value[WARM], time));
+    check(ask, ask->answer < 0 || level_fits(m, near_of(ask), ask->answer),
+          peer->name, m->level, ask->answer);
+}
+
+/* Differences of a simplex count unless the shrinkage is as good as critical:
+   then either answer is right. */
 static void measure_peer(struct ask *ask)
 {
-    const int peer = ask->peer->number;
+    const struct peer *peer = ask->peer;
     const double *value = ask->bench->value;
     const kern_margin *m = &ask->margin;
-    const int blocks = ask->scene->size;
     const int stands = ask->status == KERN_STANDS;
-    const double cold = lp_time(ask, 0, run_lp);
-    note(ask, GLPK + peer, cold);
-    note(ask, LP, fmin(value[LP], cold)); /* of NAN and a number the number */
-    check(ask,
-          ask->answer < 0 || ask->answer == stands
-              || (stands && m->margin < near_of(ask)),
-          "verdict at 0, of a peer", ask->status, ask->answer);
-    if (!stands || !(m->margin > 0) || blocks > CLOSED_MOST)
+    const int open = stands && m->margin < near_of(ask) ? -1 : stands;
+    const int closed = m->saturated                       ? 1
+                     : m->most - m->margin < near_of(ask) ? -1
+                                                          : 0;
+    double time = ask_peer(ask, "open", 0, open, value[VERDICT]);
+    note(ask, GLPK + peer->number, time);
+    if (peer->is_simplex) {
+        note(ask, LP,
+             fmin(value[LP], time)); /* of NAN and a number the number */
+        check(ask, ask->answer < 0 || open < 0 || ask->answer == open,
+              "verdict at 0, of a peer", ask->status, ask->answer);
+    }
+    if (!stands || !(m->margin > 0) || ask->scene->size > CLOSED_MOST)
         return;
-    note(ask, LP_CLOSED, fmin(value[LP_CLOSED], lp_time(ask, m->most, run_lp)));
-    check(ask,
-          ask->answer < 1 || m->saturated || m->most - m->margin < near_of(ask),
-          "peer stands with kerns closed", m->margin, m->most);
-    if (blocks > DETAIL_MOST || ask->scene->is_file)
+    time = ask_peer(ask, "closed", m->most, closed, value[CLOSED]);
+    if (!peer->is_simplex)
         return;
-    note(ask, GLPK_WARM + peer, lp_time(ask, 0, run_lp_levels));
-    note(ask, WARM, fmin(value[WARM], value[GLPK_WARM + peer]));
-    check(ask, ask->answer < 0 || level_fits(m, near_of(ask), ask->answer),
-          ask->peer->name, m->level, ask->answer);
+    note(ask, LP_CLOSED, fmin(value[LP_CLOSED], time));
+    check(ask, ask->answer < 1 || closed, "peer stands with kerns closed",
+          m->margin, m->most);
+    if (ask->scene->size <= DETAIL_MOST && !ask->scene->is_file)
+        measure_peer_levels(ask);
 }
 
 /* ---- One structure ------------------------------------------------------- */

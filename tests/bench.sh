@@ -2,9 +2,9 @@
 # bash tests/bench.sh [OPTIONS]    measures and writes the tables of BENCH.md;
 #                                  without OPTIONS with --quick --release
 #
-# GLPK and Clp are asked where their headers are, DAQP and Box2D where the
-# variables DAQP and BOX2D name their folders (the head of bench.c says how they
-# are made).
+# GLPK and Clp are asked where their headers are; DAQP, OSQP and Box2D where the
+# variables DAQP, OSQP and BOX2D name their folders (the head of bench.c says how
+# they are made).
 . "$(dirname "$0")/lib.sh"
 
 with=() libraries=()
@@ -13,6 +13,10 @@ with=() libraries=()
     libraries+=(-lClp -lCoinUtils)
 [ -n "${DAQP:-}" ] && with+=(-DBENCH_DAQP -I"$DAQP/include") &&
     libraries+=(-L"$DAQP" -ldaqp)
+[ -n "${OSQP:-}" ] &&
+    with+=(-DBENCH_OSQP -I"$OSQP/include/public"
+        -I"$OSQP/build/include/public") &&
+    libraries+=(-L"$OSQP/build/out" -losqpstatic)
 [ -n "${BOX2D:-}" ] && with+=(-DBENCH_BOX2D -I"$BOX2D/include") &&
     libraries+=(-L"$BOX2D" -lbox2d -lpthread)
 

@@ -1,6 +1,7 @@
 /* peers.h - the linear program of a structure, from the equations, and general
    solvers that it is given to: GLPK with -DBENCH_GLPK, Clp with -DBENCH_CLP,
-   DAQP with -DBENCH_DAQP, or none. Nothing here is taken from kern.h but its types:
+   DAQP with -DBENCH_DAQP, OSQP with -DBENCH_OSQP, or none. Nothing here is taken
+   from kern.h but its types:
 
        A(d) x = -w, x >= 0    three rows a free block, two columns a contact
                               point; lengths in mean block sizes, forces in
@@ -21,6 +22,9 @@
 #endif
 #ifdef BENCH_DAQP
 #include <api.h>
+#endif
+#ifdef BENCH_OSQP
+#include <osqp.h>
 #endif
 
 /* ---- The linear program -------------------------------------------------- */
@@ -280,28 +284,152 @@ static inline void daqp_close(void *model)
 
 #endif
 
+#ifdef BENCH_OSQP
+
+/* The least-norm forces: the rows of equilibrium first, then one for each
+   column, which is not below 0. */
+struct osqp {
+    OSQPFloat *norm, *value, *cost, *low, *high;
+    OSQPInt *norm_row, *norm_start, *row, *start;
+    int rows, cols;
+    OSQPSettings *settings;
+};
+
+/* Writes the entries of a column by rows, then the one of its bound. */
+static inline void osqp_column(struct osqp *osqp, const struct program *lp,
+                               int j)
+{
+    const int from = lp->start[j];
+    const OSQPInt at = from + j;
+    OSQPInt end = at, i;
+    int k;
+    for (k = from; k < lp->start[j + 1]; k++) {
+        for (i = end; i > at && osqp->row[i - 1] > lp->row[k]; i--) {
+            osqp->row[i] = osqp->row[i - 1];
+            osqp->value[i] = osqp->value[i - 1];
+        }
+        osqp->row[i] = lp->row[k];
+        osqp->value[i] = lp->value[k];
+        end++;
+    }
+    osqp->row[end] = lp->rows + j;
+    osqp->value[end] = 1;
+    osqp->start[j + 1] = end + 1;
+}
+
+static inline void osqp_change(void *model, const struct program *lp)
+{
+    int j;
+    for (j = 0; j < lp->cols; j++)
+        osqp_column(model, lp, j);
+}
+
+static inline void *osqp_open(const struct program *lp)
+{
+    struct osqp *osqp = room_for(1, sizeof *osqp);
+    const size_t cols = (size_t)lp->cols, all = cols + (size_t)lp->rows;
+    const size_t entries = cols + (size_t)lp->start[lp->cols];
+    size_t i;
+    osqp->rows = lp->rows;
+    osqp->cols = lp->cols;
+    osqp->norm = room_for(cols, sizeof *osqp->norm);
+    osqp->norm_row = room_for(cols, sizeof *osqp->norm_row);
+    osqp->norm_start = room_for(cols + 1, sizeof *osqp->norm_start);
+    osqp->cost = room_for(cols, sizeof *osqp->cost);
+    for (i = 0; i < cols; i++) {
+        osqp->norm[i] = 1;
+        osqp->cost[i] = 0;
+        osqp->norm_row[i] = osqp->norm_start[i] = (OSQPInt)i;
+    }
+    osqp->norm_start[cols] = (OSQPInt)cols;
+    osqp->low = room_for(all, sizeof *osqp->low);
+    osqp->high = room_for(all, sizeof *osqp->high);
+    for (i = 0; i < all; i++) {
+        osqp->low[i] = i < (size_t)lp->rows ? lp->rhs[i] : 0;
+        osqp->high[i] = i < (size_t)lp->rows ? lp->rhs[i] : OSQP_INFTY;
+    }
+    osqp->value = room_for(entries, sizeof *osqp->value);
+    osqp->row = room_for(entries, sizeof *osqp->row);
+    osqp->start = room_for(cols + 1, sizeof *osqp->start);
+    osqp->start[0] = 0;
+    osqp->settings = OSQPSettings_new();
+    osqp->settings->verbose = 0;
+    osqp->settings->eps_abs = osqp->settings->eps_rel = 1e-6;
+    osqp->settings->eps_prim_inf = 1e-6;
+    osqp_change(osqp, lp);
+    return osqp;
+}
+
+/* Begins from nothing each time, with the factorisation: a solver that is kept
+   factors a changed matrix again. */
+static inline int osqp_answer(void *model)
+{
+    struct osqp *osqp = model;
+    const OSQPInt n = osqp->cols, m = osqp->rows + n;
+    OSQPCscMatrix *P = OSQPCscMatrix_new(n, n, n, osqp->norm, osqp->norm_row,
+                                         osqp->norm_start);
+    OSQPCscMatrix *A = OSQPCscMatrix_new(m, n, osqp->start[n], osqp->value,
+                                         osqp->row, osqp->start);
+    OSQPSolver *solver = NULL;
+    OSQPInt status = 0;
+    if (!osqp_setup(&solver, P, osqp->cost, A, osqp->low, osqp->high, m, n,
+                    osqp->settings)
+        && !osqp_solve(solver))
+        status = solver->info->status_val;
+    osqp_cleanup(solver);
+    OSQPCscMatrix_free(A);
+    OSQPCscMatrix_free(P);
+    return status == OSQP_SOLVED            ? 1
+         : status == OSQP_PRIMAL_INFEASIBLE ? 0
+                                            : -1;
+}
+
+static inline void osqp_close(void *model)
+{
+    struct osqp *osqp = model;
+    free(osqp->norm);
+    free(osqp->norm_row);
+    free(osqp->norm_start);
+    free(osqp->cost);
+    free(osqp->low);
+    free(osqp->high);
+    free(osqp->value);
+    free(osqp->row);
+    free(osqp->start);
+    OSQPSettings_free(osqp->settings);
+    free(osqp);
+}
+
+#endif
+
 /* A solver: a model made of a program, with the basis of slacks; its solve from
-   the basis at hand (DAQP keeps none), 1 feasible, 0 infeasible, -1 no
-   answer; and new entries in the same places. */
+   the basis at hand (the quadratic ones keep none), 1 feasible, 0 infeasible,
+   -1 no answer; and new entries in the same places. Answers of a simplex must
+   agree with those of kern.h; wrong ones of a quadratic solver are counted, and
+   its times are in a table of their own. */
 static const struct peer {
     const char *name;
-    int number; /* 0 GLPK, 1 Clp, 2 DAQP                           */
-    int most;   /* largest structures that it is asked about       */
+    int number;     /* 0 GLPK, 1 Clp, 2 DAQP, 3 OSQP                   */
+    int most;       /* largest structures that it is asked about       */
+    int is_simplex; /* else it solves quadratic programs               */
     void *(*open)(const struct program *lp);
     void (*change)(void *model, const struct program *lp);
     int (*solve)(void *model);
     void (*close)(void *model);
 } peers[] = {
 #ifdef BENCH_GLPK
-    {"GLPK", 0, 200, glpk_open, glpk_change, glpk_solve, glpk_close},
+    {"GLPK", 0, 200, 1, glpk_open, glpk_change, glpk_solve, glpk_close},
 #endif
 #ifdef BENCH_CLP
-    {"Clp", 1, 2000, clp_open, clp_change, clp_solve, clp_close},
+    {"Clp", 1, 2000, 1, clp_open, clp_change, clp_solve, clp_close},
 #endif
 #ifdef BENCH_DAQP
-    {"DAQP", 2, 50, daqp_open, daqp_change, daqp_answer, daqp_close},
+    {"DAQP", 2, 50, 0, daqp_open, daqp_change, daqp_answer, daqp_close},
 #endif
-    {NULL, 0, 0, NULL, NULL, NULL, NULL},
+#ifdef BENCH_OSQP
+    {"OSQP", 3, 200, 0, osqp_open, osqp_change, osqp_answer, osqp_close},
+#endif
+    {NULL, 0, 0, 0, NULL, NULL, NULL, NULL},
 };
 
 #endif

@@ -706,6 +706,18 @@ python() { # python WANT OPTIONS: doctests and tests; is numpy there (0) or not?
         /usr/bin/python3 "$@" tests/python_test.py "$kern"
 }
 
+types() { # mypy and pyright, both strict; pyright where npm can bring it
+    local tool=pyright
+    mypy --strict examples/python/*.py || return 1
+    if ! command -v pyright >/dev/null; then
+        npm install --silent --prefix "$out" pyright@1.1.414 >/dev/null 2>&1 ||
+            { echo "pyright is not installed, and npm does not bring it"
+              return 0; }
+        tool=$out/node_modules/.bin/pyright
+    fi
+    "$tool" -p examples/python
+}
+
 python_sanitized() { # no call of the module touches memory that is not its own
     local kern asan
     kern=$(program kern examples/kern.c) || return 1

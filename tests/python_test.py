@@ -826,7 +826,7 @@ class Conventions(unittest.TestCase):
     def test_manual(self):
         """Everything public has a docstring that does not begin with a name of
         C, and help() has the chapters."""
-        self.assertIn("Questions to a structure", kern.__doc__)
+        self.assertIn("Methods of a structure", kern.__doc__)
         for name in set(kern.__all__) - {"Array"}:
             thing = getattr(kern, name)
             things = [(name, thing)] if callable(thing) else []

@@ -1,10 +1,10 @@
 """The build backend of pyproject.toml (PEP 517, PEP 660), which needs no other
 package and no network.
 
-The wheel is of this platform: the package kern with kern.py as its __init__.py,
-the compiled library beside it, and py.typed. An editable wheel holds the path of
-this folder, where kern.py compiles the headers at the first import after a
-change. The source archive holds the headers, too. Metadata are those of
+The wheel is for this platform: it holds the package kern, with kern.py as its
+__init__.py, the compiled library and py.typed. An editable wheel holds the path
+of this folder, where kern.py compiles the headers at the first import after a
+change. The source archive holds the headers as well. The metadata come from
 pyproject.toml.
 
 SPDX-License-Identifier: MIT
@@ -23,20 +23,23 @@ import sysconfig
 import tarfile
 import tempfile
 import zipfile
+from typing import Any, Dict, List, Optional
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 NAME = "kern_dry_stone"
 
 
-def _version():
+def _version() -> str:
     found = re.search(r'^__version__ = "(.*)"$',
                       (HERE / "kern.py").read_text(encoding="utf-8"), re.M)
+    if not found:
+        raise SystemExit("kern.py has no version")
     return found.group(1)
 
 
-def _library():
-    """The compiled library's bytes: what `kern.py --build FILE` writes."""
+def _library() -> bytes:
+    """Returns the compiled library, as `kern.py --build FILE` writes it."""
     if os.name != "posix":
         raise SystemExit("kern needs a POSIX system (Linux, macOS, WSL): it "
                          "compiles kern.h with cc")
@@ -56,29 +59,30 @@ def _library():
         return pathlib.Path(made).read_bytes()
 
 
-def _tag():
+def _tag() -> str:
     return "py3-none-" + re.sub(r"[-.]", "_", sysconfig.get_platform())
 
 
-def _project():
-    """The table [project] of pyproject.toml, whose values are also those of
-    Python: strings and lists, and tables of these."""
+def _project() -> Dict[str, Dict[str, Any]]:
+    """Returns the strings and lists of each table of pyproject.toml, which are
+    written as in Python."""
     text = (HERE / "pyproject.toml").read_text(encoding="utf-8")
     tables = re.split(r"^\[(.*)\]$", text, flags=re.M)
-    out = {}
+    out: Dict[str, Dict[str, Any]] = {}
     for name, body in zip(tables[1::2], tables[2::2]):
         rows = re.findall(r'^"?([\w -]+?)"? = (".*"|\[[^\]]*\])$', body, re.M)
         out[name] = {key: ast.literal_eval(value) for key, value in rows}
     return out
 
 
-def _readme():
-    """What README has above its first code, which is what a stranger asks."""
+def _readme() -> str:
+    """Returns the part of README above its first heading of a section."""
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     return re.sub(r"!\[[^]]*\]\([^)]*\)\n*", "", text.split("\n## ")[0])
 
 
-def _metadata():
+def _metadata() -> bytes:
+    """Returns the metadata of a wheel or a source archive."""
     tables = _project()
     told = tables["project"]
     lines = ["Metadata-Version: 2.1", "Name: " + told["name"],
@@ -95,8 +99,8 @@ def _metadata():
     return ("\n".join(lines) + "\n\n" + _readme() + "\n").encode()
 
 
-def _write(folder, files, tag):
-    """Writes a wheel with these files and its own records; returns its name."""
+def _write(folder: str, files: Dict[str, bytes], tag: str) -> str:
+    """Writes a wheel with these files and its own records. Returns its name."""
     version = _version()
     info = "%s-%s.dist-info" % (NAME, version)
     files = {
@@ -106,7 +110,7 @@ def _write(folder, files, tag):
                           "Root-Is-Purelib: false\nTag: %s\n" % tag).encode(),
         info + "/LICENSE": (ROOT / "LICENSE").read_bytes(),
     }
-    rows = []
+    rows: List[str] = []
     for name, data in files.items():
         digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest())
         rows.append("%s,sha256=%s,%d" % (
@@ -121,7 +125,9 @@ def _write(folder, files, tag):
     return wheel
 
 
-def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+def build_wheel(wheel_directory: str, config_settings: Any = None,
+                metadata_directory: Optional[str] = None) -> str:
+    """Writes the wheel of this platform. Returns its name (PEP 517)."""
     return _write(wheel_directory, {
         "kern/__init__.py": (HERE / "kern.py").read_bytes(),
         "kern/kern_library.so": _library(),
@@ -129,15 +135,16 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     }, _tag())
 
 
-def build_editable(wheel_directory, config_settings=None,
-                   metadata_directory=None):
+def build_editable(wheel_directory: str, config_settings: Any = None,
+                   metadata_directory: Optional[str] = None) -> str:
+    """Writes a wheel that points to this folder. Returns its name (PEP 660)."""
     return _write(wheel_directory,
                   {NAME + ".pth": (str(HERE) + "\n").encode()},
                   "py3-none-any")
 
 
-def _sources():
-    """The files that a wheel is made of, by their places in the archive."""
+def _sources() -> Dict[str, bytes]:
+    """Returns the files that a wheel needs, by their places in the archive."""
     inside = HERE.relative_to(ROOT).as_posix()
     text = (HERE / "kern.py").read_text(encoding="utf-8")
     listed = text[text.index("_HEADERS = "):text.index("_FLAGS = ")]
@@ -155,7 +162,8 @@ def _sources():
     return out
 
 
-def build_sdist(sdist_directory, config_settings=None):
+def build_sdist(sdist_directory: str, config_settings: Any = None) -> str:
+    """Writes the source archive. Returns its name (PEP 517)."""
     base = "%s-%s" % (NAME, _version())
     with tarfile.open(os.path.join(sdist_directory, base + ".tar.gz"), "w:gz",
                       format=tarfile.PAX_FORMAT) as out:

@@ -7,48 +7,54 @@
     >>> wall.measure()
     Margin(stands=True, margin=1.0, level=37, saturated=True)
 
-One file and the standard library; numpy is used where it is installed. The
+kern needs the standard library alone, and uses numpy where it is installed. The
 first import compiles kern.h with `cc` (or $CC) into the user's cache; later
 imports load the library from there. `pip install ./examples/python` compiles it
-once and installs both. This file may be linked to from elsewhere, since it looks
-for the headers beside where it really is. A copy of it needs a library:
-KERN_LIBRARY names one that `python3 kern.py --build FILE` made.
+once and installs it with this file. A symbolic link to this file works as well.
+A copy elsewhere needs the variable KERN_LIBRARY: the path of a library that
+`python3 kern.py --build FILE` wrote.
 
 Structures
     Block(name, vertices, ...) is a stone, or ground with fixed=True.
     Structure(blocks, options=Options(mu=0.6)) finds the contacts between them.
-    read(path), parse(text), from_labelme(page) and from_coco(page) make one of
-    files, drawings and photographs; save(path) writes one.
+    read(path), parse(text), from_labelme(page) and from_coco(page) read files,
+    drawings and photographs. wall.save(path) writes a file.
     wall["s3"] is a block; wall.move("s3", 0.1, 0) moves it.
 
-Questions to a structure
+Methods of a structure
     verdict()                does it stand?
-    let_go(), stays(block)   does it stay when all of it, or a block, is let go?
+    let_go(), stays(block)   does it, or a block, stay where it is released?
     measure()                margin: how far may every contact shrink?
-    load_factor(side), tilt(side), raised_load(side), live(loads): how much load?
-    profile(), critical(), sensitivity(): which block, which contact, and why?
-    interval()               how certain is that, of stones that were measured?
+    load_factor(side), raised_load(side), tilt(side), live(loads)
+                             how much load?
+    profile(), critical(), sensitivity()
+                             which block, which contact, and why?
+    interval()               how certain is the margin of measured stones?
     svg(), plot(ax)          how does it look?
-    An answer is true where the structure stands, has forces and motion as its
-    proof, which check_forces() and check_motion() check again, and as_dict().
 
-Questions about many
-    Plan(blocks) asks what one more block would do: try_(), bears(), try_stays().
+    An answer is true where the structure stands. Its `forces` and `motion` are
+    the proof, which check_forces() and check_motion() check once more.
+    as_dict() returns its numbers by name.
+
+Many structures
+    Plan(blocks) tries one more block: try_(), bears(), try_stays(), places().
     many(wall, poses=...) answers for arrays of structures, in C, on all
     processors.
 
-Units are metres, kilograms, newtons and radians; y points up, gravity is
-(0, -9.81). Any other units that agree will do. A density is a mass a square
-metre. An array has rows, shape, [i, j] and tolist(), with numpy or without.
-Bad input raises KernError, a ValueError that names the blocks; a word where a
-number belongs raises TypeError.
+Units are metres, kilograms, newtons and radians; y points up and gravity is
+(0, -9.81). Other consistent units work as well. A density is the mass of a
+square metre. An array has rows, shape, [i, j] and tolist(), with numpy or
+without. Bad input raises KernError, a ValueError that names the blocks. A word
+where a number belongs raises TypeError.
 
-A Structure and a Plan have private copies of their blocks and work memory of
-their own, and answer one thread at a time. Blocks, structures, plans, answers
-and errors can be pickled and copied.
+Each Structure and Plan has its own copies of the blocks and its own memory, and
+answers one thread at a time. Blocks, structures, plans, answers and errors can
+be pickled and copied.
 
 SPDX-License-Identifier: MIT
 """
+# The classes of this file share private names: they are private to the file.
+# pyright: reportPrivateUsage=false
 
 from __future__ import annotations
 
@@ -78,9 +84,9 @@ from typing import (Any, Callable, Dict, Iterable, Iterator, List,
                     Union, cast)
 
 try:
-    import numpy
+    numpy: Any = importlib.import_module("numpy")
 except ImportError:
-    numpy = None  # type: ignore
+    numpy = None
 
 if os.name != "posix":
     raise ImportError("kern.py: compiles kern.h with cc, so it needs a POSIX "
@@ -305,10 +311,10 @@ _FLAGS = ("-O2", "-ffp-contract=off", "-shared", "-fPIC", "-I%s" % _ROOT)
 def _source() -> str:
     """The C file of the library: the headers, what they keep static, and
     tables of their statuses, sizes and offsets."""
-    layout = []
+    layout: List[str] = []
     for name, mirror in _LAYOUTS.items():
         layout.append("SIZE(%s)" % name)
-        for part, _ in mirror._fields_:  # type: ignore
+        for part, *_ in mirror._fields_:
             layout.append("FIELD(%s, %s)" % (name, part))
     return """
 #define KERN_IMPLEMENTATION
@@ -387,7 +393,7 @@ int kern_py_draw(const char *path, const kern_structure *s, char *const *names,
 
 
 def build(path: Union[str, os.PathLike[str]]) -> None:
-    """Compiles the library into a file, which appears there as a whole."""
+    """Compiles the library and writes it to a file. Raises ImportError."""
     target = pathlib.Path(path).resolve()
     with tempfile.TemporaryDirectory(dir=target.parent) as folder:
         source, made = (pathlib.Path(folder, name) for name in ("k.c", "k.so"))
@@ -398,7 +404,8 @@ def build(path: Union[str, os.PathLike[str]]) -> None:
             subprocess.run(command, check=True, capture_output=True, text=True)
         except (OSError, subprocess.CalledProcessError) as error:
             raise ImportError("kern.h could not be compiled: %s\n%s" % (
-                " ".join(command), getattr(error, "stderr", error))) from None
+                " ".join(command), getattr(error, "stderr", error)
+            )) from None
         os.replace(made, target)
 
 
@@ -534,7 +541,7 @@ _STANDS, _FALLS = int(Status.STANDS), int(Status.FALLS)
 
 
 def status_text(status: int) -> str:
-    """What a status means.
+    """Returns the meaning of a status.
 
     >>> status_text(Status.FALLS)
     'falls: a motion was found that no forces can stop'
@@ -546,16 +553,13 @@ class KernError(ValueError):
     """The library refused its input, or could not decide.
 
     status:   the Status, below 0
-    blocks:   names of the blocks at fault, none, one or two
-    index:    of the vertex or contact point at fault, or -1
-    value:    the depth of an overlap [m], or 0; of a plan's candidate it is at
-              least so deep
-    overlaps: of all blocks that overlap two names, the depth, and what is
-              allowed [m]
-    margin:   of measure() with Status.LIMIT the Margin that was proven by then,
-              else None
-
-    It is a ValueError.
+    blocks:   names of the blocks at fault: none, one or two
+    index:    number of the vertex or contact point at fault, or -1
+    value:    depth of an overlap [m], or 0; a lower bound of it from a Plan
+    overlaps: a tuple for each pair of blocks that overlap: two names, the depth
+              [m] and the depth that is allowed [m]
+    margin:   the Margin that measure() had proven when it reached the limit of
+              work (Status.LIMIT), otherwise None
 
     >>> Structure([Block("bow tie", [(0, 0), (1, 1), (2, 0), (0, 1)])])
     Traceback (most recent call last):
@@ -615,8 +619,9 @@ def _error_again(status: int, args: Tuple[str, ...],
 
 
 class Array(Protocol):
-    """An array of numbers, (n, k): of numpy where it is installed, else Rows.
-    Both have a length, rows to iterate over, [i, j], shape and tolist()."""
+    """An array of numbers, (n, k): one of numpy where it is installed,
+    otherwise Rows. Both have a length, rows to iterate over, [i, j], shape and
+    tolist()."""
 
     @property
     def shape(self) -> Tuple[int, ...]: ...
@@ -629,7 +634,7 @@ class Array(Protocol):
 
 
 class Rows:
-    """Rows of numbers where numpy is not installed. A row is a tuple.
+    """An array of numbers where numpy is not installed. A row is a tuple.
 
     >>> rows = Rows(memoryview(bytearray(32)).cast("d"), 2)
     >>> rows[1, 0] = 3
@@ -644,7 +649,7 @@ class Rows:
 
     @property
     def shape(self) -> Tuple[int, int]:
-        """How many rows and columns there are."""
+        """The number of rows and the number of columns."""
         return len(self), self._columns
 
     def __len__(self) -> int:
@@ -656,25 +661,31 @@ class Rows:
     def __iter__(self) -> Iterator[Tuple[float, ...]]:
         return map(self._row, range(len(self)))
 
+    @staticmethod
+    def _key(key: Any) -> Tuple[Any, Any]:
+        """Returns the row and the column of an index: all columns of i."""
+        return cast(Tuple[Any, Any], key if isinstance(key, tuple)
+                    else (key, slice(None)))
+
     def __getitem__(self, key: Any) -> Any:
-        i, j = key if isinstance(key, tuple) else (key, slice(None))
-        where = range(len(self))[i]
-        if isinstance(where, range):
-            return [self._row(k)[j] for k in where]
-        return self._row(where)[j]
+        i, j = self._key(key)
+        if isinstance(i, slice):
+            return [self._row(k)[j] for k in range(len(self))[i]]
+        row: Any = self._row(range(len(self))[operator.index(i)])
+        return row[j]
 
     def __setitem__(self, key: Any, value: Any) -> None:
-        i, j = key if isinstance(key, tuple) else (key, slice(None))
-        start, where = range(len(self))[i] * self._columns, range(
-            self._columns)[j]
-        if isinstance(where, range):
+        i, j = self._key(key)
+        start = range(len(self))[operator.index(i)] * self._columns
+        if isinstance(j, slice):
+            where = range(self._columns)[j]
             if len(value) != len(where):
                 raise ValueError("%d numbers for %d columns"
                                  % (len(value), len(where)))
             for k, number in zip(where, value):
                 self._flat[start + k] = number
         else:
-            self._flat[start + where] = value
+            self._flat[start + range(self._columns)[operator.index(j)]] = value
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Rows) and self.tolist() == other.tolist()
@@ -686,15 +697,15 @@ class Rows:
         return _rows_of, (self.tobytes(), self._columns)
 
     def tolist(self) -> List[List[float]]:
-        """A list of lists."""
+        """Returns the rows as a list of lists."""
         return [list(row) for row in self]
 
     def tobytes(self) -> bytes:
-        """The numbers as doubles of this machine, row by row."""
+        """Returns the numbers as doubles of this machine, row by row."""
         return bytes(self._flat)
 
     def toreadonly(self) -> Rows:
-        """The same numbers, which cannot be written."""
+        """Returns the same numbers as Rows that cannot be changed."""
         return Rows(self._flat.toreadonly(), self._columns)
 
 
@@ -781,21 +792,23 @@ class Options:
     """Tolerances, friction and limits of a structure.
 
     mu:       friction of contacts between polygons, tan(friction angle)
-    gap:      widest gap that is a contact [m]; 0: a thousandth of the size of
-              the smaller free block
+    gap:      widest gap that counts as a contact [m]; 0: a thousandth of the
+              size of the smaller free block
     angle:    widest angle between edges that touch [rad], below 0.5
     epsilon:  step of the level [m]; 0: a fiftieth of the mean block size
-    relative: contacts shrink by a share of their length, not by a length
-    limit:    most units of work of one question; 0: 2,000,000,000
-    overlap:  deepest overlap that is a contact [m]; 0: gap
+    relative: whether contacts shrink by a share of their length instead of by a
+              length
+    limit:    limit on the work of one call, in units; 0: 2,000,000,000
+    overlap:  deepest overlap that counts as a contact [m]; 0: the gap
     pose_error, pose_turn: standard error of the blocks' places [m] and turns
               [rad], which measured() sets; 0: exact
     narrow:   rate at which friction falls as contacts shrink [1/m]
-    reserve:  most that raised(reserve=True) asks for, a share of g; 0: 0.1
+    reserve:  largest reserve that raised(reserve=True) searches for, a share of
+              g; 0: 0.1
     lone:     direction of gravity in which lone points are moved; (0, 0): none
 
-    A number out of its range raises KernError, what is no number TypeError, at
-    the next update() of a structure.
+    At the next update() of a structure a number out of its range raises
+    KernError, and a value that is no number raises TypeError.
 
     >>> Options(mu=0.6).near(1.0).gap
     0.04
@@ -856,16 +869,19 @@ class Options:
                        c.narrow, c.reserve, (c.lone.x, c.lone.y))
 
     def near(self, mean_size: float) -> Options:
-        """Returns options that also find contacts which a first rocking closes.
+        """Returns options that also find the contacts which close as soon as
+        the structure rocks.
 
-        mean_size: Structure.mean_size [m], whose share the gap is"""
+        mean_size: Structure.mean_size [m]; the gap is a share of it"""
         return Options._of(_near(byref(self._c()), mean_size))
 
     def measured(self, e: float, theta: float) -> Options:
         """Returns options for poses that were measured, with wider tolerances.
 
-        e, theta: standard errors of places [m] and turns [rad]; errors out of
-        their range raise KernError. Ask Structure.interval() then.
+        e:     standard error of the places [m]
+        theta: standard error of the turns [rad]
+        Raises KernError for errors out of their range. Structure.interval()
+        then returns the range of the margin.
 
         >>> round(Options().measured(0.01, 0.01).gap, 6)
         0.0525
@@ -878,11 +894,11 @@ class Options:
 
 
 class _Answer:
-    """What blocks and answers have."""
+    """The base of blocks and answers."""
 
     def as_dict(self) -> Dict[str, Any]:
-        """Returns the numbers by name, arrays as lists, without the proof of an
-        answer; an error is its message.
+        """Returns the numbers by name, without the proof of an answer. Arrays
+        become lists, and an error becomes its message.
 
         >>> example().verdict().as_dict()
         {'stands': True}
@@ -915,9 +931,9 @@ class Block(_Answer):
     load:     force and torque [N, N, N m] at the centre, besides the weight
 
     vertices becomes an Array (n, 2). A numpy array of float64 in C order is not
-    copied: what is written there later counts at the next update(). A closed
-    ring loses its last vertex. Raises ValueError for other shapes, for polygons
-    with holes or of several parts; body() and structures raise KernError where
+    copied: a later change of it counts from the next update(). A closed ring
+    loses its last vertex. Raises ValueError for other shapes and for polygons
+    with holes or of several parts. body() and Structure() raise KernError where
     the polygon crosses itself or has no area.
 
     >>> b = Block("b", [(0, 0), (2, 0), (2, 1), (0, 1)], density=2)
@@ -936,9 +952,10 @@ class Block(_Answer):
     _taken: Any = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
-        if not isinstance(self.name, str):
+        name = cast(object, self.name)
+        if not isinstance(name, str):
             raise TypeError("a block has a str as its name, read %r"
-                            % (self.name,))
+                            % (name,))
         self._take()
 
     def __eq__(self, other: object) -> bool:
@@ -977,7 +994,7 @@ class Block(_Answer):
         if holes:
             raise ValueError("'%s': the polygon has %d hole%s, a block has none"
                              % (self.name, holes, "s" if holes > 1 else ""))
-        ring = getattr(self.vertices, "exterior", self.vertices)
+        ring: Any = getattr(self.vertices, "exterior", self.vertices)
         ring = getattr(ring, "coords", ring)
         try:
             if numpy is None or not isinstance(ring, numpy.ndarray):
@@ -1041,8 +1058,12 @@ class Block(_Answer):
         return Body(abs(c.area), c.mass, (c.centre.x, c.centre.y))
 
     def push(self, force: Point, at: Point, torque: float = 0.0) -> Block:
-        """Adds a force [N] that acts at a point [m], and a torque [N m], to the
-        load of the block, about the centre that it has now. Returns the block.
+        """Adds a force and a torque to the load of the block. Returns the
+        block.
+
+        force:  (x, y) [N]
+        at:     the point at which the force acts [m]
+        torque: [N m], counter-clockwise
 
         >>> Block("b", [(0, 0), (2, 0), (2, 1), (0, 1)]).push((3, 0), (0, 1)).load
         (3.0, 0.0, -1.5)
@@ -1054,8 +1075,9 @@ class Block(_Answer):
         return self
 
     def move(self, x: float, y: float, turn: float = 0.0) -> Block:
-        """Turns the block [rad] about its centre of mass, then shifts it [m], in
-        place. Returns the block. Structures that hold it need an update()."""
+        """Turns the block [rad] about its centre of mass, then shifts it [m],
+        in place. Returns the block. Structures that hold it need an
+        update()."""
         cx, cy = self.body().centre
         cos, sin = math.cos(turn), math.sin(turn)
         v = self.vertices
@@ -1070,7 +1092,7 @@ class Block(_Answer):
         return self
 
     def to_shapely(self) -> Any:
-        """Returns the polygon as one of shapely, which must be installed."""
+        """Returns a Polygon of shapely, which must be installed."""
         return importlib.import_module("shapely.geometry").Polygon(
             [tuple(point) for point in self.vertices.tolist()])
 
@@ -1080,12 +1102,13 @@ class Contact(_Answer):
     """A contact point between two blocks.
 
     a, b:   numbers of the blocks; a force pushes b along n and a against it
-    line:   whether it is an end of a line contact, whose ends are neighbours
+    line:   whether it is an end of a line contact; the other end is the point
+            before or after it in the list
     p:      place [m]
     n:      normal, of length 1, out of a and into b
     mu:     friction, tan(friction angle)
-    travel: how far and in which sense the point moves along the contact when it
-            shrinks [m]; 0: it stays"""
+    travel: distance along the contact [m] by which the point may move when the
+            contact shrinks, with a sign; 0: it stays"""
     a: int
     b: int
     line: bool
@@ -1104,7 +1127,9 @@ class Contact(_Answer):
                        c.mu, c.travel)
 
     def at(self, shrink: float, relative: bool = False) -> Point:
-        """Returns where the point acts at a shrinkage [m; relative: 1]."""
+        """Returns the place of the point when the contact has shrunk.
+
+        shrink:   at each end: a length [m], or with relative a share of it"""
         v = _contact_at(byref(self._c()), shrink, relative)
         return v.x, v.y
 
@@ -1112,14 +1137,14 @@ class Contact(_Answer):
 def contact_make(a: int, b: int, normal: Point, p: Point,
                  q: Optional[Point] = None, mu: float = _D.mu,
                  options: Optional[Options] = None) -> List[Contact]:
-    """Returns the points of a contact that is given, not found.
+    """Returns the points of a contact that you describe yourself.
 
     a, b:    numbers of the blocks
-    normal:  out of a and into b, of any length
-    p, q:    its ends [m]; without q it is one point
+    normal:  direction out of a and into b, of any length
+    p, q:    its ends [m]; without q the contact is one point
     mu:      friction
-    Give all contacts to contact_travels(), then to Structure(contacts=...).
-    Raises KernError.
+    Pass all contacts to contact_travels(), and its result to
+    Structure(contacts=...). Raises KernError.
 
     >>> [c.travel for c in contact_make(0, 1, (0, 2), (0, 0), (3, 0))]
     [-1.5, 1.5]
@@ -1134,14 +1159,15 @@ def contact_make(a: int, b: int, normal: Point, p: Point,
 
 
 def contact_travels(contacts: Sequence[Contact]) -> List[Contact]:
-    """Returns the contacts with the travels that points have beside others."""
+    """Returns the contacts with their travels, which depend on the contacts
+    beside them: call it once with all contacts of contact_make()."""
     array = (_Contact * len(contacts))(*(c._c() for c in contacts))
     _contact_travels(array, len(contacts))
     return [Contact._of(c) for c in array[:len(contacts)]]
 
 
 def work_need(blocks: int, contacts: int) -> Tuple[int, int]:
-    """Returns how many reals and ints of work memory C needs."""
+    """Returns how many doubles and ints of work memory kern.h needs."""
     reals, ints = c_int(), c_int()
     _work_need(blocks, contacts, byref(reals), byref(ints))
     return reals.value, ints.value
@@ -1170,10 +1196,10 @@ class Verdict(_Proven):
     """Whether a structure stands. A Verdict is true where it does.
 
     stands: whether forces in equilibrium exist
-    forces: normal and tangential force [N] of each contact point, an array
-            (n, 2), where it stands; else None
-    motion: vx, vy and spin of each block, an array (n, 3), where it falls; else
-            None
+    forces: where it stands the normal and the tangential force [N] of each
+            contact point, an array (n, 2); otherwise None
+    motion: where it falls vx, vy and spin of each block, an array (n, 3);
+            otherwise None
     """
     stands: bool
 
@@ -1193,18 +1219,24 @@ class Verdict(_Proven):
 
 
 class Raising(enum.IntEnum):
-    """Whether the load of a structure raises the forces that hold it."""
+    """Whether the load of a structure raises the forces that hold it.
+
+    RAISED: it does; HANGS: some blocks are held only by friction that nothing
+    presses together; NOT_SHOWN: neither was found"""
     NOT_SHOWN = 0
     RAISED = 1
-    HANGS = 2      # nothing presses on blocks that only such forces hold
+    HANGS = 2
 
 
 class End(enum.IntEnum):
-    """Why a search for forces that the load raises ended."""
-    NONE = 0   # there was none
-    SHOWN = 1  # they were found
-    LOST = 2   # it went on no further
-    WORK = 3   # the limit of work was reached
+    """Why the search for forces that the load raises ended.
+
+    NONE: there was no search; SHOWN: forces were found; LOST: no step led any
+    further; WORK: the limit of work was reached"""
+    NONE = 0
+    SHOWN = 1
+    LOST = 2
+    WORK = 3
 
 
 @dataclass
@@ -1214,8 +1246,8 @@ class Raised(Verdict):
 
     stands:  whether forces in equilibrium exist
     raising: a Raising, None where it falls
-    reserve: the sideways push that the structure bears on top, a share of g;
-             None if it was not asked for
+    reserve: the additional sideways push that the structure bears, a share of
+             g; None without reserve=True
     why:     an End: the reason why the search ended
     forces and motion are the proof."""
     raising: Optional[Raising]
@@ -1234,14 +1266,14 @@ class Raised(Verdict):
 
 @dataclass
 class LetGo(_Proven):
-    """Whether a structure stays when all of it is let go at once. A LetGo is
+    """Whether a structure stays when all of it is released at once. A LetGo is
     true where it stays.
 
     stays:  True where it stays, False where it moves, None where neither is
             shown
-    why:    an End: the reason why the search for forces ended, NONE where none
-            was needed
-    how:    a Raising: RAISED where it stays, HANGS where blocks hang, else
+    why:    an End: the reason why the search for forces ended, NONE where no
+            search was needed
+    how:    a Raising: RAISED where it stays, HANGS where blocks hang, otherwise
             NOT_SHOWN
     forces [N], (n, 2), and motion, (n, 3), are the proof: forces are None where
     it falls, both are None where nothing is shown."""
@@ -1279,10 +1311,10 @@ class Margin(Verdict):
     epsilon:   the step of the level [m]
     level:     steps that it stands
     saturated: whether it stands at `most`: such margins do not compare
-    refused:   the KernError of a candidate that overlaps another block, whose
-               margin is nan and false; else None
-    forces hold the structure at `holds`; motion moves it at `fails`, or as it is
-    where it falls, and is None where it is saturated."""
+    refused:   from Plan.try_() the KernError of a block that overlaps another;
+               the margin is then nan. Otherwise None
+    forces hold the structure at `holds`; motion moves it at `fails`, or as it
+    is where it falls, and is None where it is saturated."""
     margin: float
     holds: float = field(repr=False)
     fails: float = field(repr=False)
@@ -1308,9 +1340,9 @@ class Margin(Verdict):
 
 @dataclass
 class Interval(_Answer):
-    """Between what the margin of a measured structure lies.
+    """The range of the margin of a measured structure.
 
-    low, high: the ends [m]
+    low, high: the ends of the range [m]
     settles:   how far blocks may settle [m], inf where that is not known
     surely_stands, surely_falls: whether the verdict is certain
     """
@@ -1329,10 +1361,10 @@ class Interval(_Answer):
 class Factor(float):
     """A load factor, an angle of tilt or a length: a float with its proof.
 
-    forces: hold the structure at the number [N], an array (n, 2)
-    motion: moves it just beyond, (n, 3), None where the number has no end
-    why:    an End: the reason why the search of raised_load() ended, NONE where
-            there was none
+    forces: forces that hold the structure at this number [N], an array (n, 2)
+    motion: the mechanism just beyond it, (n, 3), None where it is infinite
+    why:    an End: the reason why the search of raised_load() ended, NONE from
+            other methods
     """
     _force: bytes = b""
     _motion: bytes = b""
@@ -1360,7 +1392,7 @@ class Factor(float):
 class Profile(_Answer):
     """How far each block is from falling.
 
-    values: the margin [m] or load factor at which each block moves; inf of
+    values: the margin [m] or load factor at which each block moves; inf for
             fixed blocks
     least:  the smallest of these
     mean:   their mean
@@ -1377,12 +1409,12 @@ class Profile(_Answer):
 
 @dataclass
 class Critical(_Answer):
-    """What limits the margin, and what moves first.
+    """The contact that limits the margin, and the blocks that move first.
 
-    contact:  the contact point that limits most, None where none does
-    limits:   how much each contact point limits, a share of that
-    meetings: "rests", "hinges", "slides" or "opens", of each contact point
-    groups:   lists of the blocks that move as one, the fastest first
+    contact:  number of the contact point that limits the margin most, or None
+    limits:   how much each contact point limits it, as a share of the most
+    meetings: "rests", "hinges", "slides" or "opens" for each contact point
+    groups:   lists of the blocks that move together, the fastest first
     """
     contact: Optional[int]
     limits: List[float]
@@ -1392,10 +1424,12 @@ class Critical(_Answer):
 
 @dataclass
 class ContactRate(_Answer):
-    """Derivatives of the margin [m] by a contact point.
+    """Derivatives of the margin [m] with respect to a contact point.
 
-    p: by its place [m]; turn: by a turn of its normal [rad]; mu: by its
-    friction; travel: by its travel [m]."""
+    p:      with respect to its place [m]
+    turn:   to a turn of its normal [rad]
+    mu:     to its friction
+    travel: to its travel [m]"""
     p: Point
     turn: float
     mu: float
@@ -1404,11 +1438,13 @@ class ContactRate(_Answer):
 
 @dataclass
 class BlockRate(_Answer):
-    """Derivatives of the margin [m] by a block.
+    """Derivatives of the margin [m] with respect to a block.
 
-    centre: by the centre of mass alone [m]; place: by a shift of the block [m];
-    turn: by its turn [rad]; mass: by its mass [kg]; load: by its load [N, N m].
-    """
+    centre: with respect to the centre of mass alone [m]
+    place:  to a shift of the block [m]
+    turn:   to a turn of the block [rad]
+    mass:   to its mass [kg]
+    load:   to its load [N, N, N m]"""
     centre: Point
     place: Point
     turn: float
@@ -1421,7 +1457,8 @@ class Solution(_Answer):
     """The answer of lp_solve().
 
     status: Status.LP_OPTIMAL, LP_INFEASIBLE or LP_UNBOUNDED
-    x: the solution; y: its prices, or the proof that there is none
+    x:      the solution
+    y:      its prices, or the proof that there is no solution
     """
     status: Any
     x: List[float]
@@ -1515,18 +1552,21 @@ class Structure:
     """Blocks, their contacts, options and gravity.
 
     blocks:   Blocks, each with a name of its own
-    contacts: Contacts; None: those that are found between the polygons
+    contacts: a list of Contacts; None: they are found between the polygons
     options:  Options
     gravity:  (x, y) [m/s^2]
     name:     for captions and messages
 
-    wall["s3"] and wall[3] are blocks, `for block in wall` goes through them all,
-    "s3" in wall tells whether there is one. After a change of blocks, options,
-    gravity or given contacts call update(); a question before that raises
-    KernError. Where update() raises, the structure is as it was. Raises KernError
-    for blocks that the library refuses, with all pairs that overlap; ValueError
-    for a name that is there twice. Any question may raise KernError with
-    Status.UNDECIDED, or LIMIT where the limit of work is reached.
+    wall["s3"] and wall[3] are blocks, `for block in wall` visits all of them,
+    and `"s3" in wall` is true where there is one of that name. Call update()
+    after a change of blocks, options, gravity or given contacts; until then
+    every method that computes raises KernError. Where update() raises, the
+    structure is as it was before.
+
+    Raises KernError for blocks that the library refuses, with all pairs that
+    overlap, and ValueError where two blocks have one name. Methods that compute
+    may raise KernError with Status.UNDECIDED, or with LIMIT at the limit of
+    work.
 
     >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
     >>> wall = Structure([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
@@ -1554,7 +1594,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
                  *, contacts: Optional[Sequence[Contact]] = None,
                  options: Optional[Options] = None,
                  gravity: Point = (0.0, -9.81), name: str = "structure"):
-        self.blocks = list(blocks)
+        self.blocks: List[Block] = list(blocks)
         self.given = contacts
         self.options = options or Options()
         self.gravity = gravity
@@ -1619,13 +1659,13 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
 
     def update(self) -> None:
         """Reads blocks, options, gravity and given contacts again, and finds
-        the contacts where none are given. Raises KernError, ValueError."""
+        the contacts if none are given. Raises KernError and ValueError."""
         with self._lock:
             given, n = self.given, len(self.blocks)
-            if not isinstance(self.options, Options):
-                raise TypeError("options are Options(...), read %r"
-                                % (self.options,))
-            names, options = [b.name for b in self.blocks], self.options._c()
+            asked = cast(object, self.options)
+            if not isinstance(asked, Options):
+                raise TypeError("options are Options(...), read %r" % (asked,))
+            names, options = [b.name for b in self.blocks], asked._c()
             _name_once(self.blocks)
             room = 16 * n if given is None else len(given)
             while True:
@@ -1695,19 +1735,20 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
 
     @property
     def contacts(self) -> List[Contact]:
-        """The contact points that the structure has."""
+        """The contact points of the structure."""
         n = self._task.s.contacts
         return [Contact._of(c) for c in self._held.contact[:n]]
 
     @property
     def mean_size(self) -> float:
-        """Mean size of the free blocks [m]: of the roots of their areas."""
+        """Mean size of the free blocks [m]; a size is the root of an area."""
         return float(_mean_size(self._held.block, self._task.s.blocks))
 
     @_asks
     def touch(self, block: Union[int, str]) -> List[Contact]:
-        """Returns the Contacts of a block, a number or a name, with the blocks
-        before it."""
+        """Returns the Contacts of a block with the blocks before it.
+
+        block: its name or number"""
         i, room = self._index(block), 64
         while True:
             room *= 2
@@ -1722,7 +1763,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
     def verdict(self, shrink: float = 0.0) -> Verdict:
         """Returns whether the structure stands, a Verdict with its proof.
 
-        shrink: by how much contacts are shortened at both ends [m]
+        shrink: length by which contacts are shortened at each end [m]
 
         >>> bool(example().verdict()), example().verdict(0.4)
         (True, Verdict(stands=False))
@@ -1736,8 +1777,8 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def interval(self) -> Interval:
-        """Returns the Interval in which the margin lies, given the errors that
-        Options.measured() was told; without these it raises KernError.
+        """Returns the Interval in which the margin lies, given the errors of
+        the poses. Raises KernError unless Options.measured() has set them.
 
         >>> wall = example()
         >>> wall.options = wall.options.measured(0.01, 0.01)
@@ -1775,8 +1816,8 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         """Returns whether the load of the structure raises the forces that hold
         it, a Raised with its proof.
 
-        shrink:  by how much contacts are shortened at both ends [m]
-        reserve: whether to search the sideways push that it bears on top
+        shrink:  length by which contacts are shortened at each end [m]
+        reserve: whether to search for the sideways push that it bears as well
 
         >>> raised = example().raised(reserve=True)
         >>> bool(raised), raised.raising.name, raised.reserve > 0.01
@@ -1801,8 +1842,9 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def let_go(self) -> LetGo:
-        """Returns whether the structure stays when all blocks are let go at
-        once, from rest, a LetGo. A limit of work is a reason, not an error.
+        """Returns whether the structure stays when all blocks are released at
+        once, from rest, a LetGo. Where the limit of work is reached it raises
+        nothing: `stays` is None and `why` is End.WORK.
 
         >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> low = Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
@@ -1826,8 +1868,8 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def stays(self, block: Union[int, str]) -> Optional[float]:
-        """Returns the chance from 0 to 1 that a block, laid last, stays where it
-        is let go; None where the structure falls.
+        """Returns the chance from 0 to 1 that a block, placed last, stays where
+        it is released; None where the structure falls.
 
         block: its name or number; a fixed one raises ValueError
 
@@ -1863,10 +1905,10 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
     @_asks
     def forces(self, shrink: float = 0.0) -> Optional[Array]:
         """Returns the least forces that hold the structure: normal and
-        tangential force of each contact point [N], an array (n, 2). None where
-        there are none, or none so exact.
+        tangential force of each contact point [N], an array (n, 2). Returns
+        None where there are none, or where rounding hides them.
 
-        shrink: by how much contacts are shortened at both ends [m]
+        shrink: length by which contacts are shortened at each end [m]
 
         >>> len(example().forces())
         4
@@ -1877,7 +1919,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
     @_asks
     def measure(self) -> Margin:
         """Returns margin and level, a Margin with its proof. Where the limit of
-        work is reached, the KernError has a `margin` with what was proven.
+        work is reached, KernError.margin has the bounds that were proven.
 
         >>> margin = example().measure()
         >>> bool(margin), round(margin.margin, 6), margin.saturated
@@ -1905,8 +1947,8 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def deficit(self) -> float:
-        """Returns how far contacts would have to grow for the structure to stand
-        [m]: 0 where it stands, inf where nothing helps.
+        """Returns the length [m] by which contacts would have to grow for the
+        structure to stand: 0 where it stands, inf where no length helps.
 
         >>> round(example(0.75).deficit(), 6)
         0.25
@@ -1918,9 +1960,9 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
     @_asks
     def bearing(self) -> Optional[Factor]:
         """Returns the length [m] of the shortest contact that the structure
-        needs, a Factor: inf where it needs none. None where it falls with all.
-        Unless contacts are given, faces with hollows count as their stretches,
-        and so do the forces.
+        needs, a Factor: inf where it needs none. Returns None where it falls
+        with all of them. Unless contacts are given, each stretch of a hollow
+        face is a contact of its own, also in the forces.
 
         >>> round(example().bearing(), 6)
         0.8
@@ -1947,15 +1989,18 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
     def load_factor(self, side: int, shrink: float = 0.0,
                     pattern: Optional[Sequence[Sequence[float]]] = None
                     ) -> Optional[Factor]:
-        """Returns how large a load may grow until the structure falls, a Factor
-        with its proof; inf from 1,000,000 on. None where it falls without.
+        """Returns the largest factor of a load at which the structure stands, a
+        Factor with its proof; inf above 1,000,000. Returns None where it falls
+        without the load.
 
-        side:    LEFT or RIGHT: a horizontal load of that many times each weight
-        shrink:  by how much contacts are shortened at both ends [m]
+        side:    LEFT or RIGHT: a horizontal load of each block, its weight
+                 times the factor
+        shrink:  length by which contacts are shortened at each end [m]
         pattern: instead of a side (fx, fy, torque) [N, N, N m] of each block
 
-        Limit analysis, too high where joints slide: raised_load() is not.
-        Raises KernError for a side that is none, and without gravity.
+        This is limit analysis, which is too high where joints slide; use
+        raised_load() there. Raises KernError for SHRINK without a pattern, and
+        without gravity.
 
         >>> round(example().load_factor(RIGHT), 6)
         0.4
@@ -1970,9 +2015,10 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
     def raised_load(self, side: int, shrink: float = 0.0,
                     pattern: Optional[Sequence[Sequence[float]]] = None
                     ) -> Optional[Factor]:
-        """Returns how large a load may grow by equilibrium that it raises from
-        rest with Coulomb friction, a Factor. Its `why` is SHOWN where that is
-        the load factor, else the reason why it is less.
+        """Returns the largest factor of a load for which equilibrium with
+        Coulomb friction was found by raising the load from rest, a Factor. Its
+        `why` is SHOWN where it equals load_factor(), otherwise the reason why
+        it is less.
 
         side, shrink, pattern: as in load_factor(). Raises KernError, with
         Status.UNDECIDED where nothing is shown.
@@ -1993,11 +2039,11 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
     def least_load(self, pattern: Sequence[Sequence[float]],
                    shrink: float = 0.0) -> Optional[Factor]:
         """Returns the least multiple of a load at which the structure stands, a
-        Factor: 0, without a motion, where it stands without. None where it falls
-        at every multiple.
+        Factor: 0, without a motion, where it stands without the load. Returns
+        None where it falls at every multiple.
 
         pattern: (fx, fy, torque) [N, N, N m] of each block
-        shrink:  by how much contacts are shortened at both ends [m]"""
+        shrink:  length by which contacts are shortened at each end [m]"""
         out = self._factor(_least_load_of, shrink, _rows(
             pattern, len(self.blocks), 3, "a load pattern"))
         if out is not None and float(out) == 0:
@@ -2009,10 +2055,10 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         """Returns the largest factor of a live load that the structure bears, a
         Factor; live_least() is the least. None where it falls at every factor.
 
-        loads:  (name of a block, force [N], point [m]) each; None: `lives`,
-                which are those of the file. None at all raise ValueError
-        shrink: by how much contacts are shortened at both ends [m]
-        raised: by raised_load(), not by load_factor(); from 0
+        loads:  tuples (name of a block, force [N], point [m]); None: `lives`,
+                the loads of the file. Raises ValueError where there are none
+        shrink: length by which contacts are shortened at each end [m]
+        raised: whether to use raised_load() instead of load_factor()
 
         >>> round(example().live([("top", (1, 0), (0.7, 1))]), 4)
         3.924
@@ -2039,8 +2085,8 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
 
     def live_least(self, loads: Optional[Iterable[Tuple[str, Point, Point]]]
                    = None, shrink: float = 0.0) -> Optional[Factor]:
-        """Returns the least factor of a live load that holds the structure, 0
-        where it stands without, None where it falls at every factor.
+        """Returns the least factor of a live load that holds the structure: 0
+        where it stands without the load, None where it falls at every factor.
 
         loads, shrink: as in live()
 
@@ -2079,8 +2125,10 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def tilt(self, side: int, shrink: float = 0.0) -> Optional[Factor]:
-        """Returns by which angle [rad] gravity may turn to the LEFT or RIGHT until
-        the structure falls, a Factor. None where it falls as it is.
+        """Returns the angle [rad] by which gravity may turn until the structure
+        falls, a Factor. Returns None where it falls as it is.
+
+        side: LEFT or RIGHT
 
         >>> round(math.degrees(example().tilt(RIGHT)), 1)
         21.8
@@ -2106,10 +2154,10 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def critical(self, margin: Optional[Margin] = None) -> Optional[Critical]:
-        """Returns what limits a margin, and what moves first, a Critical. None
-        where it is saturated.
+        """Returns the contact that limits a margin and the blocks that move
+        first, a Critical. Returns None where the margin is saturated.
 
-        margin: of measure(); None: it is measured
+        margin: the result of measure(); None: it is measured here
 
         >>> critical = example().critical()
         >>> critical.meetings[critical.contact], critical.groups
@@ -2133,7 +2181,8 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
             byref(c)))
         names = ("rests", "hinges", "slides", "opens")
         groups: List[List[int]] = [[] for _ in range(c.groups)]
-        for i, g in enumerate(group):
+        members: List[int] = list(group)
+        for i, g in enumerate(members):
             if g >= 0:
                 groups[g].append(i)
         return Critical(c.contact if c.contact >= 0 else None,
@@ -2141,8 +2190,8 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def sensitivity(self) -> Tuple[List[ContactRate], List[BlockRate]]:
-        """Returns how the margin depends on every contact point and every block,
-        lists of ContactRate and BlockRate.
+        """Returns how the margin depends on every contact point and every
+        block, lists of ContactRate and BlockRate.
 
         >>> round(example().sensitivity()[1][2].place[0], 4)
         -1.0
@@ -2165,25 +2214,32 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
     @_asks
     def check_forces(self, forces: Sequence[Sequence[float]],
                      shrink: float = 0.0) -> float:
-        """Returns the error of a proof: up to 1 these forces [N], (n, 2), prove
-        that the structure stands at this shrinkage [m]."""
+        """Returns the error of a proof: these forces prove that the structure
+        stands if it is at most 1.
+
+        forces: normal and tangential force of each contact point [N], (n, 2)
+        shrink: length by which contacts are shortened at each end [m]"""
         return float(_check_forces(self._at_task, shrink, _rows(
             forces, self._task.s.contacts, 2, "forces")))
 
     @_asks
     def check_motion(self, motion: Sequence[Sequence[float]],
                      shrink: float = 0.0) -> float:
-        """Returns the error of a proof: up to 1 this motion, (n, 3), proves that
-        the structure falls at this shrinkage [m]."""
+        """Returns the error of a proof: this motion proves that the structure
+        falls if it is at most 1.
+
+        motion: vx, vy and spin of each block, (n, 3)
+        shrink: length by which contacts are shortened at each end [m]"""
         return float(_check_motion(self._at_task, shrink, _rows(
             motion, self._task.s.blocks, 3, "a motion")))
 
     @_asks
     def check_raised(self, raised: Union[Raised, LetGo],
                      shrink: float = 0.0) -> float:
-        """Returns the error of a proof: up to 1 the forces and the motion that
-        raised() or let_go() found are proven. Where let_go() found that a
-        structure moves and nothing hangs, the proof is for check_motion()."""
+        """Returns the error of a proof: the forces and the motion of raised()
+        or let_go() are proven if it is at most 1. Where let_go() has found that
+        a structure moves and no block hangs, check_motion() checks the
+        proof."""
         how = raised.how if isinstance(raised, LetGo) else raised.raising
         force = _rows(_view(raised._force or b"", 2).tolist(),
                       self._task.s.contacts, 2, "forces")
@@ -2196,10 +2252,10 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
     @_asks
     def svg(self, shrink: float = 0.0, mechanism: bool = False,
             profile: bool = False, caption: Optional[str] = None) -> str:
-        """Returns a picture as SVG: stones, contacts, the least forces where the
-        structure stands, all mechanisms where it falls.
+        """Returns a picture as SVG: stones, contacts, the least forces where
+        the structure stands, all mechanisms where it falls.
 
-        shrink:    by how much contacts are shortened at both ends [m]
+        shrink:    length by which contacts are shortened at each end [m]
         mechanism: also the motion just past the margin
         profile:   colours the stones by their margins
         caption:   the line below; None: the verdict and its numbers"""
@@ -2242,7 +2298,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         """Draws stones, their names, contact points and, in red, the one that
         limits the margin, into axes of matplotlib. Returns the axes.
 
-        ax: the axes; None: the present ones"""
+        ax: the axes; None: the current ones"""
         if ax is None:
             ax = importlib.import_module("matplotlib.pyplot").gca()
         for block in self.blocks:
@@ -2273,10 +2329,10 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         return text[text.index("<svg"):]
 
     def text(self) -> str:
-        """Returns the structure in the format of text files, from which parse()
-        makes one with the same answers. Blanks in names become underscores. Of the
-        options the file has friction, epsilon, gap and angle, or the errors of
-        measured()."""
+        """Returns the structure in the format of text files. parse() makes a
+        structure of it that has the same answers. Blanks in names become
+        underscores. The text has these options: friction, epsilon, gap and
+        angle, or the errors of measured()."""
         o, lines = self.options, ["friction %r" % self.options.mu]
         used: Dict[str, int] = {}
         names = [_unique(re.sub(r"[\s#]+", "_", b.name) or "block", used)
@@ -2313,7 +2369,8 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         return "\n".join(lines) + "\n"
 
     def _contact_lines(self, names: List[str]) -> List[str]:
-        lines, given, i = [], list(self.given or ()), 0
+        lines: List[str] = []
+        given, i = list(self.given or ()), 0
         while i < len(given):
             c, ends = given[i], [given[i].p]
             if c.line:
@@ -2334,9 +2391,13 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
 
 
 class Place(NamedTuple):
-    """A place for one more stone, as Plan.places() ranks them: the stone there;
-    x and turn (rad) with which it is let down; the chance that it stays; the
-    margin of the structure with it."""
+    """A place for one more stone, as Plan.places() ranks them.
+
+    block:  the stone at that place
+    x:      where its centre was let down [m]
+    turn:   by which it was turned [rad]
+    stays:  the chance from 0 to 1 that it stays there
+    margin: the margin of the structure with it [m]"""
     block: Block
     x: float
     turn: float
@@ -2345,15 +2406,16 @@ class Place(NamedTuple):
 
 
 class Plan(Structure):
-    """A structure that changes by one block at a time, and is asked quickly what
-    one more would do.
+    """A structure that grows by one block at a time, and answers quickly for a
+    block that might be the next.
 
-    blocks, options, gravity, name: as of a Structure
+    blocks, options, gravity, name: as for a Structure
 
-    Its blocks are copies that cannot be changed: add() and remove() do that.
-    try_() and bears() ask what one more block would do, and leave the plan as
-    it is; a candidate that overlaps another block is no error: it has no margin
-    and bears nothing. After a change of options or gravity call update().
+    Its blocks are copies that cannot be changed; add() and remove() change the
+    plan. try_(), bears() and try_stays() answer for the plan with one more
+    block, and leave the plan as it is. A block that overlaps another raises
+    nothing there: its margin is nan and it is not borne. Call update() after a
+    change of options or gravity.
 
     >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
     >>> plan = Plan([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
@@ -2391,12 +2453,13 @@ class Plan(Structure):
                             "gravity have changed")
 
     def update(self) -> None:
-        """Starts anew, as after a change of the options or of gravity."""
+        """Adds all blocks again, with the present options and gravity."""
         with self._lock:
             before = dict(self.__dict__)
             blocks = list(self.blocks)
             try:
-                self.blocks, self._candidate = [], _Block()
+                self.blocks = []
+                self._candidate = _Block()
                 self._told = self._key()
                 self._grow(16, 256)
                 for block in blocks:
@@ -2448,8 +2511,8 @@ class Plan(Structure):
 
     def add(self, block: Block) -> int:
         """Adds a copy of a block. Returns how many contact points it has.
-        Raises KernError where it is refused, with all pairs that overlap;
-        ValueError where its name is taken. The plan is then as it was."""
+        Raises KernError where it is refused, with all pairs that overlap, and
+        ValueError where its name is taken; the plan is then unchanged."""
         with self._lock:
             self._fresh()
             _name_once([*self.blocks, block])
@@ -2463,7 +2526,9 @@ class Plan(Structure):
             return contacts
 
     def remove(self, block: Union[int, str]) -> None:
-        """Takes a block away, a number or a name; those after it move up."""
+        """Removes a block. The numbers of the blocks after it fall by 1.
+
+        block: its name or number"""
         with self._lock:
             self._fresh()
             i = self._index(block)
@@ -2472,9 +2537,9 @@ class Plan(Structure):
             self._shape()
 
     def try_(self, block: Block) -> Margin:
-        """Returns what measure() would say with the block added, a Margin without
-        a proof. Where the block overlaps another it is false, its margin is nan
-        and `refused` the error.
+        """Returns the result of measure() with the block added, a Margin
+        without a proof. Where the block overlaps another the Margin is false,
+        its margin is nan and its `refused` is the error.
 
         >>> plan = Plan(example().blocks)
         >>> bool(plan.try_(Block("third", [(0, 2), (1, 2), (1, 3), (0, 3)])))
@@ -2492,11 +2557,11 @@ class Plan(Structure):
             return Margin._of(m, status == _STANDS)
 
     def tries(self, block: Block, poses: Any) -> Any:
-        """Returns the margins with the block at many poses, by try_(): 0 where it
-        falls, nan where it overlaps or is undecided.
+        """Returns the margins with the block at many poses, by try_(): 0 where
+        it falls, nan where it overlaps or is undecided.
 
-        poses: (x, y, turn) [m, m, rad] each: the block is turned about its centre
-        of mass, then shifted, as by Block.move()
+        poses: (x, y, turn) [m, m, rad] each: the block is turned about its
+        centre of mass, then shifted, as by Block.move()
 
         >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> plan = Plan([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
@@ -2510,7 +2575,7 @@ class Plan(Structure):
         rows = poses.tolist() if hasattr(poses, "tolist") else list(poses)
         own = block.copy()
         vertices, (cx, cy) = own.vertices.tolist(), own.body().centre
-        out = []
+        out: List[float] = []
         for x, y, turn in rows:
             cos, sin = math.cos(turn), math.sin(turn)
             for i, (px, py) in enumerate(vertices):
@@ -2539,7 +2604,7 @@ class Plan(Structure):
                 return False
 
     def try_raised(self, block: Block, reserve: bool = False) -> Raised:
-        """Returns what raised() would say with the block added, a Raised without
+        """Returns the result of raised() with the block added, a Raised without
         a proof. Raises KernError where it overlaps another."""
         with self._lock:
             raising, share = c_int(), c_double()
@@ -2551,8 +2616,9 @@ class Plan(Structure):
                           self._end() if stands else End.NONE)
 
     def try_stays(self, block: Block) -> Optional[float]:
-        """Returns the chance from 0 to 1 that the block, laid last on the plan,
-        stays where it is let go; None where it falls or overlaps.
+        """Returns the chance from 0 to 1 that the block stays where it is
+        released on the plan; None where the plan falls with it or it overlaps
+        another.
 
         >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> plan = Plan([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
@@ -2581,14 +2647,13 @@ class Plan(Structure):
     def rest(self, block: Block, x: float, turn: float = 0.0
              ) -> Optional[Block]:
         """Returns the block where it comes to rest when it is let down on the
-        plan, or None where it falls past, or does not stop rolling. Whether it
-        stands there, try_() and bears() tell.
+        plan. Returns None where it falls past the plan or does not stop
+        rolling. try_() tells whether the plan stands with it there. Raises
+        KernError.
 
         block: the stone, at any height
-        x: where its centre is let down [m]
-        turn: by which it is turned first [rad], counter-clockwise
-
-        Raises KernError.
+        x:     where its centre is let down [m]
+        turn:  by which it is turned first [rad], counter-clockwise
 
         >>> plan = Plan([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
         ...                    fixed=True)])
@@ -2619,11 +2684,12 @@ class Plan(Structure):
 
     def places(self, block: Block, xs: Iterable[float],
                turns: Iterable[float] = (0.0,)) -> List[Place]:
-        """Returns the places where the structure stands with the block let down,
-        the best first: by the chance that it stays, then by the margin.
+        """Returns the places where the structure stands with the block let
+        down, the best first: by the chance that it stays, then by the margin.
 
         block: the stone, at any height
-        xs: where its centre is let down [m]; turns: by which it is turned [rad]
+        xs:    where its centre is let down [m]
+        turns: by which it is turned [rad]; all are tried at each x
 
         >>> ground = Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
         ...                fixed=True)
@@ -2636,7 +2702,7 @@ class Plan(Structure):
         0.7 0.3 True
         """
         alone, turns = self.measure().margin, list(turns)
-        found = []
+        found: List[Place] = []
         for x in xs:
             for turn in turns:
                 at = self.rest(block, x, turn)
@@ -2654,8 +2720,8 @@ class Plan(Structure):
 
 def overlaps(blocks: Sequence[Block], *, options: Optional[Options] = None
              ) -> List[Tuple[str, str, float, float]]:
-    """Returns all pairs of blocks that overlap deeper than is allowed: two names,
-    the depth [m] and what is allowed [m]. Raises KernError.
+    """Returns all pairs of blocks that overlap too deeply, a tuple each: two
+    names, the depth [m] and the depth that is allowed [m]. Raises KernError.
 
     >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
     >>> overlaps([Block("a", box), Block("b", box).move(0.5, 0)])[0][:2]
@@ -2674,13 +2740,13 @@ def overlaps(blocks: Sequence[Block], *, options: Optional[Options] = None
                           byref(work))
         if found < 0:
             raise KernError(found, [b.name for b in blocks], work.fault)
-    return [(blocks[o.a].name, blocks[o.b].name, o.depth, o.allowed)
+    return [(blocks[int(o.a)].name, blocks[int(o.b)].name, o.depth, o.allowed)
             for o in out]
 
 
 def example(shift: float = 0.2) -> Structure:
-    """Returns the wall of the examples: a box of 1 m on a box on the ground, the
-    upper one shifted to the right. Its margin is 0.5 - shift."""
+    """Returns the wall of the examples: a box of 1 m on a box on the ground,
+    the upper one shifted to the right. Its margin is 0.5 - shift."""
     box = [(0, 0), (1, 0), (1, 1), (0, 1)]
     return Structure([
         Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)], fixed=True),
@@ -2692,15 +2758,16 @@ def example(shift: float = 0.2) -> Structure:
 
 @dataclass
 class Many:
-    """Answers of many(), an entry for each structure.
+    """The answers of many(), an entry for each structure.
 
-    status: Status.STANDS, FALLS, or below 0 why there is no answer
-    margin: how far contacts can shrink [m], 0 where it falls, else nan
-    level:  steps of epsilon that it stands, -1 without an answer
-    loads:  load factors to the left and right, (n, 2), 0 where it falls
-    mechanisms: vx, vy and spin of each block, (n, blocks, 3), just past the
-            margin; nan where nothing moves
-    loads and mechanisms are None where they were not asked for."""
+    status: Status.STANDS or FALLS; below 0 the reason why there is no answer
+    margin: how far contacts can shrink [m]; 0 where it falls, nan without an
+            answer
+    level:  steps of epsilon at which it stands; -1 without an answer
+    loads:  load factors to the left and right, (n, 2); 0 where it falls; None
+            without loads=True
+    mechanisms: vx, vy and spin of each block just past the margin, (n, blocks,
+            3); nan where nothing moves; None without mechanisms=True"""
     status: Any
     margin: Any
     level: Any
@@ -2719,7 +2786,7 @@ class Many:
 
 
 def _flat(values: Any, count: int, what: str) -> Any:
-    """Returns numbers, nested as they may be, as an array of so many doubles."""
+    """Returns nested numbers as a flat array of `count` doubles."""
     if numpy is not None:
         out = numpy.ascontiguousarray(values, numpy.float64).reshape(-1)
     else:
@@ -2748,7 +2815,7 @@ def _address(values: Any) -> Optional[int]:
 
 
 def _blank(kind: str, count: int, value: float) -> Any:
-    """Returns an array of so many equal numbers: "d" doubles, "i" ints."""
+    """Returns an array of `count` equal numbers: "d" doubles, "i" ints."""
     if numpy is not None:
         return numpy.full(count, value, numpy.dtype(kind))
     return _array(kind, [value]) * count
@@ -2760,7 +2827,8 @@ def _poses(wall: Structure, poses: Any, count: int) -> Any:
     if not isinstance(poses, dict):
         return _flat(poses, 3 * n * count, "poses")
     out = _blank("d", 3 * n * count, 0.0)
-    for name, rows in poses.items():
+    named = cast(Dict[str, Any], poses)
+    for name, rows in named.items():
         start, own = 3 * wall._index(name), _flat(rows, 3 * count, name)
         for k in range(3):
             out[start + k::3 * n] = own[k::3]
@@ -2771,21 +2839,22 @@ def many(wall: Structure, *, poses: Any = None,
          mu: Optional[Sequence[float]] = None,
          stones: Optional[Sequence[Block]] = None, loads: bool = False,
          mechanisms: bool = False, threads: Optional[int] = None) -> Many:
-    """Verdicts and margins of many structures that differ from one wall.
+    """Returns verdicts and margins of many structures that differ from one
+    wall, as Many.
 
-    Each is solved by itself, in C: an answer depends neither on the others nor
-    on the number of threads. Structures that overlap, or that are undecided,
-    have a status below 0 and the margin nan.
+    Each structure is solved by itself, in C: its answer depends neither on the
+    others nor on the number of threads. A structure whose blocks overlap, or
+    that is undecided, has a status below 0 and the margin nan.
 
     wall:   a Structure or a Plan whose contacts are found, not given
-    poses:  x [m], y [m] and turn [rad] of each block of each structure, an array
-            (n, blocks, 3), or a dict of names of blocks with arrays (n, 3): a
-            block is turned about its centre of mass, then shifted
+    poses:  x [m], y [m] and turn [rad] of each block of each structure, an
+            array (n, blocks, 3), or a dict of names of blocks with arrays (n,
+            3): a block is turned about its centre of mass, then shifted
     mu:     n frictions, tan(friction angle)
     stones: n blocks; each is added to one structure, as its last
-    loads:  also the load factors to the left and right
-    mechanisms: also the motion of every block
-    threads: how many work at once; None: one for each processor
+    loads:  whether to return the load factors to the left and right
+    mechanisms: whether to return the motion of every block
+    threads: number of threads; None: one for each processor
 
     Raises ValueError where lengths differ or nothing is given, KernError where
     a stone is refused, MemoryError.
@@ -2803,9 +2872,11 @@ def many(wall: Structure, *, poses: Any = None,
     >>> round(out.loads[1][1], 6)
     0.3
     """
-    told = {"poses": next(iter(poses.values())) if isinstance(poses, dict)
-            and poses else poses, "mu": mu, "stones": stones}
-    lengths = {name: len(rows) for name, rows in told.items()
+    each: Any = poses
+    if isinstance(poses, dict) and poses:
+        each = next(iter(cast(Dict[str, Any], poses).values()))
+    given: Dict[str, Any] = {"poses": each, "mu": mu, "stones": stones}
+    lengths = {name: len(rows) for name, rows in given.items()
                if rows is not None}
     if len(set(lengths.values())) != 1:
         raise ValueError("many(): give poses, mu or stones, as many of each; "
@@ -2876,7 +2947,7 @@ def _shaped(values: Any, shape: Tuple[int, ...]) -> Any:
 
 def _structure_of(t: _Text, name: str) -> Structure:
     """The structure that was read."""
-    blocks = []
+    blocks: List[Block] = []
     for i in range(t.blocks):
         c = t.block[i]
         points = (_Vec * c.vertices).from_address(c.vertex)
@@ -2897,7 +2968,7 @@ def _structure_of(t: _Text, name: str) -> Structure:
     out = Structure(blocks, contacts=given if t.given else None,
                     options=options, gravity=(t.gravity.x, t.gravity.y),
                     name=name)
-    out.lives = [(blocks[a.block].name, (a.force.x, a.force.y),
+    out.lives = [(blocks[int(a.block)].name, (a.force.x, a.force.y),
                   (a.place.x, a.place.y)) for a in t.axle[:t.lives]]
     out.units = t.units.decode(errors="replace") if t.units else None
     if t.strength > 0:
@@ -2932,8 +3003,8 @@ read 'much'
 
 
 class DrawingWarning(UserWarning):
-    """What was assumed of a drawing or a photograph: which blocks are ground,
-    what hangs in the air, what looks like soil."""
+    """An assumption about a drawing or a photograph: which blocks are ground,
+    which hang in the air, which polygons look like soil."""
 
 
 def _words(values: Sequence[str]) -> Any:
@@ -2944,7 +3015,8 @@ def _words(values: Sequence[str]) -> Any:
 
 def _asked(what: Dict[str, Any], name: str) -> Tuple[_Asked, Any]:
     """What a reader of drawings is told; and the words it points to."""
-    layers = ["%s=%s" % pair for pair in (what.get("layers") or {}).items()]
+    roles: Dict[str, str] = what.get("layers") or {}
+    layers = ["%s=%s" % pair for pair in roles.items()]
     for word in layers:
         if word.rpartition("=")[2] not in ("ground", "stone", "fill", "ignore"):
             raise ValueError("%s: layers takes the roles ground, stone, fill, "
@@ -2952,9 +3024,11 @@ def _asked(what: Dict[str, Any], name: str) -> Tuple[_Asked, Any]:
     fixed = what.get("fixed") or ()
     layers += ["%s=ground" % label for label in (
         (fixed,) if isinstance(fixed, str) else fixed)]
-    densities = what.get("density")
-    if not isinstance(densities, dict):
-        densities = {} if densities is None else {"": densities}
+    density: Any = what.get("density")
+    densities: Dict[str, float] = {}
+    if density is not None:
+        densities = (cast(Dict[str, float], density)
+                     if isinstance(density, dict) else {"": density})
     for value in densities.values():
         if not 0 < value < math.inf:
             raise ValueError("%s: density takes a number above 0, read %r"
@@ -3006,18 +3080,19 @@ def _drawn(data: bytes, ending: str, name: str, what: Dict[str, Any],
 
 
 def read(path: Union[str, os.PathLike[str]], **what: Any) -> Structure:
-    """A structure from a file: in the format of text.h; a drawing (.dxf,
-    .svg: see dxf.h, svg.h); polygons of LabelMe, COCO or VIA (.json). Of a drawing or a
-    photograph `what` may tell
+    """Returns the structure in a file: text (`kern --help format` describes
+    it), a drawing (.dxf, .svg), or polygons of LabelMe, COCO or VIA (.json).
+    For drawings and photographs there are keywords:
 
         layers   roles of layers or labels: {"PIER": "ground"}; other roles are
                  stone, fill, ignore
-        density  of all blocks, or a dict of those of layers
-        ground   the ground is a line at this y, in the numbers of the file
+        density  density of all blocks, or a dict with the density of each layer
+        ground   y of a line that is the ground, in the numbers of the file
         pixel, tolerance, fixed, image   as in from_labelme() and from_coco()
 
-    What became no block is in `skipped`, as (kind, label, line, count), what
-    was assumed in `notes`, and the unit of lengths in `units`."""
+    The structure's `skipped` lists the shapes that became no block, as (kind,
+    label, line, count), and `notes` lists the assumptions. `units` is the unit
+    of lengths."""
     file = pathlib.Path(path)
     data, ending = file.read_bytes(), file.suffix.lower()
     image = {"pixel", "tolerance", "fixed", "image"} & set(what)
@@ -3045,8 +3120,9 @@ def _page(page: Any, name: str, what: Dict[str, Any]) -> Structure:
 
 
 def simplified(points: Sequence[Point], tolerance: float) -> List[Point]:
-    """Returns the vertices of a closed outline without those that are no farther
-    than the tolerance [m] from the polygon that remains. Raises KernError.
+    """Returns the vertices of a closed outline without those that are no
+    farther than the tolerance [m] from the polygon that remains. Raises
+    KernError.
 
     >>> simplified([(0, 0), (1, .01), (2, 0), (2, 1), (0, 1)], tolerance=.02)
     [(0, 0), (2, 0), (2, 1), (0, 1)]
@@ -3066,11 +3142,16 @@ def from_labelme(page: Any, pixel: Optional[float] = None,
                  density: Union[None, float, Dict[str, float]] = None,
                  fixed: Sequence[str] = (), name: str = "LabelMe",
                  **what: Any) -> Structure:
-    """The polygons of a page of LabelMe (the object of its JSON): y up, pixel
-    metres a pixel, simplified to `tolerance` pixels. Labels in `fixed` do not
-    move, nor does what is labelled ground; without these the lowest row does
-    not. Pixel and tolerance together are the error that Options.measured() is
-    told. `what`: as in read().
+    """Returns the structure of the polygons in a page of LabelMe.
+
+    page:      the object that json.load() returns
+    pixel:     size of a pixel [m]
+    tolerance: outlines are simplified to this many pixels
+    fixed:     labels of blocks that do not move, besides `ground`; without any,
+               the lowest row is fixed
+    density, what: as in read()
+    y points up. The errors of Options.measured() follow from pixel and
+    tolerance.
 
     >>> box = [[10, 10], [30, 10], [30, 30], [10, 30]]
     >>> slab = [[0, 30], [60, 30], [60, 40], [0, 40]]
@@ -3088,9 +3169,11 @@ def from_coco(page: Any, pixel: Optional[float] = None, tolerance: float = 1.5,
               density: Union[None, float, Dict[str, float]] = None,
               fixed: Sequence[str] = (), image: Union[None, int, str] = None,
               name: str = "COCO", **what: Any) -> Structure:
-    """The polygons and masks of one image of a COCO page, named by their
-    categories: otherwise as from_labelme(). image: its id or name, where there
-    are several."""
+    """Returns the structure of the polygons and masks of one image in a COCO
+    page; blocks are named by their categories.
+
+    image: id or file name of the image, where the page has several
+    The other parameters are those of from_labelme()."""
     return _page(page, name, dict(what, pixel=pixel, tolerance=tolerance,
                                   density=density, fixed=fixed, image=image))
 
@@ -3104,9 +3187,9 @@ def lp_solve(a: Sequence[Sequence[float]], rhs: Sequence[float],
     """Minimises cost . x where a x = rhs and x >= 0. Returns a Solution.
 
     a:     a list of rows
-    cost:  None: any solution will do
-    limit: most pivots; 0: as many as it takes
-    Raises ValueError where lengths differ, KernError where it is undecided.
+    cost:  the prices of x; None: any feasible x
+    limit: largest number of pivots; 0: no limit
+    Raises ValueError where lengths differ, and KernError where it is undecided.
 
     >>> best = lp_solve([[1, 1, 1, 0], [1, 3, 0, 1]], [4, 6], [-3, -5, 0, 0])
     >>> [round(x, 9) for x in best.x]

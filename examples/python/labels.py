@@ -12,23 +12,25 @@ SPDX-License-Identifier: MIT
 """
 
 import argparse
+import importlib
 import json
 import math
 import multiprocessing
 import random
 import sys
+from typing import Any, Iterable, List, Optional, Tuple, cast
 
 import kern
 
 PART = 250  # towers of one size, which kern.many() answers at once
 
 
-def finite(value):
+def finite(value: float) -> Optional[float]:
     """Returns a number that JSON can write: None for nan and infinity."""
     return float(value) if math.isfinite(value) else None
 
 
-def part(task):
+def part(task: Tuple[str, int]) -> List[str]:
     """Returns the lines of one part of the work: (seed, how many towers)."""
     seed, count = task
     draw = random.Random(seed)
@@ -46,7 +48,7 @@ def part(task):
     mu = [round(draw.uniform(0.2, 0.8), 3) for _ in range(count)]
     out = kern.many(kern.Structure(wall), poses=poses, mu=mu, loads=True,
                     threads=1)
-    lines = []
+    lines: List[str] = []
     for i in range(count):
         blocks = {b.name: b.copy().move(*pose).vertices.tolist()
                   for b, pose in zip(wall, poses[i])}
@@ -59,22 +61,28 @@ def part(task):
     return lines
 
 
-def shared(tasks, on):
-    """Returns what part() returns for each of the tasks, in their order."""
+def shared(tasks: List[Tuple[str, int]],
+           on: Optional[str]) -> Iterable[List[str]]:
+    """Returns the lines of each of the tasks, in the order of the tasks."""
+    done: Any
     if on == "pool":
         with multiprocessing.Pool() as pool:
             return pool.map(part, tasks)
     if on == "dask":
-        import dask
-        return dask.compute(*map(dask.delayed(part), tasks))
-    if on == "ray":
-        import ray
-        return ray.get([ray.remote(part).remote(task) for task in tasks])
-    return map(part, tasks)
+        dask: Any = importlib.import_module("dask")
+        done = dask.compute(*map(dask.delayed(part), tasks))
+    elif on == "ray":
+        ray: Any = importlib.import_module("ray")
+        done = ray.get([ray.remote(part).remote(task) for task in tasks])
+    else:
+        done = map(part, tasks)
+    return cast(Iterable[List[str]], done)
 
 
-def main():
-    ask = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+def main() -> None:
+    """Writes as many lines as are asked for to the standard output."""
+    ask = argparse.ArgumentParser(description="Writes labelled structures as "
+                                  "JSON lines.")
     ask.add_argument("count", type=int, nargs="?", default=1000)
     ask.add_argument("--seed", type=int, default=1)
     ask.add_argument("--on", choices=("pool", "dask", "ray"))
