@@ -1843,7 +1843,8 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
     @_asks
     def let_go(self) -> LetGo:
         """Returns whether the structure stays when all blocks are released at
-        once, from rest, a LetGo. Where the limit of work is reached it raises
+        once, from rest, a LetGo. A block that balances on its tip stays, too:
+        raised() has the reserve, and 0.0055 g is usually enough. Where the limit of work is reached it raises
         nothing: `stays` is None and `why` is End.WORK.
 
         >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -2054,6 +2055,9 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
              shrink: float = 0.0, raised: bool = False) -> Optional[Factor]:
         """Returns the largest factor of a live load that the structure bears, a
         Factor; live_least() is the least. None where it falls at every factor.
+        Both are those of limit analysis: where blocks slide or topple past each
+        other the largest is too high and the least too low. Ask `raised`, or
+        let_go() with the load on the blocks.
 
         loads:  tuples (name of a block, force [N], point [m]); None: `lives`,
                 the loads of the file. Raises ValueError where there are none
