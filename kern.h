@@ -10746,8 +10746,9 @@ static int kern_thrust_part(const kern_structure *s, const kern_query *q, int i,
         at = sum[4 * i + 1] - kern_vec_cross(arm[c->b == i], f);
         side = at > least;
         at = side ? at : kern_min(at, 0);
-        if (kern_abs(kern_vec_cross(c->n, f))
-                <= kern_friction(c, kern_reduction(q)) * up
+        if (up > 0
+            && kern_abs(kern_vec_cross(c->n, f))
+                   <= kern_friction(c, kern_reduction(q)) * up
             && (side ? at < lever[1] : at > lever[0])) {
             lever[side] = at;
             point[side] = k;
@@ -10812,6 +10813,15 @@ static int kern_thrust_holds(const kern_task *task, const kern_query *q)
     }
 }
 
+/* Returns 1 if what was checked is what is known of all blocks but the last. */
+static int kern_plan_is_held(const kern_plan *plan)
+{
+    const kern_known *known = &plan->task.known;
+    const int blocks = plan->task.s.blocks;
+    return plan->held == blocks - 1 && blocks <= KERN_BLOCKS_MOST
+        && known->fails > 0 && !(kern_abs(known->holds - plan->holds) > 0);
+}
+
 /* Returns what the proofs of a plan say of a margin with the block added last,
    which has `found` contact points. KERN_UNDECIDED: nothing. */
 static kern_status kern_plan_shown(const kern_plan *plan, int found,
@@ -10835,10 +10845,7 @@ static kern_status kern_plan_shown(const kern_plan *plan, int found,
     int i = s->contacts - found, moves = 0, loaded = 0;
 
     /* What is known must be what was checked, and what is new in order. */
-    if (plan->held != s->blocks - 1 || s->blocks > KERN_BLOCKS_MOST
-        || !(task->known.fails > 0)
-        || kern_abs(task->known.holds - plan->holds) > 0 || !(margin >= 0)
-        || (q.relative && margin > 1)
+    if (!kern_plan_is_held(plan) || !(margin >= 0) || (q.relative && margin > 1)
         || kern_block_check(b, s->gravity, &loaded) != KERN_OK
         || kern_block_size(b) > KERN_THRUST_SIZES * plan->mean
         || !kern_thrust_nested(s, i, plan->mean))

@@ -987,6 +987,25 @@ static void plan_held(void)
     CHECK_INT(kern_plan_hold(NULL), KERN_BAD_POINTER);
 }
 
+/* A stone that touches only what is above it falls, also without friction. */
+static void plan_held_ceiling(void)
+{
+    static world w;
+    static site p;
+    kern_block under;
+    kern_margin m;
+    world_reset(&w);
+    w.options.mu = 0;
+    world_box(&w, 0, -9, -1, 9, 0);
+    world_box(&w, 1, -1, 0, 1, 1);
+    world_box(&w, 0, 3, 4, 6, 5);
+    site_with(&p, &w, 3);
+    kern_measure(&p.plan.task, &m, NULL);
+    CHECK_INT(kern_plan_hold(&p.plan), KERN_OK);
+    under = candidate(&w, 1, 4, 3, 1);
+    CHECK_INT(kern_plan_bears(&p.plan, &under, 0, NULL), KERN_FALLS);
+}
+
 /* Proofs of what has changed are not used: a block that is taken away from below
    the place, one on top of it, and one where another was. */
 static void plan_held_stale(void)
@@ -1277,27 +1296,17 @@ static void plan_out_of_date(void)
 }
 
 static const test plan_tests[] = {
-    TEST(plan_random),
-    TEST(plan_points),
-    TEST(plan_changes),
-    TEST(plan_candidates),
-    TEST(plan_saturated),
-    TEST(plan_with_one_array),
-    TEST(critical_by_hand),
-    TEST(critical_narrow),
-    TEST(critical_laws),
-    TEST(critical_bad_input),
-    TEST(known_garbage),
-    TEST(plan_stale),
-    TEST(plan_ground_only),
-    TEST(plan_by_hand),
-    TEST(plan_held),
-    TEST(plan_held_stale),
-    TEST(plan_bears_when_closed),
-    TEST(plan_faults),
-    TEST(plan_bad_input),
-    TEST(plan_every_size),
-    TEST(relative_shares),
+    TEST(plan_random),      TEST(plan_points),
+    TEST(plan_changes),     TEST(plan_candidates),
+    TEST(plan_saturated),   TEST(plan_with_one_array),
+    TEST(critical_by_hand), TEST(critical_narrow),
+    TEST(critical_laws),    TEST(critical_bad_input),
+    TEST(known_garbage),    TEST(plan_stale),
+    TEST(plan_ground_only), TEST(plan_by_hand),
+    TEST(plan_held),        TEST(plan_held_ceiling),
+    TEST(plan_held_stale),  TEST(plan_bears_when_closed),
+    TEST(plan_faults),      TEST(plan_bad_input),
+    TEST(plan_every_size),  TEST(relative_shares),
     TEST(plan_out_of_date),
 };
 
