@@ -162,32 +162,26 @@ static void make_interlocks(int blocks)
     }
 }
 
-static void rest_edges(struct rest_near *around, const kern_vec *v, int n)
-{
-    int i;
-    for (i = 0; i < n; i++)
-        around->edge[around->edges++] = rest_edge_of(v[i], v[(i + 1) % n]);
-}
-
-/* Stones let down one after the other that rolled to rest. */
+/* Stones let down one after the other that came to rest. */
 static void make_settled(int blocks)
 {
-    static struct rest_edge edge[BLOCKS * VERTICES];
-    struct rest_near around = {edge, 0};
+    kern_work work = whole_work();
     uint64_t made = state;
     int i;
     add_box(-9, -1, 9, 0, 0);
-    rest_edges(&around, vertex[0], 4);
     for (i = 0; i < 3 * blocks && s.blocks <= blocks; i++) {
         const double x = uniform(-1, 1), turn = uniform(-1, 1);
+        kern_vec at[STONES_CORNERS];
         struct stone stone;
+        kern_block shape;
+        kern_pose pose;
         stone_make(&made, 20 + 60 * (double)uniform(0, 1), &stone);
-        stone_turn(&stone, stone.centre, on_circle(turn, 1));
-        stone_move(&stone, stones_vec(x, 20));
-        if (!rest_settle(&around, &stone) || stone.n > VERTICES)
-            continue;
-        rest_edges(&around, stone.v, stone.n);
-        add(stone.v, stone.n, uniform(1, 3));
+        kern_block_init(&shape, stone.v, stone.n, 1, NULL);
+        if (stone.n <= VERTICES
+            && kern_rest(task_of(&work), &shape, x, on_circle(turn, 1), at,
+                         &pose)
+                   == KERN_OK)
+            add(at, stone.n, uniform(1, 3));
     }
 }
 

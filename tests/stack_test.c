@@ -387,26 +387,52 @@ static void test_courses(void)
     stones_free(&stock);
 }
 
-/* A square that comes down turned by 30 degrees, beside a box or not. */
+/* A stone that is let down turned by 30 degrees lies flat on the ground. */
 static void test_rest(void)
 {
     struct stones stock;
     struct stack_wall w;
-    struct stone s = box(-0.5, -0.5, 0.5, 0.5), t;
+    struct stone s;
     if (two_boxes(&w, &stock))
         return;
-    stone_turn(&s, s.centre, stones_vec(sqrt(3) / 2, 0.5));
-    t = s;
-    stone_move(&t, stones_vec(3.4, 5));
-    check(rest_settle(&w.around, &t), "a square comes to rest", 0, 1);
-    near_to("flat on the ground", t.low.y, 0, 1e-12);
-    near_to("and as high as it is", t.high.y, 1, 1e-12);
-    /* above the gap of 0.5 it turns until two corners of the boxes carry it */
-    t = s;
-    stone_move(&t, stones_vec(1.3, 5));
-    check(rest_settle(&w.around, &t), "a square rests in a gap", 0, 1);
-    check(t.low.y >= 1 - 1e-12 || t.low.y > 0.5, "it does not fall through",
-          t.low.y, 1);
+    check(stack_rest(&w, 2, 3.4, stones_vec(sqrt(3) / 2, 0.5), HUGE_VAL, &s),
+          "a stone comes to rest", 0, 1);
+    near_to("flat on the ground", s.low.y, 0, 1e-6);
+    near_to("its turn", fabs(s.turn.x * s.turn.y), 0, 1e-6);
+    near_to("its height", s.high.y * (s.high.x - s.low.x), s.area, 1e-6);
+    stack_free(&w);
+    stones_free(&stock);
+}
+
+/* A stone whose centre is 0.1 inside of the edge of a box tips when the wall is
+   tilted by 0.1 over the height of its centre. */
+static void test_tilts(void)
+{
+    struct stones stock;
+    struct stack_wall w;
+    struct stack_candidate c;
+    if (two_boxes(&w, &stock))
+        return;
+    c.place.stone = 2;
+    c.place.at = stones_vec(2.4, 1 + stock.stone[2].high.y);
+    c.place.turn = stones_vec(1, 0);
+    c.place.top = HUGE_VAL;
+    check(stack_tilts(&w, &c, 0.2), "it stands at 0.2", 0, 1);
+    check(!stack_tilts(&w, &c, 0.3), "and tips at 0.3", 1, 0);
+    check(w.plan.task.s.blocks == 3, "and is not in the plan",
+          w.plan.task.s.blocks, 3);
+    stack_free(&w);
+    stones_free(&stock);
+}
+
+/* How far a box can be pushed. */
+static void test_ways(void)
+{
+    struct stones stock;
+    struct stack_wall w;
+    struct stone t;
+    if (two_boxes(&w, &stock))
+        return;
     /* slid against a box it stops there */
     t = box(2.6, 0, 3.6, 1);
     near_to("way to a box", rest_way(&w.around, &t, stones_vec(-1, 0)), 0.1,
@@ -927,6 +953,8 @@ int main(int argc, char **argv)
     test_courses();
     test_bond();
     test_rest();
+    test_tilts();
+    test_ways();
     test_quality();
     test_worth_of_filling();
     test_limit();

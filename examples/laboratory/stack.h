@@ -20,10 +20,12 @@
    The planners: `heuristic` has no kern filter, `combined` has. `best` builds
    several walls, see stack_best(), as a mason does: in courses from the left,
    each stone where the lowest course is open, by a cost of beds on two stones,
-   level faces, and tops on which the next stone finds two beds. It may dress a
-   stone level, and keeps small ones back as pins. All planners take the last
-   stones off again until the finished wall stays in the simulator, see
-   stack_finish(); before that they ask kern_plan_stays() alone.
+   level faces, and tops on which the next stone finds two beds. A stone is laid
+   where the wall stands tilted to either side, if there is such a place. It may
+   dress a stone level, and keeps small ones back as pins. All planners take
+   poses from kern_rest(), and take the last stones off again until the finished
+   wall stays in the simulator, see stack_finish(). Before that they ask
+   kern_plan_stays() alone.
 
    stack_wall.h has the options, the wall and the features, stack_place.h the
    candidates, what may be laid and the last look, stack_pin.h pins; this file
@@ -161,6 +163,7 @@ struct stack_weights {
     double end;                /* area of what ends a course                  */
     double one;                /* a stone that has no two beds                */
     double match;              /* a side on which the next one may have two   */
+    double tilt;               /* at which the wall stands, as a tangent      */
     double noise;
     double course; /* height of a course that is being laid, sizes */
     double share;  /* of the candidates that are looked at        */
@@ -172,13 +175,14 @@ struct stack_skies {
 };
 
 struct stack_search {
-    struct stack_list list;   /* candidates for the next stone          */
-    uint64_t chance;          /* state of the random numbers            */
-    struct stack_place *kept; /* the stones of the best wall so far     */
-    int keep;                 /* how many these are                     */
-    int retreats;             /* of stack_build()                       */
-    struct stack_skies skies; /* the rest is for `best`                 */
-    double value;             /* of the best wall, and how it was built */
+    struct stack_list list;       /* candidates for the next stone          */
+    struct stack_candidate leans; /* the cheapest that falls tilted      */
+    uint64_t chance;              /* state of the random numbers            */
+    struct stack_place *kept;     /* the stones of the best wall so far     */
+    int keep;                     /* how many these are                     */
+    int retreats;                 /* of stack_build()                       */
+    struct stack_skies skies;     /* the rest is for `best`                 */
+    double value;                 /* of the best wall, and how it was built */
     struct stack_weights good;
 };
 
@@ -523,15 +527,42 @@ static int stack_tries(const struct stack_wall *w)
     return w->options.look > STACK_LOOK ? STACK_TRIES : STACK_FEW_TRIES;
 }
 
-/* The candidate of least cost that may be laid; -1: none. The load factor is
-   weighed among the cheapest that stand. */
+/* Moves the cheapest candidates from `from` on that stand to the places from
+   there on, at most `most`, and sorts them by cost less what their load factor
+   is worth. Returns how many. */
+static int stack_gather(struct stack_wall *w, struct stack_list *list, int from,
+                        int most, const struct stack_weights *g)
+{
+    int stand = 0;
+    for (int i = from; i < list->count && stand < most; i++) {
+        struct stack_candidate c = list->one[i];
+        if (c.out)
+            continue;
+        if (stack_founds_badly(w, &c.place) || !stack_ask(w, &c)) {
+            list->one[i].out = 1;
+            continue;
+        }
+        c.cost -= g->stable * c.stable;
+        list->one[i] = list->one[from + stand];
+        list->one[from + stand++] = c;
+    }
+    qsort(list->one + from, (size_t)stand, sizeof *list->one, stack_compare);
+    return stand;
+}
+
+/* So many candidates that fall when tilted are passed over. */
+enum { STACK_LEANING = 12 };
+
+/* Returns the candidate of least cost that may be laid and does not fall when
+   the wall is tilted. Where none is found the cheapest that may be laid is
+   returned; -1: there is none. */
 static int stack_pick(struct stack_wall *w, struct stack_search *s,
                       struct stack_weights g)
 {
     struct stack_list *list = &s->list;
     const int ask = w->options.goal == STACK_LOAD ? 8 : 1;
     const int most = stack_tries(w);
-    int stand = 0, tries = 0;
+    int stand = 1, tries = 0, leaning = 0;
     double low = HUGE_VAL;
     for (int i = 0; i < w->columns; i++)
         low = fmin(low, w->sky[i]);
@@ -543,29 +574,22 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
     if (list->count == 0)
         return -1;
     qsort(list->one, (size_t)list->count, sizeof *list->one, stack_compare);
-    for (int from = 0; from < list->count && tries < most; from += stand) {
-        stand = 0;
-        for (int i = from; i < list->count && stand < ask; i++) {
-            struct stack_candidate c = list->one[i];
-            if (c.out)
+    for (int from = 0; stand > 0 && tries < most && leaning < STACK_LEANING;
+         from += stand) {
+        stand = stack_gather(w, list, from, ask, &g);
+        for (int i = from; i < from + stand; i++, tries++) {
+            if (!stack_holds(w, &list->one[i]))
                 continue;
-            if (stack_founds_badly(w, &c.place) || !stack_ask(w, &c)) {
-                list->one[i].out = 1;
-                continue;
-            }
-            c.cost -= g.stable * c.stable;
-            list->one[i] = list->one[from + stand];
-            list->one[from + stand++] = c;
-        }
-        if (stand == 0)
-            break;
-        qsort(list->one + from, (size_t)stand, sizeof *list->one,
-              stack_compare);
-        for (int i = from; i < from + stand; i++, tries++)
-            if (stack_holds(w, &list->one[i]))
+            if (stack_tilts(w, &list->one[i], g.tilt))
                 return i;
+            if (leaning++ == 0)
+                s->leans = list->one[i];
+        }
     }
-    return -1;
+    if (leaning == 0)
+        return -1;
+    list->one[0] = s->leans;
+    return 0;
 }
 
 /* Builds on what is there. Where none of the next stones has a place, one of
@@ -667,6 +691,7 @@ static const struct {
                      {offsetof(struct stack_weights, end), 0.15, 1},
                      {offsetof(struct stack_weights, one), 0.8, 3},
                      {offsetof(struct stack_weights, match), 1, 5},
+                     {offsetof(struct stack_weights, tilt), 0.1, 0.3},
                      {offsetof(struct stack_weights, noise), 0.005, 0.1}};
 enum { STACK_FACTORS = sizeof stack_factors / sizeof stack_factors[0] };
 

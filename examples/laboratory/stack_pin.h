@@ -180,18 +180,15 @@ static void stack_try_beside(struct stack_wall *w, int stone, double x,
     const kern_vec d = stones_vec(x < w->stone[p->block - 1].centre.x ? 1 : -1,
                                   0);
     for (int bed = 0; bed < pin->beds; bed++) {
-        struct stone s = *pin;
-        const kern_vec b = s.bed[bed];
+        const kern_vec turn = stones_vec(pin->bed[bed].x, -pin->bed[bed].y);
+        struct stone s;
         double way;
-        stone_turn(&s, s.centre, stones_vec(b.x, -b.y));
-        stone_move(&s, stones_vec(x, y));
-        if (stack_touches(w, &s) < 0 || !rest_settle(&w->around, &s))
+        if (!stack_rest(w, stone, x, turn, y, &s))
             continue;
         way = rest_way(&w->around, &s, d);
         if (way < stack_joint * w->stock->size) {
             stone_move(&s, stones_vec(way * d.x, 0));
-            if (!rest_settle(&w->around, &s))
-                continue;
+            rest_drop(&w->around, &s);
         }
         stack_note_pin(w, stone, &s, p);
     }

@@ -247,6 +247,31 @@ static double stack_way_back(const struct stack_wall *w, const struct stone *s,
     return back > 0 && back < wide ? back : 0;
 }
 
+/* Lets a stone of the stock down at x, turned as given, past all blocks that lie
+   above height `from`, and puts it where it comes to rest. Returns 0 if it comes
+   to rest nowhere, or above that height. */
+static int stack_rest(struct stack_wall *w, int stone, double x, kern_vec turn,
+                      double from, struct stone *s)
+{
+    kern_task task = w->plan.task;
+    kern_pose pose;
+    if (from < HUGE_VAL) {
+        task.s.block = w->below;
+        task.s.blocks = 0;
+        for (int i = 0; i < w->plan.task.s.blocks; i++)
+            if (w->plan.block[i].box.low.y < from)
+                w->below[task.s.blocks++] = w->plan.block[i];
+    }
+    *s = w->stock->stone[stone];
+    if (kern_rest(&task, &w->shape[stone], x, turn, s->v, &pose) != KERN_OK)
+        return 0;
+    s->centre = pose.block.centre;
+    s->turn = pose.turn;
+    s->low = pose.block.box.low;
+    s->high = pose.block.box.high;
+    return s->low.y < from;
+}
+
 /* Slides a stone at rest to one side until something, or the side of the frame,
    is in the way, and notes it where it then comes to rest. */
 static int stack_slide_on(struct stack_wall *w, struct stack_list *list,
@@ -265,18 +290,18 @@ static int stack_slide_on(struct stack_wall *w, struct stack_list *list,
     way = fmin(rest_way(&w->around, &s, d), room);
     if (!(way > 0.01 * w->stock->size && way < stack_slide * w->stock->size))
         return 0;
-    stone_move(&s, stones_vec(way * d.x, way * d.y));
-    if (!rest_settle(&w->around, &s))
+    if (!stack_rest(w, stone, s.centre.x + way * d.x, s.turn, HUGE_VAL, &s))
         return 0;
     if (stack_note(w, list, stone, &s))
         return -1;
     way = w->options.planner == STACK_BEST
             ? stack_way_back(w, &s, side > 0 ? 1 : -1, d)
             : 0;
-    if (!(way > 0))
-        return 0;
-    stone_move(&s, stones_vec(-way * d.x, -way * d.y));
-    return rest_settle(&w->around, &s) ? stack_note(w, list, stone, &s) : 0;
+    return way > 0
+                && stack_rest(w, stone, s.centre.x - way * d.x, s.turn,
+                              HUGE_VAL, &s)
+             ? stack_note(w, list, stone, &s)
+             : 0;
 }
 
 /* One stone, one bed, one anchor: up to three candidates. */
@@ -285,16 +310,13 @@ static int stack_let_down(struct stack_wall *w, struct stack_list *list,
 {
     struct stone s = w->stock->stone[stone];
     const kern_vec b = s.bed[bed];
-    double x, high = 0;
+    double x;
     stone_turn(&s, s.centre, stones_turned(a->along, stones_vec(b.x, -b.y)));
     if (s.high.x - s.low.x > w->options.width
         || (w->lie && masonry_is_off(s.v, s.n)))
         return 0;
     x = fmin(fmax(a->x, -s.low.x), w->options.width - s.high.x);
-    for (int i = 0; i < w->around.edges; i++)
-        high = fmax(high, w->around.edge[i].a.y);
-    stone_move(&s, stones_vec(x, high - s.low.y + 1));
-    if (!rest_settle(&w->around, &s))
+    if (!stack_rest(w, stone, x, s.turn, HUGE_VAL, &s))
         return 0;
     w->tried++;
     return stack_note(w, list, stone, &s)
@@ -426,28 +448,71 @@ STACK_API double stack_predicted_level(struct stack_wall *w)
     return at_one - slope * log(drop + least);
 }
 
-/* Measures the wall with one more block, and its load factor if that is wanted.
-   The block is added and taken off again; what the plan knows is as before. */
+/* Adds a block for a question; stack_take_off() restores the plan. Returns 0, or
+   -1 where it cannot be added. */
+static int stack_put_on(struct stack_wall *w, const kern_block *block,
+                        kern_known *known)
+{
+    *known = w->plan.task.known;
+    memcpy(w->motion, known->motion,
+           (size_t)w->plan.task.s.blocks * sizeof(kern_motion));
+    memcpy(w->force, known->force,
+           (size_t)w->plan.task.s.contacts * sizeof(kern_force));
+    return stack_add(w, block) < 0 ? -1 : 0;
+}
+
+/* Removes a block that was added for a question, and restores what the plan
+   knew. */
+static void stack_take_off(struct stack_wall *w, const kern_known *known)
+{
+    if (w->plan.task.s.blocks > w->laid + 1)
+        kern_plan_remove(&w->plan, w->laid + 1);
+    memcpy(known->motion, w->motion,
+           (size_t)w->plan.task.s.blocks * sizeof(kern_motion));
+    memcpy(known->force, w->force,
+           (size_t)w->plan.task.s.contacts * sizeof(kern_force));
+    w->plan.task.known = *known;
+}
+
+/* Measures the wall with one more block, and its load factor if that is
+   wanted. */
 static kern_status stack_measure_with(struct stack_wall *w,
                                       const kern_block *block, int load,
                                       struct stack_candidate *c)
 {
-    const struct kern_known known = w->plan.task.known;
-    const size_t motions = (size_t)w->plan.task.s.blocks * sizeof(kern_motion);
-    const size_t forces = (size_t)w->plan.task.s.contacts * sizeof(kern_force);
+    kern_known known;
     kern_status status = KERN_OVERLAP;
-    memcpy(w->motion, known.motion, motions);
-    memcpy(w->force, known.force, forces);
-    if (stack_add(w, block) >= 0) {
+    if (stack_put_on(w, block, &known) == 0) {
         status = kern_measure(&w->plan.task, &c->m, NULL);
         if (load && status == KERN_STANDS)
             c->stable = stack_levels_a_load * stack_load(w);
-        kern_plan_remove(&w->plan, w->laid + 1);
     }
-    memcpy(known.motion, w->motion, motions);
-    memcpy(known.force, w->force, forces);
-    w->plan.task.known = known;
+    stack_take_off(w, &known);
     return status;
+}
+
+/* Returns 1 if the wall stands with a candidate when it is tilted to either
+   side, by an angle of this tangent: what leans outward at its ends falls. */
+static int stack_tilts(struct stack_wall *w, const struct stack_candidate *c,
+                       double tilt)
+{
+    const double g = 9.81;
+    struct stone s = stack_placed(w, &c->place);
+    kern_block block;
+    kern_known known;
+    int stands;
+    if (kern_block_init(&block, s.v, s.n, 1, NULL) != KERN_OK)
+        return 0;
+    stands = stack_put_on(w, &block, &known) == 0;
+    for (int side = -1; side < 2 && stands; side += 2) {
+        kern_task task = w->plan.task;
+        task.known.motion = NULL;
+        task.known.force = NULL;
+        task.s.gravity = stones_vec(side * tilt * g, -g);
+        stands = kern_verdict(&task, 0, NULL) == KERN_STANDS;
+    }
+    stack_take_off(w, &known);
+    return stands;
 }
 
 /* Asks the plan what the wall would be with a candidate: for `best` whether it

@@ -135,6 +135,8 @@ struct stack_bend {
 struct stack_wall {
     const struct stones *stock;
     struct stack_options options;
+    kern_block *below;   /* room for blocks below a height            */
+    kern_block *shape;   /* all stones of the stock, as they are there */
     struct stone *stone; /* as they lie; block i + 1 of the plan      */
     struct stack_place *place;
     int laid;
@@ -171,6 +173,8 @@ enum { STACK_COLUMNS = 24 }; /* in a stone of mean size */
 
 STACK_API void stack_free(struct stack_wall *w)
 {
+    free(w->below);
+    free(w->shape);
     free(w->stone);
     free(w->place);
     free(w->used);
@@ -207,6 +211,14 @@ static int stack_begin(struct stack_wall *w)
     return kern_plan_add(&w->plan, &ground) < 0 ? -1 : 0;
 }
 
+/* Sets the shapes of all stones of the stock, which stone_of() has checked. */
+static void stack_find_shapes(struct stack_wall *w)
+{
+    for (int i = 0; i < w->stock->stones; i++)
+        kern_block_init(&w->shape[i], w->stock->stone[i].v,
+                        w->stock->stone[i].n, 1, NULL);
+}
+
 /* Finds the bends of all stones of the stock between faces that may be beds. */
 static void stack_find_bends(struct stack_wall *w)
 {
@@ -228,6 +240,14 @@ static void stack_find_bends(struct stack_wall *w)
             w->bend[w->bends++].turn = turn;
         }
     }
+}
+
+/* Returns 1 if every array of a wall is there. */
+static int stack_has_room(const struct stack_wall *w)
+{
+    return room_is_there(&w->plan) && w->below && w->shape && w->stone
+        && w->motion && w->place && w->force && w->used && w->bend && w->sky
+        && w->owner && w->around.edge && w->close && w->load;
 }
 
 /* An empty wall. Returns 0, or -1 where memory is lacking. */
@@ -254,6 +274,8 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->plan.task.options.mu = options->friction;
     w->plan.task.options.epsilon = 0.02 * stock->size;
     w->plan.task.s.gravity = stones_vec(0, -9.81);
+    w->below = malloc((size_t)blocks * sizeof *w->below);
+    w->shape = malloc(stones * sizeof *w->shape);
     w->stone = malloc(stones * sizeof *w->stone);
     w->place = malloc(stones * sizeof *w->place);
     w->used = malloc(stones);
@@ -262,10 +284,9 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->sky = malloc((size_t)w->columns * sizeof *w->sky);
     w->owner = malloc((size_t)w->columns * sizeof *w->owner);
     w->around.edge = malloc((size_t)corners * sizeof *w->around.edge);
-    if (!room_is_there(&w->plan) || !w->stone || !w->motion || !w->place
-        || !w->force || !w->used || !w->bend || !w->sky || !w->owner
-        || !w->around.edge || !w->close || !w->load)
+    if (!stack_has_room(w))
         return -1;
+    stack_find_shapes(w);
     stack_find_bends(w);
     w->ground[0] = stones_vec(-1, -0.5);
     w->ground[1] = stones_vec(options->width + 1, -0.5);

@@ -1,12 +1,10 @@
 /* stones.h - stones for the example programs that build walls: a stock of them,
-   and where one comes to rest.
+   and how far one can be pushed.
 
    stones_load() takes the blocks of a structure file as a stock, stones_make()
-   makes one of a given irregularity. rest_drop(), rest_slide() and
-   rest_settle() move a polygon the way a hand would lay it: straight down,
-   along what supports it, and turning about what it touches until something
-   holds it on either side of its centre. Each motion ends at the first touch,
-   so that nothing overlaps.
+   makes one of a given irregularity. rest_way() finds how far a stone can be
+   pushed in a direction before it touches something. kern_rest() finds where a
+   stone comes to rest that is let down from above.
 
    Only + - * / and sqrt() are used: the same input gives the same bits.
 
@@ -539,103 +537,7 @@ STONES_API double rest_way(const struct rest_near *around,
     return way;
 }
 
-/* A turn from 0 to a whole one, as a number that grows with it: 0..4. */
-static double rest_order(kern_vec turn)
-{
-    return turn.y >= 0 ? 1 - turn.x : 3 + turn.x;
-}
-
-/* The turn (side 1: counter-clockwise) about c after which p meets e from
-   outside, seen in that sense: sine positive. Returns its order. */
-static double rest_turn_one(const struct rest_edge *e, kern_vec c, kern_vec p,
-                            double side, kern_vec *turn)
-{
-    kern_vec arm = stones_sub(p, c), to;
-    double square = stones_dot(arm, arm);
-    double h = stones_dot(e->n, stones_sub(e->a, c)), k = square - h * h;
-    if (k < 0 || square < rest_touch * rest_touch)
-        return HUGE_VAL;
-    k = side * sqrt(k);
-    to = stones_vec(h * e->n.x - k * e->n.y, h * e->n.y + k * e->n.x);
-    if (!rest_on(e, stones_vec(c.x + to.x, c.y + to.y)))
-        return HUGE_VAL;
-    turn->x = stones_dot(arm, to) / square;
-    turn->y = side * stones_cross(arm, to) / square;
-    if (turn->y < 0 && turn->x > 0 && -turn->y * sqrt(square) < rest_touch)
-        *turn = stones_vec(1, 0);
-    return rest_order(*turn);
-}
-
-/* Squares of the distances from c to an edge's next and farthest point. */
-struct rest_ring {
-    double low, high;
-};
-
-static struct rest_ring rest_ring_of(const struct rest_edge *e, kern_vec c)
-{
-    const kern_vec a = stones_sub(c, e->a), b = stones_sub(c, e->b);
-    const kern_vec t = stones_vec(-e->n.y, e->n.x);
-    const double aa = stones_dot(a, a), bb = stones_dot(b, b);
-    const double h = stones_dot(e->n, a);
-    struct rest_ring r;
-    r.low = stones_dot(t, a) > 0 && stones_dot(t, b) < 0 ? h * h
-                                                         : rigid_least(aa, bb);
-    r.low -= rest_skip * (1 + r.low);
-    r.high = rigid_most(aa, bb);
-    r.high += rest_skip * (1 + r.high);
-    return r;
-}
-
-static int rest_in_ring(const struct rest_ring *r, double square)
-{
-    return square > r->low && square < r->high;
-}
-
-/* How far a stone can turn about c before it touches something. A corner meets
-   an edge only where that has a point as far from c. */
-STONES_API double rest_turn(const struct rest_near *around,
-                            const struct stone *s, kern_vec c, double side,
-                            kern_vec *turn)
-{
-    struct rest_edge own[STONES_CORNERS];
-    struct rest_ring ring[STONES_CORNERS];
-    double least = HUGE_VAL, square[STONES_CORNERS], reach = 0;
-    rest_edges_of(s, own);
-    for (int i = 0; i < s->n; i++) {
-        const kern_vec arm = stones_sub(own[i].a, c);
-        ring[i] = rest_ring_of(&own[i], c);
-        square[i] = stones_dot(arm, arm);
-        reach = rigid_most(reach, square[i]);
-    }
-    for (int k = 0; k < around->edges; k++) {
-        const struct rest_edge *e = &around->edge[k];
-        const struct rest_ring r = rest_ring_of(e, c);
-        const kern_vec arm = stones_sub(e->a, c);
-        if (r.low > reach)
-            continue;
-        for (int i = 0; i < s->n; i++) {
-            kern_vec t;
-            double order = HUGE_VAL;
-            if (rest_in_ring(&r, square[i]))
-                order = rest_turn_one(e, c, own[i].a, side, &t);
-            if (order < least) {
-                least = order;
-                *turn = t;
-            }
-            order = HUGE_VAL;
-            if (rest_in_ring(&ring[i], stones_dot(arm, arm)))
-                order = rest_turn_one(&own[i], c, e->a, -side, &t);
-            if (order < least) {
-                least = order;
-                *turn = t;
-            }
-        }
-    }
-    turn->y *= side;
-    return least;
-}
-
-/* ---- Coming to rest ------------------------------------------------------ */
+/* ---- What supports a stone ------------------------------------------------ */
 
 /* Does the box of an edge come within a gap of a stone's box? */
 static int rest_is_beside(const struct rest_edge *e, const struct stone *s,
@@ -660,8 +562,9 @@ static void rest_hold(kern_vec p, double up, kern_vec *left, kern_vec *right)
 
 /* The leftmost and the rightmost point that supports a stone; none: left is to
    the right of right. */
-static void rest_holds(const struct rest_near *around, const struct stone *s,
-                       kern_vec *left, kern_vec *right)
+STONES_API void rest_holds(const struct rest_near *around,
+                           const struct stone *s, kern_vec *left,
+                           kern_vec *right)
 {
     struct rest_edge own[STONES_CORNERS];
     *left = stones_vec(HUGE_VAL, 0);
@@ -690,35 +593,6 @@ STONES_API int rest_drop(const struct rest_near *around, struct stone *s)
     if (way < HUGE_VAL)
         stone_move(s, stones_vec(0, -way));
     return way < HUGE_VAL;
-}
-
-/* Lets a stone down and turns it about the contact next to its centre until
-   it is held on both sides, by less than a right angle in all. Returns 1 where
-   it is, or where something beside it stops the turning. */
-STONES_API int rest_settle(const struct rest_near *around, struct stone *s)
-{
-    enum { ROUNDS = 12 };
-    kern_vec left, right, turn = {1, 0}, whole = {1, 0};
-    if (!rest_drop(around, s))
-        return 0;
-    for (int i = 0; i < ROUNDS; i++) {
-        double side;
-        rest_holds(around, s, &left, &right);
-        if (left.x > right.x)
-            return 0;
-        if (left.x < s->centre.x && s->centre.x < right.x)
-            return 1;
-        side = s->centre.x >= right.x ? -1 : 1;
-        if (!(rest_turn(around, s, side < 0 ? right : left, side, &turn) < 4))
-            return 0;
-        if (side * turn.y <= rest_touch)
-            return i > 0 || turn.x > 0;
-        whole = stones_turned(turn, whole);
-        if (turn.x < 0 || whole.x < 0)
-            return 0;
-        stone_turn(s, side < 0 ? right : left, turn);
-    }
-    return 0;
 }
 
 #endif /* STONES_H */
