@@ -311,8 +311,9 @@
    by a few errors. kern_certain() lets them settle. It tells a lower and an
    upper end of the margin, whether the verdict is certain within the error, and
    how far stones may settle. What stands for certain stands on stretches of
-   contact that no error along them takes away, and comes to rest after a small motion
-   where every third stretch is open. How often that is right: tests/TRUST.md.
+   contact that no error along them takes away, and comes to rest after a small
+   motion where every third stretch is open. How often that is right:
+   tests/TRUST.md.
 
    LIMITS                                                            >>limits
 
@@ -1004,10 +1005,10 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
      settles  Where it stands for certain: how far its blocks may move [m].
               Stretches (kern_stretches()) are at least 5 e long, or so far
               inside their edge. Their kerns are shorter by 3.5 e, friction
-              angles less by 3 theta. On these it stands. It comes to rest where every
-              third of them is open by the gap of the options and 1.75 theta sizes
-              more than was measured, each third in turn: 1.5 times the way, at
-              most 0.45 mean sizes. KERN_INFINITY: it does not.
+              angles less by 3 theta. On these it stands. It comes to rest where
+              every third of them is open by the gap of the options and 1.75
+              theta sizes more than was measured, each third in turn: 1.5 times
+              the way, at most 0.45 mean sizes. KERN_INFINITY: it does not.
    KERN_STANDS: low is above 0, and settles below infinity. What stands by forces
    on the contacts of the task never falls for certain. Settling is without
    inertia, and of blocks of the shape they were measured in: one that rocks from
@@ -11570,13 +11571,14 @@ static kern_real kern_certain_low(kern_task *other, const kern_task *task,
 {
     const kern_real share = task->options.pose_error
                           / kern_mean_size(task->s.block, task->s.blocks);
-    kern_task whole = *task;
     kern_real low = margin;
     kern_margin m;
     int part;
     for (part = 0; part < KERN_LOW_PARTS && low > 0; part++) {
-        whole.options.limit = other->options.limit;
-        other->s.contacts = kern_repose_contacts(&whole, part, contact);
+        other->s.contact = task->s.contact;
+        other->s.contacts = task->s.contacts;
+        other->s.contacts = kern_repose_contacts(other, part, contact);
+        other->s.contact = contact;
         *status = kern_limit_less(other, kern_ended(other, *status));
         if (*status >= KERN_UNDECIDED)
             *status = kern_limit_less(other, kern_measure(other, &m, NULL));
