@@ -19,7 +19,7 @@
      V    Measures         >>kern (Algorithm 1) >>search >>measure >>profile
                            >>critical >>sensitivity >>raised
      VI   Geometry         >>tol (tolerances) >>polygon >>contact, and >>plan
-                           >>rest
+                           >>rest >>settle
      VII  Words            >>words
      VIII Sources          >>references >>changes, and the licence
 
@@ -307,12 +307,13 @@
    the discretisation decides them. Overlaps beyond the error are modelling
    errors (kern_overlaps()): measure again, or set options.overlap.
 
-   Certainty. What was measured is near a structure at rest: its stones settle by
-   a few errors. kern_certain() lets them settle, and tells at least how large
-   the margin is there, whether the verdict is certain within the error, and how
-   far stones may settle. What stands for certain stands on stretches of contact
-   that no error along them takes away, and comes to rest after a small motion
-   where any of these is open. How often that is right: tests/TRUST.md.
+   Certainty. What was measured is near a structure at rest: its stones settle
+   by a few errors. kern_certain() lets them settle. It tells a lower and an
+   upper end of the margin, whether the verdict is certain within the error, and
+   how far stones may settle. What stands for certain stands on stretches of
+   contact that no error along them takes away, and comes to rest after a small
+   motion where every third stretch is open. How often that is right:
+   tests/TRUST.md.
 
    LIMITS                                                            >>limits
 
@@ -994,36 +995,41 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
-/* The interval of the margin of a measured structure, from the error in its
-   options, and the verdict that is certain: KERN_STANDS, KERN_FALLS (it falls
-   with all that high allows), or KERN_OK: neither. `margin` is that of
-   kern_measure(), 0 where it falls.
-     low      The smaller of `margin` and of the margin on the contact points that
-              are closed once the blocks have settled, over 1 + 220 e / mean size.
-              0 where it may fall. The true margin is above it in 93 of 100 cases
-              and more; it tends to `margin` as e tends to 0.
-     high     Margin with every contact that may exist: those of the task, and of
-              each edge and corner within gaps and angles of twice the error,
-              kerns longer by 3.5 e; friction angles are more by 3 theta. At
-              least `margin`.
+/* Writes the interval of the margin of a measured structure, from the error e
+   and the angle theta in its options. Returns the verdict that is certain:
+   KERN_STANDS, KERN_FALLS (it falls with all that high allows), or KERN_OK:
+   neither. `margin` is that of kern_measure(), 0 where it falls.
+     low      The smallest of `margin` and of the margins on the contact points
+              that are closed once the blocks have settled: with every other
+              stretch open by 3 e, then with the others. Over 1 + 200 e / size
+              or, where e is below 0.005 mean sizes, 1 + 40,000 (e / size)^2.
+              0 where it may fall. The true margin is above it
+              in about 94 of 100 cases. It tends to `margin` as e tends to 0.
+     high     The margin with kerns that are longer by 3.5 e and friction angles
+              that are larger by 3 theta, at least `margin`. Where `margin` is 0
+              edges and corners within gaps and angles of twice the error carry
+              as well.
      settles  Where it stands for certain: how far its blocks may move [m].
-              Stretches (kern_stretches()) are at least 5 e long, or so far inside
-              their edge, their kerns are shorter by 3.5 e, friction angles less
-              by 3 theta. On these it stands, and comes to rest within 0.2 mean
-              sizes where every eighth of them is open by 1.5 times the gap of
-              the options, each eighth in turn. KERN_INFINITY: it does not.
+              Stretches (kern_stretches()) are at least 5 e long, or so far
+              inside their edge. Their kerns are shorter by 3.5 e, friction
+              angles less by 3 theta. On these it stands. It comes to rest where
+              every third of them is open by the gap of the options and 1.75
+              theta sizes more than was measured, each third in turn: 1.5 times
+              the way, at most 0.45 mean sizes. KERN_INFINITY: it does not.
    KERN_STANDS: low is above 0, and settles below infinity. What stands by forces
    on the contacts of the task never falls for certain. Settling is without
    inertia, and of blocks of the shape they were measured in: one that rocks from
-   one support to another is not seen. Errors are absolute in relative mode too.
+   one support to another is not seen. Nothing depends on the order of blocks
+   and contacts, but for contacts of exactly the same height and place. Errors
+   are absolute in relative mode too.
    contact[0..room) receives the contacts for `high`; work memory is for `room`
    contact points. Below 0: what kern_contacts() or kern_measure() returns,
    KERN_BAD_OPTION also where the options are not those of
    kern_measured_options(). *out then means nothing, but with KERN_LIMIT, of the
    whole call, what is proven by then.
-   Time: two searches for contacts, three margins or verdicts, and nine settlings
-   of at most 4,000 visits of every contact point: of walls about 100 times
-   that of kern_measure(). */
+   Time: a search for contacts, four margins or verdicts, and five settlings of
+   at most 1,600 visits of every contact point. Settled structures that stand
+   take 14 to 50 times as long as kern_measure(), more at smaller errors. */
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
                                   int room);
@@ -9245,24 +9251,37 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_ERROR_SURE KERN_R(5.0)
 /* By how many errors of angle kern_certain() narrows or widens cones. */
 #define KERN_ERROR_CONE KERN_R(3.0)
-/* Of a settling: the fall of a step, in errors of place; sweeps of a step over
-   all contacts, most, and a tenth of the share of a fall below which these
-   change nothing; steps, most; the share of a fall below which a step is rest; a contact is
-   closed up to so many errors. */
-#define KERN_SETTLE_FALL KERN_R(2.0)
-#define KERN_SETTLE_SWEEPS 100
+/* Of a settling. FALL: how far a block that nothing holds falls in a step, in
+   errors of place. There are at most STEPS. SWEEPS: most over all contacts in a
+   step. They end where none moves more than the share STILL of the fall, and
+   are over-relaxed by RELAX. REST: share of the fall below which it is rest. */
+#define KERN_SETTLE_FALL KERN_R(10.0)
+#define KERN_SETTLE_STEPS 40
+#define KERN_SETTLE_SWEEPS 40
+#define KERN_SETTLE_STILL KERN_R(0.02)
+#define KERN_SETTLE_RELAX KERN_R(1.5)
+#define KERN_SETTLE_REST KERN_R(0.05)
+/* Contact points that are held for a unit of work. */
+#define KERN_SETTLE_UNIT 20
 /* Area over the square of the radius of gyration of a square. */
 #define KERN_SETTLE_SPIN KERN_R(6.0)
-#define KERN_SETTLE_STEPS 40
-#define KERN_SETTLE_SLOW KERN_R(0.02)
-#define KERN_SETTLE_CLOSED KERN_R(0.5)
-/* Of doubt: every so many-th stretch is open at a time, by so many gaps of the
-   options; blocks settle by less than that share of their mean size. */
-#define KERN_DOUBT_PARTS 8
-#define KERN_DOUBT_GAPS KERN_R(1.5)
-#define KERN_DOUBT_MOST KERN_R(0.2)
-/* What an error takes of the margin, for each share of the mean size. */
-#define KERN_MARGIN_LOSS KERN_R(220.0)
+/* Contact points at one height are in order of their arms, then from side to
+   side: the share of each that is added to the height. */
+#define KERN_SETTLE_TIE KERN_PICK(1e-7, 1e-5)
+/* Of the lower end: every so many-th stretch is open by OPEN errors of place at
+   a time. A contact is closed up to CLOSED errors. */
+#define KERN_LOW_PARTS 2
+#define KERN_LOW_OPEN KERN_R(3.0)
+#define KERN_LOW_CLOSED KERN_R(0.5)
+/* What an error takes of the margin, for each share of the mean size. Errors
+   below the share WIDE take less, in proportion. */
+#define KERN_LOW_LOSS KERN_R(200.0)
+#define KERN_LOW_WIDE KERN_R(0.005)
+/* Of doubt: every so many-th stretch is open at a time. Blocks may settle by so
+   many times what was found, at most by that share of their mean size. */
+#define KERN_DOUBT_PARTS 3
+#define KERN_DOUBT_TELLS KERN_R(1.5)
+#define KERN_DOUBT_MOST KERN_R(0.45)
 /* Share of KERN_ANGLE_MOST up to which a measured angle is raised. */
 #define KERN_ANGLE_SHARE KERN_R(0.99)
 /* Sine of 10 degrees: the normals of a line contact and of a vertex that
@@ -11479,163 +11498,435 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
     return order;
 }
 
-/* ---- Settling ------------------------------------------------- >>settle */
+/* ---- Settling, certainty ---------------------------------------- >>settle */
 /* What was measured is near a structure at rest. It comes to rest by steps of a
-   little fall, in each of which every contact in turn is held within its cone
-   (projected Gauss-Seidel). Nothing keeps its speed. Places and normals stay as
-   they were measured: the ways are a few errors long. */
+   little fall. In each step every contact in turn is held within its cone
+   (projected Gauss-Seidel, over-relaxed), from below and from above by turns.
+   So the order of the input means nothing. Nothing keeps its speed. Places and
+   normals stay as they were measured, since the ways are a few errors long.
+
+   A stretch is a contact point or both ends of a line. Its gap was measured
+   with an error, so the structure settles with every few-th stretch open by
+   more than was measured, then with the next ones. */
 
 typedef struct kern_repose {
     const kern_task *task;
-    kern_query q;
-    kern_real *gap;    /* of every contact point [m]                   */
-    kern_force *force; /* of every contact point in a step [kg m]      */
-    kern_motion *step; /* of every block in a step [m]                 */
-    kern_real fall;    /* of a block that nothing holds, in a step [m] */
+    kern_real mean;    /* size of the free blocks [m]                       */
+    kern_real fall;    /* of a block that nothing holds, in a step [m]      */
+    int *order;        /* the contact points, from below                    */
+    int *begins;       /* of a point: points of the stretch that it begins, */
+                       /* 0 for the second end of a line                    */
+    kern_real *give;   /* of a block: 1 / mass, 1 / moment of inertia       */
+    kern_real *ease;   /* of a point: how far a force of 1 moves its blocks */
+    kern_real *gap;    /* of a point [m]                                    */
+    kern_vec *arm;     /* of a point: from its two blocks; 0 from fixed     */
+    kern_force *force; /* of a point in a step [kg m]                       */
+    kern_motion *step; /* of a block in a step [m]                          */
 } kern_repose;
 
-/* Begins a settling without gaps. The work memory is long enough. */
-static void kern_repose_begin(kern_repose *r, const kern_task *task)
+/* Returns the height of contact point i, which orders sweeps. Both ends of a
+   line are about as high as its middle. */
+static kern_real kern_repose_height(const kern_repose *r, int i)
 {
-    const kern_structure *s = &task->s;
-    int i;
-    r->task = task;
-    kern_query_read(task, KERN_R(0), &r->q);
-    r->fall = KERN_SETTLE_FALL * task->options.pose_error;
-    r->gap = task->work->real;
-    r->force = (kern_force *)(void *)(r->gap + s->contacts);
-    r->step = (kern_motion *)(void *)(r->force + s->contacts);
-    kern_zero(r->gap, 3 * (s->contacts + s->blocks));
-    for (i = 0; i < s->blocks; i++)
-        if (!s->block[i].fixed && kern_vec_largest(s->gravity) > 0)
-            kern_add(&r->step[i], r->fall / kern_vec_length(s->gravity),
-                     &s->gravity, 2);
+    const kern_contact *c = r->task->s.contact + i;
+    const kern_vec down = r->task->s.gravity, *arm = r->arm + 2 * i;
+    const kern_vec middle = kern_contact_at(c, kern_abs(c->travel), 0);
+    return -kern_vec_dot(
+        kern_vec_step(middle, -KERN_SETTLE_TIE, kern_vec_add(arm[0], arm[1])),
+        kern_vec_step(down, KERN_SETTLE_TIE, kern_vec_turn(down)));
 }
 
-/* Holds contact i: changes its force, within its cone, so that its blocks come
-   no nearer than its gap in the step and do not slide. Returns by how much. */
-static kern_real kern_repose_hold(const kern_repose *r, int i)
+/* Sorts the contact points by their heights (Shell's sort). */
+static void kern_repose_sort(const kern_repose *r)
+{
+    const int n = r->task->s.contacts;
+    int gap, i, k;
+    for (gap = 1; gap < n / 3; gap = 3 * gap + 1)
+        continue;
+    for (; gap > 0; gap /= 3)
+        for (i = gap; i < n; i++) {
+            const int at = r->order[i];
+            const kern_real height = kern_repose_height(r, at);
+            for (k = i;
+                 k >= gap && kern_repose_height(r, r->order[k - gap]) > height;
+                 k -= gap)
+                r->order[k] = r->order[k - gap];
+            r->order[k] = at;
+        }
+}
+
+/* Sets what a force at a contact point moves, and lets every block fall by its
+   weight and its load. */
+static void kern_repose_fall(const kern_repose *r)
 {
     const kern_structure *s = &r->task->s;
-    const kern_contact *c = s->contact + i;
-    const int block[2] = {c->a, c->b};
-    const kern_vec t = kern_vec_turn(c->n);
-    const kern_vec u = kern_meeting_motion(s, &r->q, c, r->step);
-    const kern_force old = r->force[i];
-    kern_force *f = r->force + i;
-    kern_real each[2], spin[2], ease = KERN_R(0), most;
-    kern_vec arm[2], by;
-    int k;
-
-    /* how far a unit of force moves the blocks at most */
-    kern_arms(s, c, &r->q, arm);
-    for (k = 0; k < 2; k++) {
-        const kern_block *b = s->block + block[k];
-        each[k] = b->fixed ? KERN_R(0) : 1 / b->mass;
-        spin[k] = KERN_SETTLE_SPIN * each[k] / kern_abs(b->area);
-        ease += each[k] + spin[k] * kern_vec_dot(arm[k], arm[k]);
+    const kern_real pull = kern_vec_length(s->gravity);
+    const kern_real time = pull > 0 ? r->fall / pull : KERN_R(0);
+    int i, k;
+    for (i = 0; i < s->blocks; i++) {
+        const kern_block *b = s->block + i;
+        kern_real *give = r->give + 2 * i;
+        if (b->fixed)
+            continue;
+        give[0] = 1 / b->mass;
+        give[1] = KERN_SETTLE_SPIN / b->mass / kern_abs(b->area);
+        kern_add(&r->step[i], time, &s->gravity, 2);
+        kern_add(&r->step[i], time * give[0], &b->load, 2);
+        r->step[i].spin += time * give[1] * b->load.torque;
     }
+    for (i = 0; i < s->contacts; i++)
+        for (k = 0; k < 2; k++) {
+            const int b = k ? s->contact[i].b : s->contact[i].a;
+            kern_vec *arm = r->arm + 2 * i + k;
+            if (!s->block[b].fixed)
+                *arm = kern_vec_sub(s->contact[i].p, s->block[b].centre);
+            r->ease[i] += r->give[2 * b]
+                        + r->give[2 * b + 1] * kern_vec_dot(*arm, *arm);
+        }
+}
+
+/* Begins a settling without gaps and forces. The work memory is long enough. */
+static void kern_repose_begin(kern_repose *r, const kern_task *task)
+{
+    const int blocks = task->s.blocks, contacts = task->s.contacts;
+    kern_take take;
+    int i;
+    r->task = task;
+    r->mean = kern_mean_size(task->s.block, blocks);
+    r->fall = KERN_SETTLE_FALL * task->options.pose_error;
+    kern_take_open(&take, task->work);
+    r->order = kern_take_ints(&take, contacts);
+    r->begins = kern_take_ints(&take, contacts);
+    r->give = kern_take_reals(&take, 2 * blocks);
+    r->step = (kern_motion *)(void *)kern_take_reals(&take, 3 * blocks);
+    r->arm = (kern_vec *)(void *)kern_take_reals(&take, 4 * contacts);
+    r->ease = kern_take_reals(&take, contacts);
+    r->gap = kern_take_reals(&take, contacts);
+    r->force = (kern_force *)(void *)kern_take_reals(&take, 2 * contacts);
+    kern_zero(r->give, 5 * blocks + 8 * contacts); /* all of these */
+    for (i = 0; i < contacts; i++) {
+        r->order[i] = i;
+        r->begins[i] = i > 0 && r->begins[i - 1] > 1
+                         ? 0
+                         : 1 + kern_line_begins(task->s.contact, contacts, i);
+    }
+    kern_repose_fall(r);
+    kern_repose_sort(r);
+}
+
+/* Returns how deep p lies inside block b, below 0 where it is outside. All
+   fixed blocks are one ground. A block without vertices ends at p. */
+static kern_real kern_repose_depth(const kern_structure *s, kern_vec p, int b)
+{
+    const int fixed = s->block[b].fixed;
+    kern_real deepest = -KERN_INFINITY;
+    kern_outline outline;
+    int i, nearest;
+    for (i = fixed ? 0 : b; i < (fixed ? s->blocks : b + 1); i++) {
+        nearest = 0;
+        if (!s->block[i].vertices || !s->block[i].fixed != !fixed)
+            continue;
+        kern_outline_set(&outline, s->block + i);
+        deepest = kern_max(deepest, kern_polygon_depth(&outline, p, &nearest));
+    }
+    return deepest > -KERN_INFINITY ? deepest : KERN_R(0);
+}
+
+/* Sets all gaps to the share `keep` of those between the outlines. Every
+   `parts`-th stretch from below, beginning with number `part`, is open by `by`
+   more. */
+static void kern_repose_open(const kern_repose *r, int part, int parts,
+                             kern_real by, kern_real keep)
+{
+    const kern_structure *s = &r->task->s;
+    int i, k, n = 0;
+    for (k = 0; k < s->contacts; k++) {
+        const int first = r->order[k], points = r->begins[first];
+        for (i = first; i < first + points; i++) {
+            const kern_contact *c = s->contact + i;
+            const kern_real gap = -kern_repose_depth(s, c->p, c->a)
+                                - kern_repose_depth(s, c->p, c->b);
+            r->gap[i] = n % parts == part ? kern_max(gap, keep * gap) + by
+                                          : keep * gap;
+        }
+        n += points > 0;
+    }
+}
+
+/* Returns the motion of block b relative to block a where contact point i
+   acts. */
+static kern_vec kern_repose_meeting(const kern_repose *r, int i)
+{
+    const kern_contact *c = r->task->s.contact + i;
+    const kern_vec *arm = r->arm + 2 * i;
+    return kern_vec_sub(kern_velocity(r->step + c->b, arm[1]),
+                        kern_velocity(r->step + c->a, arm[0]));
+}
+
+/* Changes the force of contact point i, within its cone, so that its blocks
+   come no nearer than its gap in the step and do not slide. Returns how far
+   that moves them. */
+static kern_real kern_repose_hold(const kern_repose *r, int i)
+{
+    const kern_contact *c = r->task->s.contact + i;
+    const kern_vec t = kern_vec_turn(c->n), u = kern_repose_meeting(r, i);
+    const kern_real stiff = KERN_SETTLE_RELAX / r->ease[i];
+    kern_force *f = r->force + i;
+    const kern_force old = *f;
+    kern_real most;
+    kern_vec by;
+    int k;
     f->normal = kern_max(
-        old.normal - (r->gap[i] + kern_vec_dot(u, c->n)) / ease, KERN_R(0));
+        old.normal - (r->gap[i] + kern_vec_dot(u, c->n)) * stiff, KERN_R(0));
     most = c->mu * f->normal;
     f->tangential = kern_min(
-        kern_max(old.tangential - kern_vec_dot(u, t) / ease, -most), most);
+        kern_max(old.tangential - kern_vec_dot(u, t) * stiff, -most), most);
 
-    /* what the change moves */
+    /* the change moves both blocks */
     by = kern_vec_step(kern_vec_scale(c->n, f->normal - old.normal),
                        f->tangential - old.tangential, t);
     for (k = 0; k < 2; k++) {
-        const kern_motion moves = {each[k] * by.x, each[k] * by.y,
-                                   spin[k] * kern_vec_cross(arm[k], by)};
-        kern_add(r->step + block[k], KERN_R(k ? 1 : -1), &moves, 3);
+        const int b = k ? c->b : c->a;
+        const kern_vec push = kern_vec_scale(by, KERN_R(k ? 1 : -1));
+        const kern_real *give = r->give + 2 * b;
+        r->step[b].vx += give[0] * push.x;
+        r->step[b].vy += give[0] * push.y;
+        r->step[b].spin += give[1] * kern_vec_cross(r->arm[2 * i + k], push);
     }
-    return ease * kern_vec_largest(by);
+    return r->ease[i] * kern_vec_largest(by);
 }
 
-/* Lets the blocks settle by steps. In each all contacts are held in turn until
-   that moves nothing, from the forces of the last step on. Returns how far they
-   move at most, KERN_INFINITY where that is beyond `most` or they do not come to
-   rest. */
-static kern_real kern_repose_settle(kern_repose *r, kern_real most)
+/* Lets the blocks settle by steps, from the forces that are there. Returns how
+   far they move at most, KERN_INFINITY where that is beyond `most` or they do
+   not come to rest. */
+static kern_real kern_repose_settle(const kern_repose *r, kern_real most)
 {
     const kern_structure *s = &r->task->s;
+    const int last = s->contacts - 1;
     kern_real way = KERN_R(0), moved = r->fall;
     int i, step, sweep;
     for (step = 0; step < KERN_SETTLE_STEPS && way <= most
-                   && moved > KERN_SETTLE_SLOW * r->fall;
+                   && moved > KERN_SETTLE_REST * r->fall;
          step++) {
-        /* what holds this step */
-        for (sweep = 0; sweep < KERN_SETTLE_SWEEPS
-                        && 10 * moved > KERN_SETTLE_SLOW * r->fall
-                        && kern_spend(r->task->work, r->task->options.limit,
-                                      s->contacts / 8 + 1);
+        /* sweeps from below and from above, until they change little */
+        for (sweep = 0;
+             sweep < KERN_SETTLE_SWEEPS && moved > KERN_SETTLE_STILL * r->fall
+             && kern_spend(r->task->work, r->task->options.limit,
+                           s->contacts / KERN_SETTLE_UNIT + 1);
              sweep++)
-            for (i = 0, moved = KERN_R(0); i < s->contacts; i++)
-                moved = kern_max(moved, kern_repose_hold(r, i));
+            for (i = 0, moved = KERN_R(0); i <= last; i++)
+                moved = kern_max(
+                    moved,
+                    kern_repose_hold(r, r->order[sweep % 2 ? last - i : i]));
 
-        /* the gaps, and how far it goes */
-        for (i = 0; i < s->contacts; i++)
-            r->gap[i] += kern_vec_dot(
-                s->contact[i].n,
-                kern_meeting_motion(s, &r->q, s->contact + i, r->step));
+        /* the gaps that are left, and how far the blocks went */
+        for (i = 0; i <= last; i++)
+            r->gap[i] += kern_vec_dot(s->contact[i].n,
+                                      kern_repose_meeting(r, i));
         for (i = 0, moved = KERN_R(0); i < s->blocks; i++)
             moved = kern_max(moved,
                              kern_block_speed(&s->block[i], &r->step[i]));
         way += moved;
     }
-    return moved > KERN_SETTLE_SLOW * r->fall ? KERN_INFINITY : way;
+    return way <= most && moved <= KERN_SETTLE_REST * r->fall ? way
+                                                              : KERN_INFINITY;
 }
 
-/* Returns how far a structure settles where every few-th stretch is open at a
-   time, KERN_INFINITY where that is far. */
-KERN_SHARED static kern_real kern_repose_doubt(const kern_task *task)
-{
-    kern_real way = KERN_R(0);
-    kern_repose r;
-    int part, i, k;
-    for (part = 0; part < KERN_DOUBT_PARTS && way < KERN_INFINITY; part++) {
-        kern_repose_begin(&r, task);
-        for (i = k = 0; i < task->s.contacts; i++) {
-            if (k % KERN_DOUBT_PARTS == part)
-                r.gap[i] = KERN_DOUBT_GAPS
-                         * (task->options.gap
-                            + KERN_ERRORS * task->options.pose_turn * r.q.mean);
-            k += !kern_line_begins(task->s.contact, task->s.contacts, i);
-        }
-        way = kern_max(way, kern_repose_settle(&r, KERN_DOUBT_MOST * r.q.mean));
-    }
-    return way;
-}
-
-/* Lets the measured blocks settle from the gaps between their outlines. Writes
-   the contact points that are closed then to out. Returns how many there are. */
-KERN_SHARED static int kern_repose_contacts(const kern_task *task,
+/* Lets the measured blocks settle with part of the stretches open. Writes the
+   contact points that are closed then to out. Returns how many there are. */
+KERN_SHARED static int kern_repose_contacts(const kern_task *task, int part,
                                             kern_contact *out)
 {
     const kern_structure *s = &task->s;
-    kern_outline outline;
+    const kern_real e = task->options.pose_error;
+    kern_real closed;
     kern_repose r;
-    int i, k, nearest, n = 0;
+    int i, line = 0, n = 0;
     kern_repose_begin(&r, task);
-    for (i = 0; i < s->contacts; i++)
-        for (k = 0; k < 2; k++) {
-            const kern_contact *c = s->contact + i;
-            const kern_block *b = s->block + (k ? c->b : c->a);
-            nearest = 0;
-            if (!b->vertices)
-                continue;
-            kern_outline_set(&outline, b);
-            r.gap[i] -= kern_polygon_depth(&outline, c->p, &nearest);
-        }
+    kern_repose_open(&r, part, KERN_LOW_PARTS, KERN_LOW_OPEN * e, KERN_R(1));
     kern_repose_settle(&r, KERN_INFINITY);
-    for (i = 0; i < s->contacts; i++)
-        if (r.gap[i] <= KERN_SETTLE_CLOSED * task->options.pose_error
-                            + KERN_GAP_SHARE * r.q.mean) {
+
+    /* of a line both ends, or one as a point */
+    closed = KERN_LOW_CLOSED * e + KERN_GAP_SHARE * r.mean;
+    for (i = 0; i < s->contacts; i++) {
+        if (r.begins[i] > 0)
+            line = r.begins[i] > 1
+                && kern_max(r.gap[i], r.gap[i + 1]) <= closed;
+        if (r.gap[i] <= closed) {
             out[n] = s->contact[i];
-            out[n++].line = 0;
+            out[n++].line = line;
         }
+    }
     kern_contact_travels(out, n);
     return n;
+}
+
+/* Returns how far the blocks may settle where the gaps of stretches were
+   measured too small, KERN_INFINITY where that is far. */
+KERN_SHARED static kern_real kern_repose_doubt(const kern_task *task)
+{
+    const kern_options *o = &task->options;
+    kern_real way = KERN_R(0);
+    kern_repose r;
+    int part;
+    kern_repose_begin(&r, task);
+    for (part = 0; part < KERN_DOUBT_PARTS && way < KERN_INFINITY; part++) {
+        kern_repose_open(&r, part, KERN_DOUBT_PARTS,
+                         o->gap + KERN_ERRORS * o->pose_turn * r.mean / 2,
+                         KERN_R(0));
+        way = kern_max(way,
+                       kern_repose_settle(&r, KERN_DOUBT_MOST / KERN_DOUBT_TELLS
+                                                  * r.mean));
+    }
+    return KERN_DOUBT_TELLS * way;
+}
+
+/* ---- certainty ---- */
+
+/* Shrinks the kerns of n contacts by `by` and turns the edges of their cones
+   inward by an angle of tangent `turn`. Below 0 kerns grow and cones widen. */
+static void kern_contacts_err(kern_contact *c, int n, kern_real by,
+                              kern_real turn)
+{
+    for (; n-- > 0; c++) {
+        kern_real rate;
+        const kern_real shift = kern_shift(c->travel, by, 0, &rate);
+        c->p = kern_vec_step(c->p, shift, kern_vec_turn(c->n));
+        c->travel -= shift;
+        c->mu = kern_max(c->mu - turn, KERN_R(0))
+              / kern_max(1 + c->mu * turn, KERN_CONE_LEAST);
+    }
+}
+
+/* Subtracts the work of a call from the limit. Returns its status, or
+   KERN_LIMIT where nothing of the limit remains. */
+static kern_status kern_limit_less(kern_task *task, kern_status status)
+{
+    task->options.limit -= task->work->units;
+    task->work->units = status >= KERN_UNDECIDED && task->options.limit == 0;
+    return task->work->units ? KERN_LIMIT : status;
+}
+
+/* Writes the contacts of the upper end to contact[0..room): those of the task,
+   and of what falls those of edges and corners within twice the error, with the
+   options that find them. Returns how many there are, or a status below 0. */
+KERN_SHARED static int kern_contacts_most(const kern_task *task,
+                                          kern_real margin,
+                                          kern_options *options,
+                                          kern_contact *contact, int room)
+{
+    int i, n = 0;
+    if (!(margin > 0)) {
+        *options = kern_measured_options(options, 2 * options->pose_error,
+                                         2 * options->pose_turn);
+        n = kern_search_run(task->s.block, task->s.blocks, options, contact,
+                            room - task->s.contacts, task->work, 0,
+                            KERN_SEARCH_EDGES);
+    }
+    for (i = 0; n >= 0 && i < task->s.contacts; i++)
+        contact[n++] = task->s.contact[i];
+    return n;
+}
+
+/* Returns what is wrong with the arguments of kern_certain(). */
+static kern_status kern_certain_check(const kern_task *task, kern_real margin,
+                                      const kern_interval *out,
+                                      const kern_contact *contact, int room)
+{
+    kern_query q;
+    const kern_status status = kern_query_check(task, margin, out, &q);
+    if (status != KERN_OK)
+        return status;
+    if (!contact)
+        return KERN_BAD_POINTER;
+    if (!(task->options.pose_error > 0 && margin >= 0))
+        return KERN_BAD_OPTION;
+    return task->s.contacts > room
+                || task->work->reals < 8 * room + 5 * task->s.blocks
+                || task->work->indices < 2 * room
+             ? KERN_NO_SPACE
+             : KERN_OK;
+}
+
+/* Returns the lower end: the smallest of `margin` and of the margins on what is
+   closed once the blocks have settled, less what the error takes. */
+static kern_real kern_certain_low(kern_task *other, const kern_task *task,
+                                  kern_real margin, kern_contact *contact,
+                                  kern_status *status)
+{
+    const kern_real share = task->options.pose_error
+                          / kern_mean_size(task->s.block, task->s.blocks);
+    kern_real low = margin;
+    kern_margin m;
+    int part;
+    for (part = 0; part < KERN_LOW_PARTS && low > 0; part++) {
+        other->s.contact = task->s.contact;
+        other->s.contacts = task->s.contacts;
+        other->s.contacts = kern_repose_contacts(other, part, contact);
+        other->s.contact = contact;
+        *status = kern_limit_less(other, kern_ended(other, *status));
+        if (*status >= KERN_UNDECIDED)
+            *status = kern_limit_less(other, kern_measure(other, &m, NULL));
+        low = *status == KERN_STANDS ? kern_min(low, m.holds) : KERN_R(0);
+    }
+    return low
+         / (1
+            + KERN_LOW_LOSS * share
+                  * kern_min(share / KERN_LOW_WIDE, KERN_R(1)));
+}
+
+KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
+                                  kern_interval *out, kern_contact *contact,
+                                  int room)
+{
+    kern_task other;
+    kern_margin m;
+    kern_real by, turn;
+    kern_status status = kern_certain_check(task, margin, out, contact, room);
+    if (status != KERN_OK)
+        return status;
+    by = KERN_ERRORS * task->options.pose_error;
+    turn = KERN_ERROR_CONE * task->options.pose_turn;
+    out->high = out->settles = KERN_INFINITY;
+    other = kern_task_of(task->s.block, task->s.blocks, contact, 0, task->work);
+    other.s.gravity = task->s.gravity;
+    other.options = task->options;
+    other.options.limit = kern_limit_of(task->options.limit);
+
+    /* low: less than the margins of the blocks where they come to rest */
+    out->low = kern_certain_low(&other, task, margin, contact, &status);
+
+    /* what stands for certain comes to rest on sure stretches, too */
+    if (out->low > 0) {
+        other.s.contacts = kern_search_run(task->s.block, task->s.blocks,
+                                           &task->options, contact, room,
+                                           task->work, 0, KERN_SEARCH_SURE);
+        kern_contacts_err(contact, other.s.contacts, by, turn);
+        status = kern_limit_less(&other, kern_verdict(&other, KERN_R(0), NULL));
+        if (status == KERN_STANDS) {
+            out->settles = kern_repose_doubt(&other);
+            status = kern_limit_less(&other, kern_ended(&other, status));
+        }
+    }
+
+    /* high: longer kerns and wider cones; of what falls all that may exist */
+    if (status >= KERN_UNDECIDED) {
+        other.s.contacts = kern_contacts_most(task, margin, &other.options,
+                                              contact, room);
+        kern_contacts_err(contact, other.s.contacts, -by, -turn);
+        status = kern_measure(&other, &m, NULL);
+        if (status == KERN_FALLS)
+            out->low = out->high = KERN_R(0);
+        else if (status == KERN_STANDS || status == KERN_LIMIT)
+            out->high = kern_max(m.fails, margin);
+        if (status >= KERN_UNDECIDED && status != KERN_FALLS)
+            status = out->settles < KERN_INFINITY ? KERN_STANDS : KERN_OK;
+    }
+
+    /* the work of all calls together */
+    task->work->units += kern_limit_of(task->options.limit)
+                       - other.options.limit;
+    return other.s.contacts < 0 ? (kern_status)other.s.contacts : status;
 }
 
 /* ==== Part VII: Words ==================================================== */
@@ -11682,137 +11973,6 @@ KERN_API kern_options kern_measured_options(const kern_options *options,
     o.angle = kern_min(o.angle, KERN_ANGLE_SHARE * KERN_ANGLE_MOST);
     o.overlap = kern_max(o.overlap, KERN_ERROR_OVERLAP * e);
     return o;
-}
-
-/* Shrinks the kerns of n contacts by `by` and turns the edges of their cones
-   inward by an angle of tangent `turn`. Below 0 kerns grow and cones widen. */
-static void kern_contacts_err(kern_contact *c, int n, kern_real by,
-                              kern_real turn)
-{
-    for (; n-- > 0; c++) {
-        kern_real rate;
-        const kern_real shift = kern_shift(c->travel, by, 0, &rate);
-        c->p = kern_vec_step(c->p, shift, kern_vec_turn(c->n));
-        c->travel -= shift;
-        c->mu = kern_max(c->mu - turn, KERN_R(0))
-              / kern_max(1 + c->mu * turn, KERN_CONE_LEAST);
-    }
-}
-
-/* Subtracts the work of a call from the limit. Returns its status, or
-   KERN_LIMIT where nothing of the limit remains. */
-static kern_status kern_limit_less(kern_task *task, kern_status status)
-{
-    task->options.limit -= task->work->units;
-    task->work->units = status >= KERN_UNDECIDED && task->options.limit == 0;
-    return task->work->units ? KERN_LIMIT : status;
-}
-
-/* Writes every contact that may exist to contact[0..room), and the options with
-   which it is found: those of edges and corners within twice the error, whose
-   kerns are longer, and those of the task, which hold what they held before.
-   Returns how many there are, or a status below 0. */
-KERN_SHARED static int kern_contacts_most(const kern_task *task,
-                                          kern_options *options,
-                                          kern_contact *contact, int room,
-                                          kern_real by, kern_real turn)
-{
-    int i, n;
-    *options = kern_measured_options(options, 2 * task->options.pose_error,
-                                     2 * task->options.pose_turn);
-    n = kern_search_run(task->s.block, task->s.blocks, options, contact,
-                        room - task->s.contacts, task->work, 0,
-                        KERN_SEARCH_EDGES);
-    if (n < 0)
-        return n;
-    kern_contacts_err(contact, n, by, KERN_R(0));
-    for (i = 0; i < task->s.contacts; i++)
-        contact[n + i] = task->s.contact[i];
-    kern_contacts_err(contact, n + i, KERN_R(0), turn);
-    return n + i;
-}
-
-/* Returns what is wrong with the arguments of kern_certain(). */
-static kern_status kern_certain_check(const kern_task *task, kern_real margin,
-                                      const kern_interval *out,
-                                      const kern_contact *contact, int room)
-{
-    kern_query q;
-    const kern_status status = kern_query_check(task, margin, out, &q);
-    if (status != KERN_OK)
-        return status;
-    if (!contact)
-        return KERN_BAD_POINTER;
-    if (!(task->options.pose_error > 0 && margin >= 0))
-        return KERN_BAD_OPTION;
-    return task->s.contacts > room
-                || task->work->reals < 3 * (room + task->s.blocks)
-             ? KERN_NO_SPACE
-             : KERN_OK;
-}
-
-KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
-                                  kern_interval *out, kern_contact *contact,
-                                  int room)
-{
-    kern_task other;
-    kern_margin m;
-    kern_real by, turn;
-    kern_status status = kern_certain_check(task, margin, out, contact, room);
-    if (status != KERN_OK)
-        return status;
-    by = KERN_ERRORS * task->options.pose_error;
-    turn = KERN_ERROR_CONE * task->options.pose_turn;
-    out->low = KERN_R(0);
-    out->high = out->settles = KERN_INFINITY;
-    other = kern_task_of(task->s.block, task->s.blocks, contact, 0, task->work);
-    other.s.gravity = task->s.gravity;
-    other.options = task->options;
-    other.options.limit = kern_limit_of(task->options.limit);
-
-    /* low: less than the margin of the blocks where they come to rest */
-    if (margin > 0) {
-        other.s.contacts = kern_repose_contacts(task, contact);
-        status = kern_limit_less(&other, kern_ended(&other, status));
-        if (status >= KERN_UNDECIDED)
-            status = kern_limit_less(&other, kern_measure(&other, &m, NULL));
-        if (status == KERN_STANDS)
-            out->low = kern_min(margin, m.holds)
-                     / (1
-                        + KERN_MARGIN_LOSS * task->options.pose_error
-                              / kern_mean_size(task->s.block, task->s.blocks));
-    }
-
-    /* what stands for certain comes to rest on sure stretches, too */
-    if (out->low > 0) {
-        other.s.contacts = kern_search_run(task->s.block, task->s.blocks,
-                                           &task->options, contact, room,
-                                           task->work, 0, KERN_SEARCH_SURE);
-        kern_contacts_err(contact, other.s.contacts, by, turn);
-        status = kern_limit_less(&other, kern_verdict(&other, KERN_R(0), NULL));
-        if (status == KERN_STANDS) {
-            out->settles = kern_repose_doubt(&other);
-            status = kern_limit_less(&other, kern_ended(&other, status));
-        }
-    }
-
-    /* high: all contacts that may exist, with kerns and cones plus the error */
-    if (status >= KERN_UNDECIDED) {
-        other.s.contacts = kern_contacts_most(task, &other.options, contact,
-                                              room, -by, -turn);
-        status = kern_measure(&other, &m, NULL);
-        if (status == KERN_FALLS)
-            out->low = out->high = KERN_R(0);
-        else if (status == KERN_STANDS || status == KERN_LIMIT)
-            out->high = kern_max(m.fails, margin);
-        if (status >= KERN_UNDECIDED && status != KERN_FALLS)
-            status = out->settles < KERN_INFINITY ? KERN_STANDS : KERN_OK;
-    }
-
-    /* the work of all calls together */
-    task->work->units += kern_limit_of(task->options.limit)
-                       - other.options.limit;
-    return other.s.contacts < 0 ? (kern_status)other.s.contacts : status;
 }
 
 KERN_API kern_options kern_near(const kern_options *options,

@@ -21,7 +21,7 @@
    are wrong; and of what stands the median error of the margin, in errors of
    place, how many intervals hold the exact margin, how many begin more than 1.5
    times above it (and 2 errors), and their median width in mean sizes. Last, of
-   every other structure, for the factor of the lower end was fitted to the rest:
+   every other structure, since the loss of the lower end was chosen on the rest:
    how many lower ends the exact margin exceeds, and the median of their share of
    it.
    Before that: of what stands, how much falls without one of the supports of a
