@@ -440,7 +440,6 @@ typedef float kern_real;
 #define kern_plan_add kern_plan_add_f32
 #define kern_plan_bears kern_plan_bears_f32
 #define kern_plan_copy kern_plan_copy_f32
-#define kern_plan_hold kern_plan_hold_f32
 #define kern_plan_of kern_plan_of_f32
 #define kern_plan_raised kern_plan_raised_f32
 #define kern_plan_stays kern_plan_stays_f32
@@ -741,8 +740,6 @@ typedef struct kern_plan {
     int block_room;
     kern_contact *contact;
     int contact_room;
-    int held; /* blocks that kern_plan_hold() checked, or 0; by it, too:   */
-    kern_real mean, holds, falls; /* size of blocks, shrinkages proven     */
 } kern_plan;
 
 /* Where a stone comes to rest: kern_rest(). */
@@ -1271,20 +1268,6 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof);
 
-/* Checks a measured plan and the proofs of its bracket once, so that
-   kern_plan_bears() without a proof need not:
-     KERN_STANDS   where known forces may stay and the block's load can be passed
-                   down to fixed blocks, on two contact points of each on the way
-     KERN_FALLS    at known.fails and above, where it touches nothing that moves,
-                   and of a block that touches nothing at all
-   Elsewhere it answers as before. That ends with kern_measure(), a block more or
-   less, and held = 0. AFTER ANY CHANGE BY HAND, options too, CALL IT AGAIN or set
-   held to 0: else answers may be wrong. KERN_OK; KERN_UNDECIDED: nothing known
-   proves anything, kerns are not nested, or a measure refuses the plan. Time:
-   O(B + C); of kern_plan_bears() then: that of kern_plan_add(), and about 1,500
-   instructions for each block on the way. */
-KERN_API kern_status kern_plan_hold(kern_plan *plan);
-
 /* kern_stays() and kern_raised() with a block added; for NULL of the plan as it
    is, and of its last block. */
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
@@ -1563,10 +1546,6 @@ extern "C" {
 /* Blocks of a run that is sorted by simple insertion: with shorter runs the
    steps of Shell's sort cost more than they save. */
 #define KERN_SORT_RUN 64
-/* Most shares of a stone's load that are passed down, and its largest size in
-   mean sizes. */
-#define KERN_THRUSTS 256
-#define KERN_THRUST_SIZES KERN_R(1000)
 
 /* ---- measures ---- */
 
@@ -2420,8 +2399,8 @@ static inline kern_status kern_contact_check(const kern_contact *c, int blocks)
 }
 
 /* Checks a block. Sets *loaded where it is free and something acts on it. */
-static inline kern_status kern_block_check(const kern_block *b,
-                                           kern_vec gravity, int *loaded)
+static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
+                                    int *loaded)
 {
     const kern_real size = kern_block_size(b);
     const kern_real acts = kern_abs(b->load.fx) + kern_abs(b->load.fy)
@@ -10617,15 +10596,8 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
                                 kern_known known, kern_work *work)
 {
-    kern_plan plan = {kern_task_of(block, 0, contact, 0, work),
-                      block,
-                      blocks,
-                      contact,
-                      contacts,
-                      0,
-                      0,
-                      0,
-                      0};
+    kern_plan plan = {kern_task_of(block, 0, contact, 0, work), block, blocks,
+                      contact, contacts};
     plan.task.known = known;
     return plan;
 }
@@ -10674,7 +10646,6 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     kern_fault_clear(&plan->task.work->fault);
     if (i < 0 || i >= s->blocks)
         return KERN_BAD_BLOCK;
-    plan->held = 0;
 
     /* its contacts go, with their forces; later blocks move up by one */
     for (k = 0; k < s->contacts; k++) {
@@ -10729,204 +10700,6 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
             ? (kern_status)found
             : kern_measure_anew(&plan->task, &plan->task.known, out, proof));
 }
-
-/* ---- a plan that is held ---- */
-/* After kern_plan_hold() the known forces hold the plan at holds[0], and the
-   known motion makes it fall at `falls`. The load of a stone is passed down from
-   block to block as a line of thrust that parts: on each block to two contact
-   points, one to either side of it, in whose cones it lies. What is added to
-   forces in their cones stays in these, and equilibrium is that of what is added
-   alone. Kerns are nested: what stands at one place stands at every smaller
-   margin, and what falls falls at every larger one. */
-
-/* Returns 1 if contact points from i on keep kerns nested, whatever stone is
-   added. */
-static int kern_thrust_nested(const kern_structure *s, int i, kern_real mean)
-{
-    const kern_real least = KERN_THRUST_SIZES * KERN_TRAVEL_LEAST * mean;
-    int nested = 1;
-    for (; i < s->contacts && nested; i++) {
-        const kern_real travel = kern_abs(s->contact[i].travel);
-        nested = !(travel > 0) || (s->contact[i].line && travel >= least);
-    }
-    return nested;
-}
-
-KERN_API kern_status kern_plan_hold(kern_plan *plan)
-{
-    const kern_task *task;
-    const kern_known *known;
-    if (!kern_plan_is_whole(plan))
-        return KERN_BAD_POINTER;
-    task = &plan->task;
-    known = &task->known;
-    plan->mean = kern_mean_size(task->s.block, task->s.blocks);
-    plan->holds = known->holds;
-    plan->falls = kern_check_motion(task, known->fails, known->motion) <= 1
-                    ? known->fails
-                    : KERN_INFINITY;
-
-    /* Half of what a proof allows is left to the loads of stones. */
-    plan->held = kern_check_forces(task, known->holds, known->force)
-                          <= KERN_R(0.5)
-                      && kern_thrust_nested(&task->s, 0, plan->mean)
-                   ? task->s.blocks
-                   : 0;
-    return plan->held ? KERN_OK : KERN_UNDECIDED;
-}
-
-/* Returns the first contact point of block i with those before it, if it has
-   any: they lie in the order in which blocks were added. */
-static int kern_thrust_first(const kern_structure *s, int i)
-{
-    int low = 0, high = s->contacts;
-    while (low < high) {
-        const int at = (low + high) / 2;
-        if (s->contact[at].a < i && s->contact[at].b < i)
-            low = at + 1;
-        else
-            high = at;
-    }
-    return low;
-}
-
-/* Parts what acts on block i between two of its contact points with blocks before
-   it, as close to it as there are, and adds it to the sums of their blocks.
-   Within `least` beside one it goes through that. Writes the two blocks that get
-   it. Returns 0 where all points lie to one side. */
-static int kern_thrust_part(const kern_structure *s, const kern_query *q, int i,
-                            kern_real *sum, kern_real least, int on[2])
-{
-    const kern_vec f = kern_vec_make(sum[4 * i], sum[4 * i + 2]);
-    kern_real lever[2] = {-KERN_INFINITY, KERN_INFINITY}, share;
-    int k = kern_thrust_first(s, i), side, point[2] = {0, 0};
-    for (; k < s->contacts; k++) {
-        const kern_contact *c = s->contact + k;
-        const kern_real up = kern_vec_dot(c->n, f) * KERN_R(c->a == i ? 1 : -1);
-        kern_vec arm[2];
-        kern_real at;
-        if (c->a != i && c->b != i)
-            break;
-        kern_arms(s, c, q, arm);
-        at = sum[4 * i + 1] - kern_vec_cross(arm[c->b == i], f);
-        side = at > least;
-        at = side ? at : kern_min(at, 0);
-        if (up > 0
-            && kern_abs(kern_vec_cross(c->n, f))
-                   <= kern_friction(c, kern_reduction(q)) * up
-            && (side ? at < lever[1] : at > lever[0])) {
-            lever[side] = at;
-            point[side] = k;
-        }
-    }
-
-    /* Each gets a share, so that the torque is balanced. */
-    share = lever[0] / (lever[0] - lever[1]);
-    if (!(share >= 0)) /* nor is it a number without a point */
-        return 0;
-    for (side = 0; side < 2; side++) {
-        const kern_contact *c = s->contact + point[side];
-        const kern_vec by = kern_vec_scale(f, side ? share : 1 - share);
-        const int b = c->b == i;
-        kern_vec arm[2];
-        kern_arms(s, c, q, arm);
-        on[side] = b ? c->a : c->b;
-        kern_prove_end(sum + 4 * i, arm[b], -by.x, -by.y, 0);
-        kern_prove_end(sum + 4 * on[side], arm[!b], by.x, by.y, 0);
-    }
-    return 1;
-}
-
-/* Returns 1 if the load of the last block can be passed down to fixed blocks. So
-   few shares of one load leave the sum of all forces in bounds. A block that gets
-   more later is looked at again. */
-static int kern_thrust_holds(const kern_task *task, const kern_query *q)
-{
-    const kern_structure *s = &task->s;
-    kern_take take;
-    kern_wrench w;
-    kern_real *sum;
-    int *on, n = 0, k, again, i = s->blocks - 1;
-    kern_take_open(&take, task->work);
-    sum = kern_take_reals(&take, 4 * s->blocks);
-    on = kern_take_ints(&take, KERN_THRUSTS);
-    if (!kern_take_fits(&take))
-        return 0;
-    kern_zero(sum, 4 * s->blocks);
-    for (k = 0;; i = on[k++]) {
-        kern_real *left = sum + 4 * i;
-        const kern_real arm = kern_block_size(s->block + i);
-        const kern_real allowed = KERN_TOL / 2 * kern_wrench_on(s, q, i, &w);
-        if (k == 0) { /* the load of the last block is not held yet */
-            left[0] = w.fx;
-            left[1] = w.torque;
-            left[2] = w.fy;
-        }
-
-        /* What is left is passed on once, and must be balanced then. */
-        for (again = 0;
-             !s->block[i].fixed
-             && kern_abs(left[0]) + kern_abs(left[2]) + kern_abs(left[1]) / arm
-                    > allowed;
-             again++, n += 2)
-            if (again || n + 2 > KERN_THRUSTS
-                || !kern_spend(task->work, task->options.limit, 1)
-                || !kern_thrust_part(s, q, i, sum, allowed * arm / 4, on + n))
-                return 0;
-        if (k == n)
-            return 1;
-    }
-}
-
-/* Returns 1 if what was checked is what is known of all blocks but the last. */
-static int kern_plan_is_held(const kern_plan *plan)
-{
-    const kern_known *known = &plan->task.known;
-    const int blocks = plan->task.s.blocks;
-    return plan->held == blocks - 1 && blocks <= KERN_BLOCKS_MOST
-        && known->fails > 0 && !(kern_abs(known->holds - plan->holds) > 0);
-}
-
-/* Returns what the proofs of a plan say of a margin with the block added last,
-   which has `found` contact points. KERN_UNDECIDED: nothing. */
-static kern_status kern_plan_shown(const kern_plan *plan, int found,
-                                   kern_real margin)
-{
-    const kern_task *task = &plan->task;
-    const kern_structure *s = &task->s;
-    const kern_block *b = s->block + s->blocks - 1;
-    const kern_query q = {plan->holds,
-                          task->options.relative,
-                          task->options.narrow,
-                          plan->mean,
-                          s->gravity,
-                          NULL,
-                          0,
-                          1,
-                          0,
-                          NULL,
-                          0,
-                          KERN_CARRY_ALL};
-    int i = s->contacts - found, moves = 0, loaded = 0;
-
-    /* What is known must be what was checked, and what is new in order. */
-    if (!kern_plan_is_held(plan) || !(margin >= 0) || (q.relative && margin > 1)
-        || kern_block_check(b, s->gravity, &loaded) != KERN_OK
-        || kern_block_size(b) > KERN_THRUST_SIZES * plan->mean
-        || !kern_thrust_nested(s, i, plan->mean))
-        return KERN_UNDECIDED;
-
-    /* The known motion goes on where it moves nothing that the block touches; a
-       block that touches nothing goes where its load does. */
-    for (; i < s->contacts; i++)
-        moves |= kern_speeds(s->contact + i, task->known.motion) > 0;
-    return (!moves && margin >= plan->falls) || (!found && loaded) ? KERN_FALLS
-         : margin <= plan->holds && kern_thrust_holds(task, &q)
-             ? KERN_STANDS
-             : KERN_UNDECIDED;
-}
-
-/* ---- questions ---- */
 
 /* Returns the verdict at a margin, first without the points that travel if kerns
    are not nested: what stands without them stands at every smaller margin.
@@ -10993,13 +10766,10 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof)
 {
     const int found = kern_plan_add(plan, block);
-    kern_status status = (kern_status)found;
-    if (found >= 0) {
-        status = proof ? KERN_UNDECIDED : kern_plan_shown(plan, found, margin);
-        if (status == KERN_UNDECIDED)
-            status = kern_plan_stands(&plan->task, margin, proof);
-    }
-    return kern_plan_back(plan, block, found, status);
+    return kern_plan_back(plan, block, found,
+                          found < 0
+                              ? (kern_status)found
+                              : kern_plan_stands(&plan->task, margin, proof));
 }
 
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
@@ -11053,7 +10823,6 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
     to->task.s.contact = to->contact;
     to->task.options = from->task.options;
     to->task.known = known;
-    to->held = 0;
     return KERN_OK;
 }
 
@@ -12029,12 +11798,11 @@ KERN_API kern_options kern_near(const kern_options *options,
    0.2.0  kern_measured() is kern_measured_options() and has other tolerances,
           options.error and .turn are .pose_error and .pose_turn. kern_certain()
           takes the margin and fills in a kern_interval, with how far blocks
-          may settle. kern_known and kern_plan have other fields. options.limit
+          may settle. kern_known and kern_plan have fewer fields. options.limit
           is 10,000,000, was 0. More is refused (>>api). New:
           kern_outline_simplify(), kern_stays(), kern_plan_stays(),
           kern_raised_load(), kern_stretches(), options.reserve, .lone,
-          KERN_NO_INTERIOR, kern_rest(), kern_place_compare(), kern_plan_copy(),
-          kern_plan_hold().
+          KERN_NO_INTERIOR, kern_rest(), kern_place_compare(), kern_plan_copy().
           kern_status_text() takes an int.
    0.1.0  First version. */
 

@@ -167,9 +167,8 @@ static void run_random(long many, long first)
 static void run_plans(long many, long first)
 {
     plan_fuzz_calls(many, (unsigned long long)first);
-    printf("%ld calls on plans, %ld ended by a limit or for want of memory; "
-           "%ld stand and %ld fall by proofs that are held\n",
-           plan_calls, plan_ends, plan_short[1], plan_short[0]);
+    printf("%ld calls on plans, %ld ended by a limit or for want of memory\n",
+           plan_calls, plan_ends);
 }
 #endif
 

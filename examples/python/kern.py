@@ -228,9 +228,7 @@ class _Task(ctypes.Structure):
 
 class _Plan(ctypes.Structure):
     _fields_ = [("task", _Task), ("block", c_void_p), ("block_room", c_int),
-                ("contact", c_void_p), ("contact_room", c_int),
-                ("held", c_int), ("mean", c_double), ("holds", c_double),
-                ("falls", c_double)]
+                ("contact", c_void_p), ("contact_room", c_int)]
 
 
 class _Pose(ctypes.Structure):
@@ -509,7 +507,6 @@ _plan_copy = _declare("kern_plan_copy", _i, _p, _p)
 _rest = _declare("kern_rest", _i, _p, _p, _r, _Vec, _p, _p)
 _place_compare = _declare("kern_place_compare", _i, _p, _p, _r)
 _plan_try = _declare("kern_plan_try", _i, _p, _p, _p, _p)
-_plan_hold = _declare("kern_plan_hold", _i, _p)
 _plan_bears = _declare("kern_plan_bears", _i, _p, _p, _r, _p)
 _plan_raised = _declare("kern_plan_raised", _i, _p, _p, _p, _p, _p)
 _plan_stays = _declare("kern_plan_stays", _i, _p, _p, _p)
@@ -2598,14 +2595,6 @@ class Plan(Structure):
                     raise
                 out.append(math.nan)
         return numpy.array(out) if numpy is not None else out
-
-    def measure(self) -> Margin:
-        """Returns margin and level as Structure.measure(), and holds its proofs
-        for bears(), which then reads only what the block touches."""
-        with self._lock:
-            margin = super().measure()
-            _plan_hold(self._at_plan)
-            return margin
 
     def bears(self, block: Block, margin: float) -> bool:
         """Returns whether the margin [m] with the block added is at least this;

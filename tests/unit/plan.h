@@ -903,154 +903,6 @@ static void plan_by_hand(void)
     site_try(&p, &b, &m);
 }
 
-/* What a held plan says of a block, and whether at once, without a model; asked
-   once more, without what is held, it says the same. */
-static void plan_held_says(site *p, const kern_block *block, kern_real at,
-                           int want, int at_once)
-{
-    const int held = p->plan.held;
-    int units;
-    site_keep(p);
-    p->work.error = 0;
-    CHECK_INT(kern_plan_bears(&p->plan, block, at, NULL), want);
-    CHECK(p->work.error <= 1);
-    units = p->work.units;
-    site_unchanged(p, HERE);
-    p->plan.held = 0;
-    CHECK_INT(kern_plan_bears(&p->plan, block, at, NULL), want);
-    CHECK_INT(units < p->work.units, at_once);
-    p->plan.held = held;
-}
-
-/* A ground, a tower of three, and beside it a block that hangs over another and
-   limits the margin: measured and held. */
-static void plan_held_open(site *p, world *w, kern_margin *m)
-{
-    world_reset(w);
-    world_box(w, 0, -9, -1, 9, 0);
-    world_box(w, 1, -1, 0, 1, 1);
-    world_box(w, 1, -1, 1, 1, 2);
-    world_box(w, 1, -1, 2, 1, 3);
-    world_box(w, 1, 4, 0, 6, 1);
-    world_box(w, 1, 4.8, 1, 6.8, 2);
-    site_with(p, w, 6);
-    CHECK_INT(kern_measure(&p->plan.task, m, NULL), KERN_STANDS);
-    CHECK_INT(kern_plan_hold(&p->plan), KERN_OK);
-}
-
-/* A held plan answers at once where a block touches nothing that is critical. */
-static void plan_held(void)
-{
-    static world w;
-    static site p, other;
-    kern_block on, over, high, beside, wide;
-    kern_margin m;
-    kern_real at;
-    plan_held_open(&p, &w, &m);
-    on = candidate(&w, 1, -0.5, 3, 1);
-    over = candidate(&w, 1, 0.8, 3, 1);
-    high = candidate(&w, 1, 0, 5, 1);
-    beside = candidate(&w, 1, 4.9, 2, 0.5);
-    wide = candidate(&w, 1, -1500, 3, 3000);
-    at = m.holds / 2;
-
-    plan_held_says(&p, &on, at, KERN_STANDS, 1);
-    plan_held_says(&p, &on, m.holds, KERN_STANDS, 1);
-    plan_held_says(&p, &on, m.fails, KERN_FALLS, 1);
-    plan_held_says(&p, &high, m.fails, KERN_FALLS, 1);
-    plan_held_says(&p, &beside, m.fails, KERN_STANDS, 0); /* a counterweight */
-    plan_held_says(&p, &over, at, KERN_FALLS, 0);
-    plan_held_says(&p, &high, at, KERN_FALLS, 1);
-    plan_held_says(&p, &wide, at, KERN_STANDS, 0);
-    kern_block_load(&on, vec(0, 1), vec(0.2, 4), 0);
-    plan_held_says(&p, &on, at, KERN_STANDS, 1);
-    kern_block_load(&on, vec(9, 0), vec(0, 3.1), 0);
-    plan_held_says(&p, &on, at, KERN_FALLS, 0);
-    on = candidate(&w, 0, -0.5, 3, 1); /* fixed */
-    plan_held_says(&p, &on, at, KERN_STANDS, 1);
-    on = candidate(&w, 1, -0.5, 3, 1);
-
-    /* numbers that are refused */
-    CHECK_INT(kern_plan_bears(&p.plan, &on, -1, NULL), KERN_BAD_NUMBER);
-    on.mass = -1;
-    CHECK_INT(kern_plan_bears(&p.plan, &on, at, NULL), KERN_BAD_MASS);
-    on.mass = 1;
-
-    /* a copy holds nothing, and a measure ends what is held of another */
-    site_open(&other, &w);
-    CHECK_INT(kern_plan_copy(&other.plan, &p.plan), KERN_OK);
-    CHECK_INT(other.plan.held, 0);
-    p.plan.task.known.fails = 0;
-    plan_held_says(&p, &on, at, KERN_STANDS, 0);
-    CHECK_INT(kern_plan_hold(&p.plan), KERN_OK); /* forces alone prove that */
-    plan_held_says(&p, &on, at, KERN_STANDS, 0);
-    CHECK_INT(kern_plan_hold(NULL), KERN_BAD_POINTER);
-}
-
-/* A stone that touches only what is above it falls, also without friction. */
-static void plan_held_ceiling(void)
-{
-    static world w;
-    static site p;
-    kern_block under;
-    kern_margin m;
-    world_reset(&w);
-    w.options.mu = 0;
-    world_box(&w, 0, -9, -1, 9, 0);
-    world_box(&w, 1, -1, 0, 1, 1);
-    world_box(&w, 0, 3, 4, 6, 5);
-    site_with(&p, &w, 3);
-    kern_measure(&p.plan.task, &m, NULL);
-    CHECK_INT(kern_plan_hold(&p.plan), KERN_OK);
-    under = candidate(&w, 1, 4, 3, 1);
-    CHECK_INT(kern_plan_bears(&p.plan, &under, 0, NULL), KERN_FALLS);
-}
-
-/* Proofs of what has changed are not used: a block that is taken away from below
-   the place, one on top of it, and one where another was. */
-static void plan_held_stale(void)
-{
-    static world w;
-    static site p;
-    static kern_vec moved[4];
-    kern_block on;
-    kern_margin m;
-    int i;
-    plan_held_open(&p, &w, &m);
-    on = candidate(&w, 1, -0.5, 3, 1);
-    plan_held_says(&p, &on, m.holds / 2, KERN_STANDS, 1);
-    site_remove(&p, 3);
-    plan_held_says(&p, &on, m.holds / 2, KERN_FALLS, 0);
-
-    /* as many blocks and contacts as before, but the top is elsewhere */
-    for (i = 0; i < 4; i++)
-        moved[i] = kern_vec_add(w.block[3].vertex[i], vec(-0.95, 0));
-    CHECK_INT(kern_block_init(&w.block[3], moved, 4, 1, NULL), KERN_OK);
-    site_add(&p, 3);
-    CHECK_INT(p.plan.task.s.contacts, 10);
-    plan_held_says(&p, &on, m.holds / 2, KERN_FALLS, 0);
-
-    /* held again it knows, once what is known is true */
-    CHECK_INT(kern_plan_hold(&p.plan), KERN_UNDECIDED);
-    CHECK_INT(p.plan.held, 0);
-    CHECK_INT(kern_measure(&p.plan.task, &m, NULL), KERN_STANDS);
-    CHECK_NEAR(m.margin, 0.05, 1e-5);
-    CHECK_INT(kern_plan_hold(&p.plan), KERN_OK);
-    plan_held_says(&p, &on, m.holds / 2, KERN_STANDS, 1);
-    CHECK(kern_plan_add(&p.plan, &on) > 0);
-    on = candidate(&w, 1, -0.4, 4, 0.5);
-    plan_held_says(&p, &on, 0, KERN_STANDS, 0);
-    CHECK_INT(kern_plan_hold(&p.plan), KERN_UNDECIDED);
-    CHECK_INT(kern_measure(&p.plan.task, &m, NULL), KERN_STANDS);
-    plan_held_says(&p, &on, 0, KERN_STANDS, 0);
-
-    /* what is moved by hand is held again */
-    p.block[4].mass *= 2;
-    CHECK_INT(kern_measure(&p.plan.task, &m, NULL), KERN_STANDS);
-    CHECK_INT(kern_plan_hold(&p.plan), KERN_OK);
-    plan_held_says(&p, &on, 0, KERN_STANDS, 1);
-}
-
 /* What stands with every kern closed bears any margin, kerns nested or not: a
    block on two points whose normals differ, and one aside. With cones that
    narrow it falls where friction is gone, by a motion. */
@@ -1296,17 +1148,25 @@ static void plan_out_of_date(void)
 }
 
 static const test plan_tests[] = {
-    TEST(plan_random),      TEST(plan_points),
-    TEST(plan_changes),     TEST(plan_candidates),
-    TEST(plan_saturated),   TEST(plan_with_one_array),
-    TEST(critical_by_hand), TEST(critical_narrow),
-    TEST(critical_laws),    TEST(critical_bad_input),
-    TEST(known_garbage),    TEST(plan_stale),
-    TEST(plan_ground_only), TEST(plan_by_hand),
-    TEST(plan_held),        TEST(plan_held_ceiling),
-    TEST(plan_held_stale),  TEST(plan_bears_when_closed),
-    TEST(plan_faults),      TEST(plan_bad_input),
-    TEST(plan_every_size),  TEST(relative_shares),
+    TEST(plan_random),
+    TEST(plan_points),
+    TEST(plan_changes),
+    TEST(plan_candidates),
+    TEST(plan_saturated),
+    TEST(plan_with_one_array),
+    TEST(critical_by_hand),
+    TEST(critical_narrow),
+    TEST(critical_laws),
+    TEST(critical_bad_input),
+    TEST(known_garbage),
+    TEST(plan_stale),
+    TEST(plan_ground_only),
+    TEST(plan_by_hand),
+    TEST(plan_bears_when_closed),
+    TEST(plan_faults),
+    TEST(plan_bad_input),
+    TEST(plan_every_size),
+    TEST(relative_shares),
     TEST(plan_out_of_date),
 };
 
