@@ -279,7 +279,7 @@ live() { # live loads, weight that is no stone, and loads that stay
         echo com a 0.5 1.5
     } >"$out/heavy.kern"
     "$kern" --raised --mechanism live "$out/live.kern" >"$out/o" || return 1
-    grep -q '^  live        \[0, 5\]: ' "$out/o" && grep -q '^  raised live ' "$out/o" &&
+    grep -q '^  live        \[0, 5\]: ' "$out/o" && grep -q '^  live limit  \[0, 5\]: limit' "$out/o" &&
         grep -q ' -0.70711$' "$out/o" || return 1
     "$kern" --json --raised "$out"/{live,mass,heavy,load}.kern >"$out/live.json"
     "$kern" --help >"$out/help" && $judge keys "$out/live.json" "$out/help" &&

@@ -300,7 +300,7 @@ static void soil_refused(void)
         {"fill 3 2 phi .6", "degrees from 5 to 60 is expected, read '.6'"},
         {"fill 3 2 from 1", "fill: to is expected, but the line ends"},
         {"fill 3 2 from 1 to 1", "a number above that behind from is expected"},
-        {"fill -1 2", "fill: no free block is below its top, -1"},
+        {"fill -1 2", "fill: a top above the upper outline of a free block "},
         {"earth up 3 2 30 0", "earth: left or right, where the earth is, is "
                               "expected, read 'up'"},
         {"earth right 3 2 30 31", "delta, an angle in degrees from 0 to phi is "

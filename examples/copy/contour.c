@@ -118,7 +118,7 @@ within 0.003 m         56   2670.5    0.0036    0.2500  certain
 within 0.006 m         36   2664.9    0.0063    0.2500  certain
 within 0.012 m         28   2653.1    0.0122    0.2500  certain
 within 0.024 m         20   2638.8    0.0241    0.2500  certain
-within 0.048 m         16   2625.3    0.0480    0.4921
+within 0.048 m         16   2625.3    0.0480    0.4921  certain
 
 exact outlines, untold and told an error of 0.02 m
 untold                 40   2656.9    0.0000    0.2399

@@ -125,7 +125,9 @@ static inline void find_live_let_go(struct analysis *a, kern_block *block)
     int k;
     if (a->let_go == KERN_STANDS) {
         a->live_let_go[0] = 0;
-        a->live_let_go[1] = a->raised_load[LIVE];
+        a->live_let_go[1] = a->raised_load[LIVE] > a->live /* crushes */
+                              ? a->live
+                              : a->raised_load[LIVE];
         return;
     }
     for (k = 0; k < a->task.s.blocks; k++) {
