@@ -366,8 +366,8 @@
              jams up to 50 times as wide; above 256 blocks of which many move at
              once up to 3e-5. Above 64 such blocks a value may lie anywhere in
              it.
-   Slow      Structures of many blocks of which many move at the margin: bricks
-             of one size, long arches (tests/BENCH.md).
+   Slow      Structures of many blocks of which many move at the margin: ragged
+             walls, fitted masonry, long arches (tests/BENCH.md).
    Float     Proofs are weaker (>>tune), a deficit is exact to 3e-6 sizes, above
              64 blocks values to 0.05; more is undecided near critical; where
              wedges jam a margin may be off by 1/3 size. Stay near the origin.
