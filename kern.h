@@ -1392,6 +1392,12 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #error "kern.h: do not compile the implementation with -ffast-math"
 #endif
 
+/* Casts of C are no fault in C++ that includes the implementation. */
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#endif
+
 /* The vectorisers of gcc make one fused operation of pairs of products such as
    a c - b d, a d + b c, also with -ffp-contract=off. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__FMA__)
@@ -11759,6 +11765,10 @@ KERN_API kern_options kern_near(const kern_options *options,
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__FMA__)
 #pragma GCC pop_options
+#endif
+
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC diagnostic pop
 #endif
 
 #endif /* KERN_IMPLEMENTED */

@@ -36,8 +36,10 @@ cpp() { # wall.hpp and what uses it, with warnings for C++; and in threads
     local cc
     for cc in g++ clang++; do
         $cc -std=c++17 -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
-            -Wold-style-cast -Werror -fsyntax-only examples/copy/planner.cpp ||
-            return 1
+            -Wold-style-cast -Werror -fsyntax-only examples/copy/planner.cpp &&
+            $cc -std=c++17 -Wall -Wextra -Wpedantic -Wshadow -Wold-style-cast \
+                -Werror -fsyntax-only -DKERN_IMPLEMENTATION \
+                examples/copy/planner.cpp || return 1
     done
     for cc in address,undefined thread; do
         clang++ -std=c++17 -O1 -g -pthread -DKERN_IMPLEMENTATION \

@@ -123,8 +123,12 @@ class Wall
     /* The margin; 0 where it falls. */
     kern_margin measure()
     {
-        if (!measured_)
-            check(kern_measure(&plan_.task, &alone_, nullptr));
+        if (!measured_) {
+            alone_ = kern_margin{};
+            const int status = kern_measure(&plan_.task, &alone_, nullptr);
+            if (status != KERN_NO_FREE) // bare ground: its margin counts as 0
+                check(status);
+        }
         measured_ = true;
         return alone_;
     }

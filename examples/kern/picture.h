@@ -186,6 +186,15 @@ static inline void draw_soil(const struct draw_view *v, const void *analysis)
         draw_axle(v, a, k);
 }
 
+/* What lies over the picture: the best places of a stone, and soil. */
+static inline void draw_over(const struct draw_view *v, const void *analysis)
+{
+    const struct analysis *a = analysis;
+    if (a->places > 0)
+        draw_places(v, a);
+    draw_soil(v, a);
+}
+
 static inline int draw_to(FILE *out, const struct analysis *a)
 {
     char caption[256];
@@ -204,15 +213,13 @@ static inline int draw_to(FILE *out, const struct analysis *a)
                                                    : (double)a->m.fails;
     scene.limiting = a->critical.contact;
     scene.caption = caption;
-    scene.over = a->places ? draw_places : NULL;
-    scene.data = a;
     scene.shown = a->place_vertex;
     scene.shows = a->places * a->place_vertices;
     if (a->set->profile && a->profiled >= 0)
         colour(a, &scene);
     if (a->text.wheels > 0 && a->text.lives == a->text.spread)
         scene.live = NULL; /* the axles are drawn themselves */
-    scene.over = draw_soil;
+    scene.over = draw_over;
     scene.data = a;
     return draw_svg(out, &scene);
 }

@@ -60,7 +60,11 @@ static inline int check_place(struct analysis *a)
 static inline int place_plan(const struct analysis *a, struct placing *p)
 {
     const int blocks = a->text.blocks + 1;
-    p->plan = room_plan(blocks, 64 * blocks + 64, &p->work);
+    kern_status status;
+    p->plan = room_plan(blocks,
+                        64 * blocks + 64
+                            + 8 * (a->task.s.contacts + p->stone->vertices),
+                        &p->work);
     p->value = array(blocks, sizeof *p->value);
     if (!room_is_there(&p->plan) || !p->value)
         return 0;
@@ -69,7 +73,11 @@ static inline int place_plan(const struct analysis *a, struct placing *p)
     for (int i = 0; i < a->text.blocks; i++)
         if (kern_plan_add(&p->plan, &a->text.block[i]) < 0)
             return 0;
-    return kern_measure(&p->plan.task, &p->alone, NULL) == KERN_STANDS;
+    status = kern_measure(&p->plan.task, &p->alone, NULL);
+    if (status != KERN_NO_FREE)
+        return status == KERN_STANDS;
+    p->alone.margin = 0; /* bare ground */
+    return 1;
 }
 
 /* Returns 1 if the structure stands with the stone, and what that is worth. */
@@ -101,11 +109,17 @@ static inline int place_same(const struct placed *at, const kern_pose *pose)
 {
     const double size = 1e-3 * sqrt(fabs((double)pose->block.area));
     const kern_vec *v = at->vertex, *w = pose->block.vertex;
-    for (int i = 0; i < pose->block.vertices; i++)
-        if (!(fabs((double)(v[i].x - w[i].x)) < size
-              && fabs((double)(v[i].y - w[i].y)) < size))
-            return 0;
-    return 1;
+    const int n = pose->block.vertices;
+    int first = 0, same = 0;
+    for (; first < n && !same; first++) {
+        same = 1;
+        for (int i = 0; i < n && same; i++) {
+            const kern_vec *to = w + (i + first) % n;
+            same = fabs((double)(v[i].x - to->x)) < size
+                && fabs((double)(v[i].y - to->y)) < size;
+        }
+    }
+    return same;
 }
 
 /* Keeps a place among the best, which are in order. One that is in the same

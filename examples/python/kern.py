@@ -2705,7 +2705,13 @@ class Plan(Structure):
         1.3 0.5 True
         0.7 0.3 True
         """
-        alone, turns = self.measure().margin, list(turns)
+        turns = list(turns)
+        try:
+            alone = self.measure().margin
+        except KernError as e:
+            if e.status != Status.NO_FREE:
+                raise
+            alone = 0.0  # bare ground
         found: List[Place] = []
         for x in xs:
             for turn in turns:
