@@ -11294,6 +11294,7 @@ typedef struct kern_repose {
     kern_real *give;   /* of a block: 1 / mass, 1 / moment of inertia       */
     kern_real *ease;   /* of a point: how far a force of 1 moves its blocks */
     kern_real *gap;    /* of a point [m]                                    */
+    kern_real *slid;   /* of a point: how far it slid along t [m]           */
     kern_vec *arm;     /* of a point: from its two blocks; 0 from fixed     */
     kern_force *force; /* of a point in a step [kg m]                       */
     kern_motion *step; /* of a block in a step [m]                          */
@@ -11377,8 +11378,9 @@ static void kern_repose_begin(kern_repose *r, const kern_task *task)
     r->arm = (kern_vec *)(void *)kern_take_reals(&take, 4 * contacts);
     r->ease = kern_take_reals(&take, contacts);
     r->gap = kern_take_reals(&take, contacts);
+    r->slid = kern_take_reals(&take, contacts);
     r->force = (kern_force *)(void *)kern_take_reals(&take, 2 * contacts);
-    kern_zero(r->give, 5 * blocks + 8 * contacts); /* all of these */
+    kern_zero(r->give, 5 * blocks + 9 * contacts); /* all of these */
     for (i = 0; i < contacts; i++) {
         r->order[i] = i;
         r->begins[i] = i > 0 && r->begins[i - 1] > 1
@@ -11472,8 +11474,8 @@ static kern_real kern_repose_hold(const kern_repose *r, int i)
 }
 
 /* Lets the blocks settle by steps, from the forces that are there. Returns how
-   far they move at most, KERN_INFINITY where that is beyond `most` or they do
-   not come to rest. */
+   far they move at most, KERN_INFINITY where that is beyond `most`, they slide
+   off what they lie on, or they do not come to rest. */
 static kern_real kern_repose_settle(const kern_repose *r, kern_real most)
 {
     const kern_structure *s = &r->task->s;
@@ -11494,10 +11496,19 @@ static kern_real kern_repose_settle(const kern_repose *r, kern_real most)
                     moved,
                     kern_repose_hold(r, r->order[sweep % 2 ? last - i : i]));
 
-        /* the gaps that are left, and how far the blocks went */
-        for (i = 0; i <= last; i++)
-            r->gap[i] += kern_vec_dot(s->contact[i].n,
-                                      kern_repose_meeting(r, i));
+        /* The gaps that are left. What presses at the end of a line and slid by
+           half its length may have left what it lies on. */
+        for (i = 0; i <= last; i++) {
+            const kern_contact *c = s->contact + i;
+            const kern_vec u = kern_repose_meeting(r, i);
+            r->gap[i] += kern_vec_dot(c->n, u);
+            r->slid[i] += kern_vec_cross(c->n, u);
+            if (c->line && r->force[i].normal > 0
+                && kern_abs(r->slid[i]) > kern_abs(c->travel))
+                way = KERN_INFINITY;
+        }
+
+        /* how far the blocks went */
         for (i = 0, moved = KERN_R(0); i < s->blocks; i++)
             moved = kern_max(moved,
                              kern_block_speed(&s->block[i], &r->step[i]));
@@ -11617,7 +11628,7 @@ static kern_status kern_certain_check(const kern_task *task, kern_real margin,
     if (!(task->options.pose_error > 0 && margin >= 0))
         return KERN_BAD_OPTION;
     return task->s.contacts > room
-                || task->work->reals < 8 * room + 5 * task->s.blocks
+                || task->work->reals < 9 * room + 5 * task->s.blocks
                 || task->work->indices < 2 * room
              ? KERN_NO_SPACE
              : KERN_OK;
@@ -11690,11 +11701,11 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                               contact, room);
         kern_contacts_err(contact, other.s.contacts, -by, -turn);
         status = kern_measure(&other, &m, NULL);
-        if (status == KERN_FALLS)
-            out->low = out->high = KERN_R(0);
-        else if (status == KERN_STANDS || status == KERN_LIMIT)
-            out->high = kern_max(m.fails, margin);
-        if (status >= KERN_UNDECIDED && status != KERN_FALLS)
+        out->high = status == KERN_STANDS || status == KERN_LIMIT
+                      ? kern_max(m.fails, margin)
+                  : status == KERN_FALLS ? margin /* not nested, if above 0 */
+                                         : KERN_INFINITY;
+        if (status >= KERN_UNDECIDED && (status != KERN_FALLS || margin > 0))
             status = out->settles < KERN_INFINITY ? KERN_STANDS : KERN_OK;
     }
 
