@@ -562,6 +562,42 @@ drawn() { # an arch of lines and arcs that end across from each other, under fil
             --density 1800 --phi 30 "$out/wall.dxf"
 }
 
+photographed() { # parts of one stone that are apart are no beam between them; masks
+    # whose runs are not their pixels are left out by name
+    local kern f=$out/parts.json
+    kern=$(program kern examples/kern.c) || return 1
+    coco() { # coco SEGMENTATION: of annotation 2, on ground
+        printf '{"images": [{"id": 1, "height": 100}], "categories": [{"id": 2,
+            "name": "ground"}], "annotations": [{"id": 1, "image_id": 1,
+            "category_id": 2, "segmentation": [[0, 90, 100, 90, 100, 100, 0,
+            100]]}, {"id": 2, "image_id": 1, "segmentation": %s}]}' "$1"
+    }
+    coco '[[10,80,20,80,20,90,10,90],[70,80,80,80,80,90,70,90]]' >"$f" &&
+        says 'do not touch are stones of their own: stone and stone_2' "$f" &&
+        says '2 blocks on 1 fixed' "$f" || return 1
+    # the second lies on half of the first, and the third joins both
+    coco '[[10,80,30,80,30,90,10,90],[62,80,70,80,70,90,62,90],
+        [22,70,70,70,70,80,22,80]]' >"$f" &&
+        says '1 block on 1 fixed' "$f" &&
+        "$kern" --kern "$out/parts.kern" "$f" >"$out/o" &&
+        awk '$1 == "block" { n = (NF - 3) / 2
+            for (i = 0; i < n; i++) { j = 4 + 2 * i; k = 4 + 2 * ((i + 1) % n)
+                area += ($j * $(k + 1) - $k * $(j + 1)) / 2 } }
+            END { exit area != 760 }' "$out/parts.kern" || return 1
+    coco '{"size": [100, 100], "counts": [4070, 20, 80, 15, 80, 20, 5710]}' >"$f" &&
+        refuses 'also 1 mask 2 of 9995 pixels, not 10000' "$f"
+}
+
+named() { # a layer that its name makes ground is told; a course of stones is none
+    local kern f=$out/named.dxf
+    kern=$(program kern examples/kern.c) || return 1
+    printf '%s\n' 'GROUND -5 -1 5 -1 5 0 -5 0' 'Base_course 4 0 6 0 6 1 4 1' \
+        'SOIL -5 0 0 0 0 1 -5 1' | drawing >"$f"
+    says 'note        ground by name: GROUND (--layer' "$f" &&
+        says 'note        fill by name: SOIL (--layer' "$f" &&
+        says '1 block on 1 fixed' "$f"
+}
+
 thrust() { # the least and the greatest of a support: of a stone that friction
     # holds by 2 under a load of 5; symmetric
     local kern stone
