@@ -562,6 +562,17 @@ drawn() { # an arch of lines and arcs that end across from each other, under fil
             --density 1800 --phi 30 "$out/wall.dxf"
 }
 
+on_one_arc() { # voussoirs of lines and arcs under a wall whose outline has the
+    # same arc with chords of its own: they touch, and nothing overlaps
+    local kern
+    kern=$(program kern examples/kern.c) && arcs WALL 0 >"$out/fill.dxf" &&
+        awk '{ print } /^WALL$/ { print "70\n1\n10\n-4500\n20\n0\n10\n-5500"
+            print "20\n0\n10\n-5500\n20\n5200\n10\n5500\n20\n5200\n10\n5500"
+            print "20\n0\n10\n4500\n20\n0\n42\n1\n0\nENDSEC\n0\nEOF"; exit }' \
+            "$out/fill.dxf" >"$out/wall.dxf" &&
+        says '22 blocks on 2 fixed' "$out/wall.dxf"
+}
+
 photographed() { # parts of one stone that are apart are no beam between them; masks
     # whose runs are not their pixels are left out by name
     local kern f=$out/parts.json

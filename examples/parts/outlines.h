@@ -29,6 +29,7 @@ enum {
     OUTLINES_MOVE = 200,   /* of one whose corner is moved                */
     OUTLINES_TRIES = 64,   /* seams between two parts                     */
     OUTLINES_SAMPLES = 32, /* of a new edge                              */
+    OUTLINES_ON_ARC = 64,  /* corners of others on a chord                */
     OUTLINES_NAMED = 4     /* names in a note                             */
 };
 
@@ -125,8 +126,111 @@ static void outlines_clean(struct shapes *s, struct shapes_path *path)
     path->points = n;
 }
 
+/* The box of an outline, and its area: 0 of what is no stone. */
+struct outlines_box {
+    struct shapes_point low, high;
+    double area;
+};
+
+static struct outlines_box outlines_box(const struct shapes *s, int i)
+{
+    const struct shapes_path *path = s->path + i;
+    const struct shapes_point *p = outlines_points(s, path);
+    struct outlines_box box = {{0, 0, 0}, {0, 0, 0}, 0};
+    lines_box(p, path->points, 1, &box.low, &box.high);
+    if (!path->gone && path->closed && path->role != SHAPES_FILL)
+        box.area = shapes_abs(lines_area(p, path->points)) / 2;
+    return box;
+}
+
+/* Returns 1 if two boxes are within a distance. */
+static int outlines_close_by(const struct outlines_box *a,
+                             const struct outlines_box *b, double distance)
+{
+    return a->low.x <= b->high.x + distance && b->low.x <= a->high.x + distance
+        && a->low.y <= b->high.y + distance && b->low.y <= a->high.y + distance;
+}
+
+/* Lists the outlines around outline i. Writes half the default gap of the
+   smallest of them and itself to *slack: by so much it may be off. */
+static int outlines_around(const struct shapes *s,
+                           const struct outlines_box *box, int i, int *out,
+                           double *slack)
+{
+    double least = box[i].area;
+    int n = 0;
+    for (int j = 0; j < s->paths; j++) {
+        if (j == i || !(box[j].area > 0)
+            || !outlines_close_by(
+                box + i, box + j,
+                1e-3 * shapes_distance(box[j].low, box[j].high)))
+            continue;
+        least = !(least > 0) || box[j].area < least ? box[j].area : least;
+        out[n++] = j;
+    }
+    *slack = 0.5e-3 * SHAPES_SQRT(least);
+    return n;
+}
+
+/* Finds the corners of other outlines that lie on an arc, between the ends of
+   its chord. Returns how many. */
+static int outlines_on_arc(const struct shapes *s, struct lines_piece piece,
+                           const int *around, int arounds, double slack,
+                           struct lines_cut *cut, int room)
+{
+    int n = 0;
+    for (int j = 0; j < arounds; j++) {
+        const struct shapes_path *other = s->path + around[j];
+        const struct shapes_point *q = outlines_points(s, other);
+        for (int v = 0; v < other->points && n < room; v++) {
+            const double away = lines_away(&piece, q[v], &cut[n].share);
+            cut[n].at = q[v];
+            n += away >= 0 && away <= slack
+              && shapes_distance(q[v], piece.a) > slack
+              && shapes_distance(q[v], piece.b) > slack;
+        }
+    }
+    return n;
+}
+
+/* Gives an outline the corners of others around it that lie on its arcs, so that
+   stones on one arc do not overlap by what chords are off. */
+static void outlines_conform(struct shapes *s, int i, const int *around,
+                             int arounds, double slack)
+{
+    const struct shapes_path path = s->path[i];
+    const int first = s->points;
+    struct lines_cut cut[OUTLINES_ON_ARC];
+    double key[OUTLINES_ON_ARC];
+    int index[OUTLINES_ON_ARC], added = 0;
+    for (int k = 0; k < path.points && !s->lost; k++) {
+        struct lines_piece piece;
+        int n = 0;
+        piece.a = s->point[path.first + k];
+        piece.b = s->point[path.first + (k + 1 < path.points ? k + 1 : 0)];
+        piece.path = i;
+        if (piece.a.bulge < 0 || piece.a.bulge > 0)
+            n = outlines_on_arc(s, piece, around, arounds, slack, cut,
+                                OUTLINES_ON_ARC - 1);
+        for (int c = 0; c < n; c++) {
+            key[c] = cut[c].share;
+            index[c] = c;
+        }
+        lines_sort(index, n, key);
+        shapes_point(s, piece.a.x, piece.a.y, piece.a.bulge);
+        for (int c = 0; c < n; c++)
+            shapes_point(s, cut[index[c]].at.x, cut[index[c]].at.y, 0);
+        added += n;
+    }
+    if (added > 0 && !s->lost) {
+        s->path[i].first = first;
+        s->path[i].points = s->points - first;
+    } else
+        s->points = first;
+}
+
 /* Simplifies an outline by kern_outline_simplify(): within the tolerance, or
-   where that is 0 within half the default gap of a block as large as it, so that
+   where that is 0 within half the default gap of the smallest block there, so that
    steps of a rounding are no shear keys. An outline that is no polygon yet, or
    would be none, stays as it is. */
 static void outlines_simplify(struct shapes *s, struct shapes_path *path,
@@ -137,16 +241,11 @@ static void outlines_simplify(struct shapes *s, struct shapes_path *path,
     kern_vec *raw = shapes_array(s, n, sizeof *raw);
     kern_vec *simple = shapes_array(s, n, sizeof *simple);
     int *kept = shapes_array(s, n, sizeof *kept);
-    double area = 0;
     int count = 0;
     for (int i = 0; raw && i < n; i++) {
-        const struct shapes_point *q = p + (i + 1 < n ? i + 1 : 0);
         raw[i].x = (kern_real)p[i].x;
         raw[i].y = (kern_real)p[i].y;
-        area += (p[i].x * q->y - p[i].y * q->x) / 2;
     }
-    if (tolerance <= 0)
-        tolerance = 0.5e-3 * SHAPES_SQRT(shapes_abs(area));
     if (raw && simple && kept)
         count = kern_outline_simplify(raw, n, (kern_real)tolerance, simple,
                                       kept, n);
@@ -160,6 +259,28 @@ static void outlines_simplify(struct shapes *s, struct shapes_path *path,
     free(raw);
     free(simple);
     free(kept);
+}
+
+/* Gives outlines on one arc the same corners, and simplifies them: within `off`,
+   or where that is 0 within what the smallest outline around each may be off. */
+static void outlines_prepare(struct shapes *s, double off)
+{
+    struct outlines_box *box = shapes_array(s, s->paths, sizeof *box);
+    int *around = shapes_array(s, s->paths, sizeof *around);
+    double *slack = shapes_array(s, s->paths, sizeof *slack);
+    for (int i = 0; box && i < s->paths; i++)
+        box[i] = outlines_box(s, i);
+    for (int i = 0; box && around && slack && i < s->paths; i++)
+        if (!s->path[i].gone && !(off > 0)) {
+            const int n = outlines_around(s, box, i, around, slack + i);
+            outlines_conform(s, i, around, n, slack[i]);
+        }
+    for (int i = 0; slack && i < s->paths && !s->lost; i++)
+        if (!s->path[i].gone)
+            outlines_simplify(s, s->path + i, off > 0 ? off : slack[i]);
+    free(box);
+    free(around);
+    free(slack);
 }
 
 /* Returns what kern_block_init() says of a polygon, of density 1. */
@@ -483,18 +604,6 @@ static int outlines_sewn(struct outlines *o, const struct shapes_point *out,
     return 0;
 }
 
-/* Returns 1 if the boxes of two outlines are within a distance. */
-static int outlines_close_by(const struct shapes *s,
-                             const struct shapes_path *a,
-                             const struct shapes_path *b, double distance)
-{
-    struct shapes_point low[2], high[2];
-    lines_box(outlines_points(s, a), a->points, 1, low, high);
-    lines_box(outlines_points(s, b), b->points, 1, low + 1, high + 1);
-    return low[0].x <= high[1].x + distance && low[1].x <= high[0].x + distance
-        && low[0].y <= high[1].y + distance && low[1].y <= high[0].y + distance;
-}
-
 /* Joins outline b to outline a where they touch: each may be off by the reach,
    and nothing farther than that from both becomes stone. Returns 0 where they do
    not touch, or no seam makes a simple outline. */
@@ -503,9 +612,12 @@ static int outlines_unite(struct outlines *o, int a, int b, double reach)
     struct shapes *s = o->s;
     const int n = s->path[a].points, m = s->path[b].points;
     struct outlines_seam seam = {-1, -1, -1};
+    struct outlines_box box[2];
     struct shapes_point *out;
     int done = 0;
-    if (!outlines_close_by(s, s->path + a, s->path + b, 2 * reach))
+    box[0] = outlines_box(s, a);
+    box[1] = outlines_box(s, b);
+    if (!outlines_close_by(box, box + 1, 2 * reach))
         return 0;
     out = shapes_array(s, n + m, sizeof *out);
     for (int k = 0; out && k < OUTLINES_TRIES && !done && !s->lost; k++) {

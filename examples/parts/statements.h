@@ -856,11 +856,10 @@ static void statements_outlines(struct outlines *o)
     statements_find_apart(s);
     statements_put_apart(s, &s->notes, "", "\n");
     statements_sort_out(s);
+    outlines_prepare(s, off);
     for (int i = 0; i < s->paths && !s->lost; i++)
-        if (!s->path[i].gone) {
-            outlines_simplify(s, s->path + i, off);
+        if (!s->path[i].gone)
             outlines_mend(o, i, reach);
-        }
     outlines_join(o, reach);
     outlines_list(o);
     outlines_nest(o);
