@@ -599,6 +599,42 @@ photographed() { # parts of one stone that are apart are no beam between them; m
         refuses 'also 1 mask 2 of 9995 pixels, not 10000' "$f"
 }
 
+styled() { # what is not read of an SVG is left out by name or refused; so are a DWG
+    # and a block that inserts itself
+    local kern f=$out/styled.svg
+    kern=$(program kern examples/kern.c) || return 1
+    svg() { # svg ELEMENTS: on a stone on ground
+        echo '<svg width="99"><rect id="ground" y="90" width="99" height="9"/>' \
+            '<rect x="10" y="80" width="10" height="10"/>' "$1</svg>" >"$f"
+    }
+    svg '<g style="transform:translate(9px,0)"><path d="M30 80h9v9h-9z"/></g>' &&
+        says '1 element moved by a style on path, line 1' "$f" &&
+        says '1 block on 1 fixed' "$f" &&
+        svg '<svg x="50"><rect width="1" height="1"/></svg>' &&
+        says '1 element in a nested svg on rect' "$f" &&
+        svg '<g opacity="0"><rect width="9" height="9"/></g>' &&
+        says '1 invisible element on rect' "$f" &&
+        svg '<rect x="1em" width="9" height="9"/>' &&
+        says '1 outline that cannot be read on rect' "$f" &&
+        svg '<style>.h { display: none }</style>' &&
+        says 'the style sheet in line 1 has a rule with display' "$f" &&
+        svg '<rect y="80" x="10mm" width="10" height="10"/>' &&
+        "$kern" --kern "$out/styled.kern" "$f" >"$out/o" &&
+        grep -q ' 37.795' "$out/styled.kern" &&
+        svg '<g><rect width="9" height="9">' &&
+        refuses "styled.svg:1: the element 'rect' of line 1 is not closed" "$f" &&
+        printf 'AC1032\0\0' >"$out/a.dwg" &&
+        refuses 'a DWG, which is not read: save it as DXF' "$out/a.dwg" || return 1
+    echo 'GROUND -5 -1 5 -1 5 0 -5 0' | drawing | awk '/^ENTITIES$/ {
+            print "BLOCKS\n0\nBLOCK\n2\nA\n10\n0\n20\n0\n0\nLWPOLYLINE\n8\n0"
+            print "70\n1\n10\n0\n20\n0\n10\n999\n20\n0\n10\n999\n20\n999"
+            print "0\nINSERT\n8\n0\n2\nA\n10\n999\n20\n0\n0\nENDBLK\n0\nENDSEC"
+            print "0\nSECTION\n2\nENTITIES\n0\nINSERT\n8\n0\n2\nA\n10\n0\n20\n0"
+            next } { print }' >"$out/self.dxf"
+    says '1 self-inserting INSERT' "$out/self.dxf" &&
+        says '1 block on 1 fixed' "$out/self.dxf"
+}
+
 named() { # a layer that its name makes ground is told; a course of stones is none
     local kern f=$out/named.dxf
     kern=$(program kern examples/kern.c) || return 1
