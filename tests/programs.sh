@@ -562,6 +562,89 @@ drawn() { # an arch of lines and arcs that end across from each other, under fil
             --density 1800 --phi 30 "$out/wall.dxf"
 }
 
+on_one_arc() { # voussoirs of lines and arcs under a wall whose outline has the
+    # same arc with chords of its own: they touch, and nothing overlaps
+    local kern
+    kern=$(program kern examples/kern.c) && arcs WALL 0 >"$out/fill.dxf" &&
+        awk '{ print } /^WALL$/ { print "70\n1\n10\n-4500\n20\n0\n10\n-5500"
+            print "20\n0\n10\n-5500\n20\n5200\n10\n5500\n20\n5200\n10\n5500"
+            print "20\n0\n10\n4500\n20\n0\n42\n1\n0\nENDSEC\n0\nEOF"; exit }' \
+            "$out/fill.dxf" >"$out/wall.dxf" &&
+        says '22 blocks on 2 fixed' "$out/wall.dxf"
+}
+
+photographed() { # parts of one stone that are apart are no beam between them; masks
+    # whose runs are not their pixels are left out by name
+    local kern f=$out/parts.json
+    kern=$(program kern examples/kern.c) || return 1
+    coco() { # coco SEGMENTATION: of annotation 2, on ground
+        printf '{"images": [{"id": 1, "height": 100}], "categories": [{"id": 2,
+            "name": "ground"}], "annotations": [{"id": 1, "image_id": 1,
+            "category_id": 2, "segmentation": [[0, 90, 100, 90, 100, 100, 0,
+            100]]}, {"id": 2, "image_id": 1, "segmentation": %s}]}' "$1"
+    }
+    coco '[[10,80,20,80,20,90,10,90],[70,80,80,80,80,90,70,90]]' >"$f" &&
+        says 'do not touch are stones of their own: stone and stone_2' "$f" &&
+        says '2 blocks on 1 fixed' "$f" || return 1
+    # the second lies on half of the first, and the third joins both
+    coco '[[10,80,30,80,30,90,10,90],[62,80,70,80,70,90,62,90],
+        [22,70,70,70,70,80,22,80]]' >"$f" &&
+        says '1 block on 1 fixed' "$f" &&
+        "$kern" --kern "$out/parts.kern" "$f" >"$out/o" &&
+        awk '$1 == "block" { n = (NF - 3) / 2
+            for (i = 0; i < n; i++) { j = 4 + 2 * i; k = 4 + 2 * ((i + 1) % n)
+                area += ($j * $(k + 1) - $k * $(j + 1)) / 2 } }
+            END { exit area != 760 }' "$out/parts.kern" || return 1
+    coco '{"size": [100, 100], "counts": [4070, 20, 80, 15, 80, 20, 5710]}' >"$f" &&
+        refuses 'also 1 mask 2 of 9995 pixels, not 10000' "$f"
+}
+
+styled() { # what is not read of an SVG is left out by name or refused; so are a DWG
+    # and a block that inserts itself
+    local kern f=$out/styled.svg
+    kern=$(program kern examples/kern.c) || return 1
+    svg() { # svg ELEMENTS: on a stone on ground
+        echo '<svg width="99"><rect id="ground" y="90" width="99" height="9"/>' \
+            '<rect x="10" y="80" width="10" height="10"/>' "$1</svg>" >"$f"
+    }
+    svg '<g style="transform:translate(9px,0)"><path d="M30 80h9v9h-9z"/></g>' &&
+        says '1 element moved by a style on path, line 1' "$f" &&
+        says '1 block on 1 fixed' "$f" &&
+        svg '<svg x="50"><rect width="1" height="1"/></svg>' &&
+        says '1 element in a nested svg on rect' "$f" &&
+        svg '<g opacity="0"><rect width="9" height="9"/></g>' &&
+        says '1 invisible element on rect' "$f" &&
+        svg '<rect x="1em" width="9" height="9"/>' &&
+        says '1 outline that cannot be read on rect' "$f" &&
+        svg '<style>.h { display: none }</style>' &&
+        says 'the style sheet in line 1 has a rule with display' "$f" &&
+        svg '<rect y="80" x="10mm" width="10" height="10"/>' &&
+        "$kern" --kern "$out/styled.kern" "$f" >"$out/o" &&
+        grep -q ' 37.795' "$out/styled.kern" &&
+        svg '<g><rect width="9" height="9">' &&
+        refuses "styled.svg:1: the element 'rect' of line 1 is not closed" "$f" &&
+        printf 'AC1032\0\0' >"$out/a.dwg" &&
+        refuses 'a DWG, which is not read: save it as DXF' "$out/a.dwg" || return 1
+    echo 'GROUND -5 -1 5 -1 5 0 -5 0' | drawing | awk '/^ENTITIES$/ {
+            print "BLOCKS\n0\nBLOCK\n2\nA\n10\n0\n20\n0\n0\nLWPOLYLINE\n8\n0"
+            print "70\n1\n10\n0\n20\n0\n10\n999\n20\n0\n10\n999\n20\n999"
+            print "0\nINSERT\n8\n0\n2\nA\n10\n999\n20\n0\n0\nENDBLK\n0\nENDSEC"
+            print "0\nSECTION\n2\nENTITIES\n0\nINSERT\n8\n0\n2\nA\n10\n0\n20\n0"
+            next } { print }' >"$out/self.dxf"
+    says '1 self-inserting INSERT' "$out/self.dxf" &&
+        says '1 block on 1 fixed' "$out/self.dxf"
+}
+
+named() { # a layer that its name makes ground is told; a course of stones is none
+    local kern f=$out/named.dxf
+    kern=$(program kern examples/kern.c) || return 1
+    printf '%s\n' 'GROUND -5 -1 5 -1 5 0 -5 0' 'Base_course 4 0 6 0 6 1 4 1' \
+        'SOIL -5 0 0 0 0 1 -5 1' | drawing >"$f"
+    says 'note        ground by name: GROUND (--layer' "$f" &&
+        says 'note        fill by name: SOIL (--layer' "$f" &&
+        says '1 block on 1 fixed' "$f"
+}
+
 thrust() { # the least and the greatest of a support: of a stone that friction
     # holds by 2 under a load of 5; symmetric
     local kern stone

@@ -125,6 +125,10 @@ static inline int drawing_parse(struct text_file *t, struct drawing *d,
     const enum drawing_format format = drawing_format(name, data, length);
     int bad, next = 0;
     memset(d, 0, sizeof *d);
+    if (length > 5 && memcmp(data, "AC10", 4) == 0) {
+        *t = empty;
+        return text_fail(t, "a DWG, which is not read: save it as DXF");
+    }
     if (format == DRAWING_TEXT)
         return text_read(t, data, length);
     *t = empty;

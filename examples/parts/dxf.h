@@ -563,6 +563,11 @@ static int dxf_insert(struct dxf *d, int i, int end, int side)
         dxf_skip(d, "undefined ", i, end);
         return 0;
     }
+    for (int k = 1; k < d->depth; k++)
+        if (d->frame[k].first == b->first) {
+            dxf_skip(d, "self-inserting ", i, end);
+            return 0;
+        }
     if (d->depth == DXF_DEEP) {
         dxf_skip(d, "deeply nested ", i, end);
         return 0;

@@ -146,13 +146,14 @@ static int image_run(const char *word, int n, int *at, long long *out)
 }
 
 /* Fills a mask from the lengths of its runs, column by column: 0s first. Returns
-   0 where they are too long. */
-static int image_runs(const struct image *m, int counts, struct image_mask *k)
+   0 where one is no length; *sum is the sum of all. */
+static int image_runs(const struct image *m, int counts, struct image_mask *k,
+                      long long *sum)
 {
     const struct tokens *t = &m->t;
     const struct tokens_one *one = t->one + counts;
     const long long most = (long long)k->width * k->height;
-    long long at = 0, run = 0, before[2] = {0, 0};
+    long long run = 0, before[2] = {0, 0};
     const int coded = one->type == TOKENS_STRING;
     int place = 0, i = counts + 1, n = 0;
     for (;; n++) {
@@ -171,11 +172,11 @@ static int image_runs(const struct image *m, int counts, struct image_mask *k)
                 return 0;
             run = (long long)value;
         }
-        if (run < 0 || run > most - at)
+        if (run < 0 || run > most)
             return 0;
-        for (long long p = at; n % 2 && p < at + run; p++)
+        for (long long p = *sum; n % 2 && p < *sum + run && p < most; p++)
             image_set(k, (int)(p / k->height), (int)(p % k->height));
-        at += run;
+        *sum += run;
     }
 }
 
@@ -236,6 +237,28 @@ static void image_outlines(struct image *m, struct image_mask *k, int label,
     }
 }
 
+/* Lists the mask of an annotation whose runs add up to another sum than its
+   pixels. */
+static void image_skip_runs(struct image *m, int i, int label, long long sum,
+                            int pixels)
+{
+    const int id = tokens_get(&m->t, i, "id");
+    struct shapes_text t = {NULL, 0, 0, 0};
+    shapes_put(&t, "mask");
+    if (id >= 0) {
+        shapes_put(&t, " ");
+        shapes_put_shown(&t, shapes_at(m->s, tokens_text(&m->t, id)));
+    }
+    shapes_put(&t, " of ");
+    shapes_put_number(&t, (double)sum, 15);
+    shapes_put(&t, " pixels, not ");
+    shapes_put_int(&t, pixels);
+    if (!t.lost)
+        image_skip(m, t.at, label, i);
+    m->s->lost |= t.lost;
+    free(t.at);
+}
+
 static void image_mask(struct image *m, int object, int label, int i)
 {
     const struct tokens *t = &m->t;
@@ -243,6 +266,7 @@ static void image_mask(struct image *m, int object, int label, int i)
     const int counts = tokens_get(t, object, "counts");
     struct image_mask k = {NULL, 0, 0, 0, 0, 0, 0, 0, 0};
     double height = 0, width = 0;
+    long long sum = 0;
     if (tokens_is(t, size, TOKENS_LIST) && t->one[size].next == size + 3
         && tokens_number(t, size + 1, &height)
         && tokens_number(t, size + 2, &width) && height >= 1 && width >= 1
@@ -254,10 +278,14 @@ static void image_mask(struct image *m, int object, int label, int i)
         k.top = k.height;
         k.pixel = shapes_array(m->s, k.height * k.width, 1);
     }
-    if (k.pixel && image_runs(m, counts, &k))
-        image_outlines(m, &k, label, i, m->s->groups++);
-    else
+    if (!k.pixel || !image_runs(m, counts, &k, &sum))
         image_skip(m, "mask that is none", label, i);
+    else if (sum != (long long)k.height * k.width)
+        image_skip_runs(m, i, label, sum, k.height * k.width);
+    else if (k.right <= k.left)
+        image_skip(m, "mask without a pixel", label, i);
+    else
+        image_outlines(m, &k, label, i, m->s->groups++);
     free(k.pixel);
 }
 

@@ -6,7 +6,8 @@
                      mended where a loop is smaller than the outline may be off,
                      or where one corner stands in the wrong place; otherwise it
                      is skipped by name
-       parts         of one stone are joined where they face each other
+       parts         of one stone are joined where they touch; those that are
+                     apart are stones of their own, and named
        nested        an outline around others is a frame, one inside another a
                      hole; both are skipped by name
        ground        what a label makes it; or a line that the user draws, below
@@ -24,10 +25,12 @@
 #include "shapes.h"
 
 enum {
-    OUTLINES_MEND = 2000, /* points of an outline that is mended         */
-    OUTLINES_MOVE = 200,  /* of one whose corner is moved                */
-    OUTLINES_TRIES = 16,  /* bridges between two parts                   */
-    OUTLINES_NAMED = 4    /* names in a note                             */
+    OUTLINES_MEND = 2000,  /* points of an outline that is mended         */
+    OUTLINES_MOVE = 200,   /* of one whose corner is moved                */
+    OUTLINES_TRIES = 64,   /* seams between two parts                     */
+    OUTLINES_SAMPLES = 32, /* of a new edge                              */
+    OUTLINES_ON_ARC = 64,  /* corners of others on a chord                */
+    OUTLINES_NAMED = 4     /* names in a note                             */
 };
 
 #define OUTLINES_FARTHEST 1e15 /* m: what is drawn there is no stone */
@@ -123,8 +126,111 @@ static void outlines_clean(struct shapes *s, struct shapes_path *path)
     path->points = n;
 }
 
+/* The box of an outline, and its area: 0 of what is no stone. */
+struct outlines_box {
+    struct shapes_point low, high;
+    double area;
+};
+
+static struct outlines_box outlines_box(const struct shapes *s, int i)
+{
+    const struct shapes_path *path = s->path + i;
+    const struct shapes_point *p = outlines_points(s, path);
+    struct outlines_box box = {{0, 0, 0}, {0, 0, 0}, 0};
+    lines_box(p, path->points, 1, &box.low, &box.high);
+    if (!path->gone && path->closed && path->role != SHAPES_FILL)
+        box.area = shapes_abs(lines_area(p, path->points)) / 2;
+    return box;
+}
+
+/* Returns 1 if two boxes are within a distance. */
+static int outlines_close_by(const struct outlines_box *a,
+                             const struct outlines_box *b, double distance)
+{
+    return a->low.x <= b->high.x + distance && b->low.x <= a->high.x + distance
+        && a->low.y <= b->high.y + distance && b->low.y <= a->high.y + distance;
+}
+
+/* Lists the outlines around outline i. Writes half the default gap of the
+   smallest of them and itself to *slack: by so much it may be off. */
+static int outlines_around(const struct shapes *s,
+                           const struct outlines_box *box, int i, int *out,
+                           double *slack)
+{
+    double least = box[i].area;
+    int n = 0;
+    for (int j = 0; j < s->paths; j++) {
+        if (j == i || !(box[j].area > 0)
+            || !outlines_close_by(
+                box + i, box + j,
+                1e-3 * shapes_distance(box[j].low, box[j].high)))
+            continue;
+        least = !(least > 0) || box[j].area < least ? box[j].area : least;
+        out[n++] = j;
+    }
+    *slack = 0.5e-3 * SHAPES_SQRT(least);
+    return n;
+}
+
+/* Finds the corners of other outlines that lie on an arc, between the ends of
+   its chord. Returns how many. */
+static int outlines_on_arc(const struct shapes *s, struct lines_piece piece,
+                           const int *around, int arounds, double slack,
+                           struct lines_cut *cut, int room)
+{
+    int n = 0;
+    for (int j = 0; j < arounds; j++) {
+        const struct shapes_path *other = s->path + around[j];
+        const struct shapes_point *q = outlines_points(s, other);
+        for (int v = 0; v < other->points && n < room; v++) {
+            const double away = lines_away(&piece, q[v], &cut[n].share);
+            cut[n].at = q[v];
+            n += away >= 0 && away <= slack
+              && shapes_distance(q[v], piece.a) > slack
+              && shapes_distance(q[v], piece.b) > slack;
+        }
+    }
+    return n;
+}
+
+/* Gives an outline the corners of others around it that lie on its arcs, so that
+   stones on one arc do not overlap by what chords are off. */
+static void outlines_conform(struct shapes *s, int i, const int *around,
+                             int arounds, double slack)
+{
+    const struct shapes_path path = s->path[i];
+    const int first = s->points;
+    struct lines_cut cut[OUTLINES_ON_ARC];
+    double key[OUTLINES_ON_ARC];
+    int index[OUTLINES_ON_ARC], added = 0;
+    for (int k = 0; k < path.points && !s->lost; k++) {
+        struct lines_piece piece;
+        int n = 0;
+        piece.a = s->point[path.first + k];
+        piece.b = s->point[path.first + (k + 1 < path.points ? k + 1 : 0)];
+        piece.path = i;
+        if (piece.a.bulge < 0 || piece.a.bulge > 0)
+            n = outlines_on_arc(s, piece, around, arounds, slack, cut,
+                                OUTLINES_ON_ARC - 1);
+        for (int c = 0; c < n; c++) {
+            key[c] = cut[c].share;
+            index[c] = c;
+        }
+        lines_sort(index, n, key);
+        shapes_point(s, piece.a.x, piece.a.y, piece.a.bulge);
+        for (int c = 0; c < n; c++)
+            shapes_point(s, cut[index[c]].at.x, cut[index[c]].at.y, 0);
+        added += n;
+    }
+    if (added > 0 && !s->lost) {
+        s->path[i].first = first;
+        s->path[i].points = s->points - first;
+    } else
+        s->points = first;
+}
+
 /* Simplifies an outline by kern_outline_simplify(): within the tolerance, or
-   where that is 0 within half the default gap of a block as large as it, so that
+   where that is 0 within half the default gap of the smallest block there, so that
    steps of a rounding are no shear keys. An outline that is no polygon yet, or
    would be none, stays as it is. */
 static void outlines_simplify(struct shapes *s, struct shapes_path *path,
@@ -135,16 +241,11 @@ static void outlines_simplify(struct shapes *s, struct shapes_path *path,
     kern_vec *raw = shapes_array(s, n, sizeof *raw);
     kern_vec *simple = shapes_array(s, n, sizeof *simple);
     int *kept = shapes_array(s, n, sizeof *kept);
-    double area = 0;
     int count = 0;
     for (int i = 0; raw && i < n; i++) {
-        const struct shapes_point *q = p + (i + 1 < n ? i + 1 : 0);
         raw[i].x = (kern_real)p[i].x;
         raw[i].y = (kern_real)p[i].y;
-        area += (p[i].x * q->y - p[i].y * q->x) / 2;
     }
-    if (tolerance <= 0)
-        tolerance = 0.5e-3 * SHAPES_SQRT(shapes_abs(area));
     if (raw && simple && kept)
         count = kern_outline_simplify(raw, n, (kern_real)tolerance, simple,
                                       kept, n);
@@ -158,6 +259,28 @@ static void outlines_simplify(struct shapes *s, struct shapes_path *path,
     free(raw);
     free(simple);
     free(kept);
+}
+
+/* Gives outlines on one arc the same corners, and simplifies them: within `off`,
+   or where that is 0 within what the smallest outline around each may be off. */
+static void outlines_prepare(struct shapes *s, double off)
+{
+    struct outlines_box *box = shapes_array(s, s->paths, sizeof *box);
+    int *around = shapes_array(s, s->paths, sizeof *around);
+    double *slack = shapes_array(s, s->paths, sizeof *slack);
+    for (int i = 0; box && i < s->paths; i++)
+        box[i] = outlines_box(s, i);
+    for (int i = 0; box && around && slack && i < s->paths; i++)
+        if (!s->path[i].gone && !(off > 0)) {
+            const int n = outlines_around(s, box, i, around, slack + i);
+            outlines_conform(s, i, around, n, slack[i]);
+        }
+    for (int i = 0; slack && i < s->paths && !s->lost; i++)
+        if (!s->path[i].gone)
+            outlines_simplify(s, s->path + i, off > 0 ? off : slack[i]);
+    free(box);
+    free(around);
+    free(slack);
 }
 
 /* Returns what kern_block_init() says of a polygon, of density 1. */
@@ -378,94 +501,6 @@ static int outlines_bridge(const struct shapes_point *p, int n, int i,
     return k;
 }
 
-/* Joins outline b to outline a where the ways between the ends of two edges are
-   shortest. Returns 0 where no bridge makes a simple outline. */
-static int outlines_unite(struct outlines *o, int a, int b, double reach)
-{
-    struct shapes *s = o->s;
-    const int n = s->path[a].points, m = s->path[b].points;
-    struct shapes_point *out = shapes_array(s, n + m, sizeof *out);
-    double last = -1;
-    int done = 0;
-    for (int k = 0; out && k < OUTLINES_TRIES && !done; k++) {
-        const struct shapes_point *p = s->point + s->path[a].first;
-        const struct shapes_point *q = s->point + s->path[b].first;
-        double least = -1;
-        int at = 0, to = 0;
-        for (int i = 0; i < n; i++)
-            for (int j = 0; j < m; j++) {
-                const double way = shapes_distance(p[i], q[(j + 1) % m])
-                                 + shapes_distance(q[j], p[(i + 1) % n]);
-                if (way > last && (least < 0 || way < least)) {
-                    least = way;
-                    at = i;
-                    to = j;
-                }
-            }
-        if (least < 0)
-            break;
-        last = least;
-        struct shapes_path whole = s->path[a];
-        whole.points = outlines_bridge(p, n, at, q, m, to, out);
-        whole.first = s->points;
-        for (int i = 0; i < whole.points; i++)
-            shapes_point(s, out[i].x, out[i].y, 0);
-        if (s->lost)
-            break;
-        outlines_clean(s, &whole);
-        done = whole.points > 2
-            && (outlines_status(s, outlines_points(s, &whole), whole.points)
-                    == KERN_OK
-                || outlines_unloop(s, &whole, reach));
-        if (done)
-            s->path[a] = whole;
-        else
-            s->points = whole.first;
-    }
-    free(out);
-    return done;
-}
-
-/* Joins the parts of each stone; a part inside another is a hole of it. */
-static void outlines_join(struct outlines *o, double reach)
-{
-    struct shapes *s = o->s;
-    int *head = shapes_array(s, s->groups, sizeof *head);
-    for (int i = 0; head && i < s->groups; i++)
-        head[i] = -1;
-    for (int i = 0; head && i < s->paths && !s->lost; i++) {
-        struct shapes_path *p = s->path + i, *q;
-        const int g = p->group;
-        if (g < 0 || p->gone || !p->closed)
-            continue;
-        outlines_orient(outlines_points(s, p), p->points);
-        if (head[g] < 0) {
-            head[g] = i;
-            continue;
-        }
-        q = s->path + head[g];
-        if (lines_inside(outlines_points(s, q), q->points,
-                         lines_inner(outlines_points(s, p), p->points)))
-            shapes_leave(s, p, "hole");
-        else if (lines_inside(outlines_points(s, p), p->points,
-                              lines_inner(outlines_points(s, q), q->points))) {
-            shapes_leave(s, q, "hole");
-            head[g] = i;
-        } else if ((double)p->points * q->points <= 4e6
-                   && outlines_unite(o, head[g], i, reach))
-            s->path[i].gone = 1;
-        else if (lines_area(outlines_points(s, p), p->points)
-                 > lines_area(outlines_points(s, q), q->points)) {
-            shapes_leave(s, q, "part that does not join its stone");
-            head[g] = i;
-        } else
-            shapes_leave(s, p, "part that does not join its stone");
-    }
-    free(head);
-}
-
-/* ---- One outline in another ----------------------------------------------- */
-
 /* Returns how far a point is from the straight way from a to b. */
 static double outlines_off(struct shapes_point a, struct shapes_point b,
                            struct shapes_point q)
@@ -489,6 +524,178 @@ static int outlines_holds(const struct shapes_point *p, int n,
             return 1;
     return 0;
 }
+
+/* Two edges that may be opened to join the outlines of two parts, and what that
+   costs: the area between them, and the new edges times the reach. */
+struct outlines_seam {
+    int i, j;
+    double cost;
+};
+
+static double outlines_cost(const struct shapes_point *p, int n, int i,
+                            const struct shapes_point *q, int m, int j,
+                            double reach)
+{
+    const struct shapes_point quad[4] = {p[i], q[(j + 1) % m], q[j],
+                                         p[(i + 1) % n]};
+    return shapes_abs(lines_area(quad, 4)) / 2
+         + reach
+               * (shapes_distance(quad[0], quad[1])
+                  + shapes_distance(quad[2], quad[3]));
+}
+
+/* Finds the cheapest seam after another one. Returns 0 where there is none. */
+static int outlines_next_seam(const struct shapes_point *p, int n,
+                              const struct shapes_point *q, int m, double reach,
+                              struct outlines_seam *seam)
+{
+    const struct outlines_seam last = *seam;
+    int found = 0;
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < m; j++) {
+            const double cost = outlines_cost(p, n, i, q, m, j, reach);
+            if (cost < last.cost || (found && !(cost < seam->cost))
+                || (!(cost > last.cost)
+                    && (i < last.i || (i == last.i && j <= last.j))))
+                continue;
+            seam->i = i;
+            seam->j = j;
+            seam->cost = cost;
+            found = 1;
+        }
+    return found;
+}
+
+/* Returns 1 if the straight way from a to b lies in one of two outlines, or
+   nowhere farther from them than the reach. */
+static int outlines_follows(struct shapes_point a, struct shapes_point b,
+                            const struct shapes_point *p, int n,
+                            const struct shapes_point *q, int m, double reach)
+{
+    for (int k = 1; k < OUTLINES_SAMPLES; k++) {
+        struct shapes_point at = a;
+        at.x += (b.x - a.x) * k / OUTLINES_SAMPLES;
+        at.y += (b.y - a.y) * k / OUTLINES_SAMPLES;
+        if (!outlines_holds(p, n, at, reach)
+            && !outlines_holds(q, m, at, reach))
+            return 0;
+    }
+    return 1;
+}
+
+/* Adds both outlines as one to the points. Returns 0 where that is no simple
+   outline. */
+static int outlines_sewn(struct outlines *o, const struct shapes_point *out,
+                         double reach, struct shapes_path *whole)
+{
+    struct shapes *s = o->s;
+    whole->first = s->points;
+    for (int i = 0; i < whole->points; i++)
+        shapes_point(s, out[i].x, out[i].y, 0);
+    if (s->lost)
+        return 0;
+    outlines_clean(s, whole);
+    if (whole->points > 2
+        && (outlines_status(s, outlines_points(s, whole), whole->points)
+                == KERN_OK
+            || outlines_unloop(s, whole, reach)))
+        return 1;
+    s->points = whole->first;
+    return 0;
+}
+
+/* Joins outline b to outline a where they touch: each may be off by the reach,
+   and nothing farther than that from both becomes stone. Returns 0 where they do
+   not touch, or no seam makes a simple outline. */
+static int outlines_unite(struct outlines *o, int a, int b, double reach)
+{
+    struct shapes *s = o->s;
+    const int n = s->path[a].points, m = s->path[b].points;
+    struct outlines_seam seam = {-1, -1, -1};
+    struct outlines_box box[2];
+    struct shapes_point *out;
+    int done = 0;
+    box[0] = outlines_box(s, a);
+    box[1] = outlines_box(s, b);
+    if (!outlines_close_by(box, box + 1, 2 * reach))
+        return 0;
+    out = shapes_array(s, n + m, sizeof *out);
+    for (int k = 0; out && k < OUTLINES_TRIES && !done && !s->lost; k++) {
+        const struct shapes_point *p = s->point + s->path[a].first;
+        const struct shapes_point *q = s->point + s->path[b].first;
+        struct shapes_path whole = s->path[a];
+        if (!outlines_next_seam(p, n, q, m, reach, &seam))
+            break;
+        if (!outlines_follows(p[seam.i], q[(seam.j + 1) % m], p, n, q, m, reach)
+            || !outlines_follows(q[seam.j], p[(seam.i + 1) % n], p, n, q, m,
+                                 reach))
+            continue;
+        whole.points = outlines_bridge(p, n, seam.i, q, m, seam.j, out);
+        done = outlines_sewn(o, out, reach, &whole);
+        if (done)
+            s->path[a] = whole;
+    }
+    free(out);
+    return done;
+}
+
+/* Joins two parts of a stone if they touch; a part inside another is a hole of
+   it. Returns 1 where one of them is gone. */
+static int outlines_join_two(struct outlines *o, int a, int b, double reach)
+{
+    struct shapes *s = o->s;
+    struct shapes_path *q = s->path + a, *p = s->path + b;
+    if (lines_inside(outlines_points(s, q), q->points,
+                     lines_inner(outlines_points(s, p), p->points)))
+        shapes_leave(s, p, "hole");
+    else if (lines_inside(outlines_points(s, p), p->points,
+                          lines_inner(outlines_points(s, q), q->points)))
+        shapes_leave(s, q, "hole");
+    else if ((double)p->points * q->points <= 4e6
+             && outlines_unite(o, a, b, reach))
+        s->path[b].gone = 1;
+    return s->path[a].gone || s->path[b].gone;
+}
+
+/* Joins the parts of a stone that touch, until none of them do: the first one,
+   and of each the next one. */
+static void outlines_join_all(struct outlines *o, int first, const int *next,
+                              double reach)
+{
+    const struct shapes *s = o->s;
+    for (int again = 1; again && !s->lost;) {
+        again = 0;
+        for (int i = first; i >= 0; i = next[i])
+            for (int j = next[i]; j >= 0 && !s->path[i].gone; j = next[j])
+                if (!s->path[j].gone)
+                    again |= outlines_join_two(o, i, j, reach);
+    }
+}
+
+/* Joins the parts of each stone that touch. Parts that are apart stay stones of
+   their own. */
+static void outlines_join(struct outlines *o, double reach)
+{
+    struct shapes *s = o->s;
+    int *head = shapes_array(s, s->groups, sizeof *head);
+    int *next = shapes_array(s, s->paths, sizeof *next);
+    for (int g = 0; head && g < s->groups; g++)
+        head[g] = -1;
+    for (int i = s->paths - 1; head && next && i >= 0; i--) {
+        struct shapes_path *p = s->path + i;
+        if (p->group < 0 || p->gone || !p->closed)
+            continue;
+        outlines_orient(outlines_points(s, p), p->points);
+        next[i] = head[p->group];
+        head[p->group] = i;
+    }
+    for (int g = 0; head && next && g < s->groups; g++)
+        outlines_join_all(o, head[g], next, reach);
+    free(head);
+    free(next);
+}
+
+/* ---- One outline in another ----------------------------------------------- */
 
 static int outlines_within(const struct outlines *o,
                            const struct outlines_block *outer,
@@ -714,6 +921,31 @@ static void outlines_put_names(struct outlines *o, const char *mark)
         shapes_put_int(t, count - shown);
         shapes_put(t, " more");
     }
+}
+
+/* Names the parts of one stone that are stones of their own. */
+static void outlines_note_parts(struct outlines *o)
+{
+    struct shapes *s = o->s;
+    char *mark = shapes_array(s, o->blocks, sizeof *mark);
+    int *count = shapes_array(s, s->groups, sizeof *count), parts = 0;
+    for (int i = 0; mark && count && i < o->blocks; i++)
+        if (outlines_path(o, i)->group >= 0)
+            count[outlines_path(o, i)->group]++;
+    for (int i = 0; mark && count && i < o->blocks; i++) {
+        const struct shapes_path *path = outlines_path(o, i);
+        mark[i] = path->group >= 0 && count[path->group] > 1
+               && path->role != SHAPES_GROUND;
+        parts += mark[i];
+    }
+    if (parts > 0) {
+        shapes_put(&s->notes, "parts of one stone that do not touch are stones "
+                              "of their own: ");
+        outlines_put_names(o, mark);
+        shapes_put(&s->notes, " (draw what holds them together)\n");
+    }
+    free(mark);
+    free(count);
 }
 
 /* ---- Ground --------------------------------------------------------------- */

@@ -386,8 +386,8 @@ static void shapes_skipped(struct shapes *s, const char *kind, int label,
 /* clang-format off */
 static const char *const shapes_role_words[SHAPES_ROLES] = {
     " stone stones block blocks brick bricks voussoir voussoirs keystone ring"
-    " arch wall pier piers pillar column lintel spandrel parapet masonry rock"
-    " rocks stein steine ziegel bogen mauer pfeiler ",
+    " arch wall course courses pier piers pillar column lintel spandrel parapet"
+    " masonry rock rocks stein steine ziegel bogen mauer pfeiler ",
     " ground fixed abutment abutments foundation foundations footing footings"
     " base bedrock terrain floor support supports boden baugrund fundament"
     " fundamente widerlager auflager sol ",

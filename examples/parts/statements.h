@@ -15,6 +15,7 @@
 #include "shapes.h"
 
 enum {
+    STATEMENTS_ROLES = 20,      /* labels in a note                       */
     STATEMENTS_ENDS = 500,      /* open paths whose ends are compared     */
     STATEMENTS_FILL = 200000000 /* edges of all columns that are weighed */
 };
@@ -731,6 +732,49 @@ static void statements_unheard(struct shapes *s)
     }
 }
 
+/* Returns 1 if the label of path i has no earlier path, and its role by its
+   name. */
+static int statements_named(const struct shapes *s, int i)
+{
+    const char *label = shapes_at(s, s->path[i].label);
+    if (shapes_role_asked(s, label) >= 0 || shapes_role_of(label) < 0
+        || shapes_role_of(label) == SHAPES_STONE)
+        return 0;
+    for (int j = 0; j < i; j++)
+        if (s->path[j].label == s->path[i].label
+            || strcmp(shapes_at(s, s->path[j].label), label) == 0)
+            return 0;
+    return 1;
+}
+
+/* Says which labels are ground, fill or ignored by their names. */
+static void statements_note_roles(struct shapes *s)
+{
+    static const char *const is[SHAPES_ROLES] = {
+        "", "ground by name: ", "fill by name: ", "ignored by name: "};
+    for (int role = SHAPES_GROUND; role < SHAPES_ROLES; role++) {
+        int count = 0;
+        for (int i = 0; i < s->paths; i++) {
+            const char *label = shapes_at(s, s->path[i].label);
+            if (s->path[i].line == 0 || shapes_role_of(label) != role
+                || !statements_named(s, i))
+                continue;
+            if (count < STATEMENTS_ROLES) {
+                shapes_put(&s->notes, count > 0 ? ", " : is[role]);
+                shapes_put_shown(&s->notes, label);
+            }
+            count++;
+        }
+        if (count > STATEMENTS_ROLES) {
+            shapes_put(&s->notes, " and ");
+            shapes_put_int(&s->notes, count - STATEMENTS_ROLES);
+            shapes_put(&s->notes, " more");
+        }
+        if (count > 0)
+            shapes_put(&s->notes, " (--layer NAME=stone if not)\n");
+    }
+}
+
 /* Says which density and friction are assumed, for want of being told. Sets how
    many densities are. */
 static void statements_assumed(struct outlines *o)
@@ -784,6 +828,7 @@ static void statements_notes(struct outlines *o)
         }
         shapes_put(&s->notes, "\n");
     }
+    outlines_note_parts(o);
     if (o->mended > 0) {
         shapes_put(&s->notes, "mended: ");
         shapes_put_int(&s->notes, o->mended);
@@ -811,11 +856,10 @@ static void statements_outlines(struct outlines *o)
     statements_find_apart(s);
     statements_put_apart(s, &s->notes, "", "\n");
     statements_sort_out(s);
+    outlines_prepare(s, off);
     for (int i = 0; i < s->paths && !s->lost; i++)
-        if (!s->path[i].gone) {
-            outlines_simplify(s, s->path + i, off);
+        if (!s->path[i].gone)
             outlines_mend(o, i, reach);
-        }
     outlines_join(o, reach);
     outlines_list(o);
     outlines_nest(o);
@@ -841,6 +885,7 @@ static int statements_make(struct shapes *s, struct outlines *o)
         o->exact = s->unit
                  * SHAPES_SQRT(1 + s->asked->tolerance * s->asked->tolerance);
     statements_unheard(s);
+    statements_note_roles(s);
     if (!s->lost)
         statements_outlines(o);
     if (!s->lost && o->blocks == 0)

@@ -4,13 +4,14 @@
                    closed parts of a path
        open paths  line, polyline, path
        curves      become chords: 32 each
-       transform   of elements and groups: all kinds
+       transform   of elements and groups: all kinds, but none of styles
        labels      inkscape:label or id; of a group where only the group's has a
                    role
 
    y runs down in the file. What is in defs, symbol, clipPath, mask, marker and
-   pattern is no part of the picture; texts, images, `use` and what is hidden are
-   skipped and listed. Lengths are as drawn.
+   pattern is no part of the picture; texts, images, `use`, an svg in the svg, and
+   what is hidden or moved by its style are skipped and listed. A style sheet that
+   may do so is named. Lengths are as drawn; those with a unit are pixels.
 
    SPDX-License-Identifier: MIT */
 
@@ -25,15 +26,26 @@ enum {
     SVG_HALVINGS = 5 /* of an arc: the same                               */
 };
 
-/* x' = xx x + xy y + x: of all groups around an element. */
-struct svg_frame {
-    double xx, xy, yx, yy, x, y;
-    int label;  /* of the nearest group that has one, -1: none            */
-    int hidden; /* nonzero: it is not shown; 2: and not listed            */
+/* Is an element taken? What is not is listed, but for parts of no picture. */
+enum svg_state {
+    SVG_TAKEN,
+    SVG_HIDDEN,
+    SVG_NO_PART,
+    SVG_MOVED, /* by a style                                              */
+    SVG_NESTED /* in an svg in the svg                                    */
 };
 
 struct svg_part {
     int at, length;
+};
+
+/* x' = xx x + xy y + x: of all groups around an element. */
+struct svg_frame {
+    double xx, xy, yx, yy, x, y;
+    int label; /* of the nearest group that has one, -1: none            */
+    struct svg_part name; /* of the element whose frame it is             */
+    int line;             /* and its line                                 */
+    enum svg_state state;
 };
 
 struct svg {
@@ -138,9 +150,72 @@ static int svg_holds(const struct svg *v, struct svg_part part,
     return 0;
 }
 
+/* Returns where a part of a style ends that begins at `at`: at one of two
+   marks. */
+static int svg_style_end(const struct svg *v, int at, int end, char one,
+                         char two)
+{
+    while (at < end && v->data[at] != one && v->data[at] != two)
+        at++;
+    return at;
+}
+
+/* Returns a part without the blanks around it. */
+static struct svg_part svg_bare(const struct svg *v, int from, int to)
+{
+    struct svg_part p;
+    while (from < to && svg_blank(v->data[from]))
+        from++;
+    while (to > from && svg_blank(v->data[to - 1]))
+        to--;
+    p.at = from;
+    p.length = to - from;
+    return p;
+}
+
+/* Finds a property in the element's style. Returns 0 where there is none. */
+static int svg_style(const struct svg *v, const char *key, struct svg_part *out)
+{
+    struct svg_part p;
+    if (!svg_get(v, "style", &p))
+        return 0;
+    for (int at = p.at, end = p.at + p.length, stop; at < end; at = stop + 1) {
+        const int colon = svg_style_end(v, at, end, ':', ';');
+        stop = svg_style_end(v, colon, end, ';', ';');
+        if (colon < stop && svg_is(v, svg_bare(v, at, colon), key)) {
+            *out = svg_bare(v, colon + 1, stop);
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Returns 1 if a style moves the element. */
+static int svg_is_moved(const struct svg *v)
+{
+    static const char *const key[] = {"transform", "translate", "rotate",
+                                      "scale",     "offset",    "zoom"};
+    struct svg_part p;
+    for (int k = 0; k < 6; k++)
+        if (svg_style(v, key[k], &p) && !svg_is(v, p, "none"))
+            return 1;
+    return svg_get(v, "transform-origin", &p)
+        || svg_style(v, "transform-origin", &p);
+}
+
+/* Returns 1 if an opacity is 0. */
+static int svg_is_clear(const struct svg *v, struct svg_part p)
+{
+    double value;
+    return shapes_read_number(v->data + p.at, p.length, &value) && !(value > 0);
+}
+
 static int svg_is_hidden(const struct svg *v)
 {
     struct svg_part p;
+    if ((svg_get(v, "opacity", &p) && svg_is_clear(v, p))
+        || (svg_style(v, "opacity", &p) && svg_is_clear(v, p)))
+        return 1;
     if ((svg_get(v, "display", &p) && svg_is(v, p, "none"))
         || (svg_get(v, "visibility", &p) && svg_is(v, p, "hidden")))
         return 1;
@@ -207,7 +282,23 @@ static int svg_flag(struct svg_numbers *n, int *out)
     return 1;
 }
 
-/* Reads the number of an attribute, which is 0 without it. Returns 0 where
+/* Returns how many pixels the unit at the end of a number is, 0: it is none that
+   is read (a share of the page, a size of letters). */
+static double svg_unit(const struct svg_numbers *n)
+{
+    static const char *const name[] = {"", "px", "mm", "cm", "in", "pt", "pc"};
+    static const double pixels[] = {1,  1,        96 / 25.4, 96 / 2.54,
+                                    96, 96 / 72., 16};
+    int length = (int)(n->end - n->at);
+    while (length > 0 && svg_blank(n->at[length - 1]))
+        length--;
+    for (int k = 0; k < 7; k++)
+        if (shapes_same(n->at, length, name[k]))
+            return pixels[k];
+    return 0;
+}
+
+/* Reads the length of an attribute, which is 0 without it. Returns 0 where
    it is none. */
 static int svg_value(const struct svg *v, const char *key, double *out)
 {
@@ -217,7 +308,10 @@ static int svg_value(const struct svg *v, const char *key, double *out)
     if (!svg_get(v, key, &p))
         return 1;
     n = svg_numbers_of(v, p);
-    return svg_number(&n, out);
+    if (!svg_number(&n, out))
+        return 0;
+    *out *= svg_unit(&n);
+    return svg_unit(&n) > 0;
 }
 
 /* ---- Transforms ----------------------------------------------------------- */
@@ -643,30 +737,68 @@ static int svg_shape(struct svg *v, const struct svg_frame *f)
     return 0;
 }
 
+/* Returns what becomes of the element, within one of a state. */
+static enum svg_state svg_state_of(const struct svg *v, enum svg_state outer)
+{
+    if (svg_is_one(v, v->name,
+                   " defs symbol clippath mask marker pattern metadata style "
+                   "script title desc lineargradient radialgradient filter "))
+        return SVG_NO_PART;
+    if (outer != SVG_TAKEN)
+        return outer;
+    if (svg_is_hidden(v))
+        return SVG_HIDDEN;
+    if (svg_is(v, v->name, "svg") && v->found)
+        return SVG_NESTED;
+    return svg_is_moved(v) ? SVG_MOVED : SVG_TAKEN;
+}
+
+/* Says that a style sheet may hide or move elements. */
+static void svg_note_sheet(struct svg *v)
+{
+    static const char *const key[] = {"display", "visibility", "opacity",
+                                      "transform"};
+    struct svg sheet = *v;
+    struct svg_part p;
+    p.at = v->at;
+    svg_skip_to(&sheet, "</style");
+    p.length = sheet.at - p.at;
+    for (int k = 0; k < 4; k++) {
+        if (!svg_holds(v, p, key[k]))
+            continue;
+        shapes_put(&v->s->notes, "looks hidden or moved: the style sheet in "
+                                 "line ");
+        shapes_put_int(&v->s->notes, v->start);
+        shapes_put(&v->s->notes, " has a rule with ");
+        shapes_put(&v->s->notes, key[k]);
+        shapes_put(&v->s->notes, ", which is not read\n");
+    }
+}
+
 /* Reads the element whose name was read. `inner`: others may follow in it.
    */
 static int svg_element(struct svg *v, int inner)
 {
+    static const char *const why[] = {"", "invisible element", "",
+                                      "element moved by a style",
+                                      "element in a nested svg"};
     struct svg_frame f = v->frame[v->depth - 1];
     struct svg_part p;
     const int drawn = svg_is_one(v, v->name,
                                  " path polygon polyline rect circle ellipse "
                                  "line text tspan image use foreignobject ");
-    v->found |= svg_is(v, v->name, "svg");
     if (svg_transform(v, &f))
         return -1;
-    if (svg_is_one(v, v->name,
-                   " defs symbol clippath mask marker pattern metadata style "
-                   "script title desc lineargradient radialgradient filter "))
-        f.hidden = 2;
-    else if (svg_is_hidden(v) && f.hidden == 0)
-        f.hidden = 1;
-    if (drawn && f.hidden == 1)
-        shapes_skipped(v->s, "invisible element", svg_label(v), v->start);
-    else if (drawn && f.hidden == 0 && svg_shape(v, &f))
+    f.state = svg_state_of(v, f.state);
+    v->found |= svg_is(v, v->name, "svg");
+    if (drawn && *why[f.state])
+        shapes_skipped(v->s, why[f.state], svg_label(v), v->start);
+    else if (drawn && f.state == SVG_TAKEN && svg_shape(v, &f))
         return -1;
     if (!inner)
         return 0;
+    if (svg_is(v, v->name, "style"))
+        svg_note_sheet(v);
     if (v->depth == SVG_DEEP)
         return shapes_fail(v->s, v->start,
                            "more than 100 elements in each "
@@ -674,7 +806,40 @@ static int svg_element(struct svg *v, int inner)
     if (!drawn && (svg_get(v, "inkscape:label", &p) || svg_get(v, "id", &p))
         && svg_is(v, v->name, "g"))
         f.label = shapes_word(v->s, v->data + p.at, p.length);
+    f.name = v->name;
+    f.line = v->start;
     v->frame[v->depth++] = f;
+    return 0;
+}
+
+/* Says that an element is not closed. */
+static int svg_unclosed(struct svg *v, int line)
+{
+    const struct svg_frame *f = v->frame + v->depth - 1;
+    const int name = shapes_word(v->s, v->data + f->name.at, f->name.length);
+    struct shapes_text *t = shapes_fault(v->s, line);
+    shapes_put(t, "the element '");
+    shapes_put_shown(t, shapes_at(v->s, name));
+    shapes_put(t, "' of line ");
+    shapes_put_int(t, f->line);
+    shapes_put(t, " is not closed");
+    return -1;
+}
+
+/* Reads the end of an element, at its "</". */
+static int svg_close(struct svg *v)
+{
+    const struct svg_part open = v->frame[v->depth - 1].name;
+    const char *name = v->data + v->at + 2;
+    const int line = v->line, left = v->length - v->at - 2;
+    svg_skip_to(v, ">");
+    if (v->depth == 1)
+        return shapes_fail(v->s, line, "the end of no element");
+    if (open.length >= left
+        || memcmp(name, v->data + open.at, (size_t)open.length) != 0
+        || !(svg_blank(name[open.length]) || name[open.length] == '>'))
+        return svg_unclosed(v, line);
+    v->depth--;
     return 0;
 }
 
@@ -701,24 +866,25 @@ static int svg_open(struct svg *v)
 /* Reads what begins with "<". */
 static int svg_tag(struct svg *v)
 {
-    static const char *const begins[] = {"<!--", "<![CDATA[", "<?", "<!", "</"};
-    static const char *const ends[] = {"-->", "]]>", "?>", ">", ">"};
-    for (int k = 0; k < 5; k++) {
+    static const char *const begins[] = {"<!--", "<![CDATA[", "<?", "<!"};
+    static const char *const ends[] = {"-->", "]]>", "?>", ">"};
+    for (int k = 0; k < 4; k++) {
         const int n = (int)strlen(begins[k]);
         if (v->length - v->at < n
             || memcmp(v->data + v->at, begins[k], (size_t)n) != 0)
             continue;
         svg_skip_to(v, ends[k]);
-        v->depth -= k == 4 && v->depth > 1;
         return 0;
     }
-    return svg_open(v);
+    return v->at + 1 < v->length && v->data[v->at + 1] == '/' ? svg_close(v)
+                                                              : svg_open(v);
 }
 
 /* Reads the shapes of a drawing. Returns 0, or -1 with a message. */
 static int svg_read(struct shapes *s, const char *data, int length)
 {
-    static const struct svg_frame start = {1, 0, 0, 1, 0, 0, -1, 0};
+    static const struct svg_frame start = {1, 0,  0,      1, 0,
+                                           0, -1, {0, 0}, 0, SVG_TAKEN};
     struct svg v;
     memset(&v, 0, sizeof v);
     v.s = s;
@@ -736,6 +902,8 @@ static int svg_read(struct shapes *s, const char *data, int length)
         if (svg_tag(&v))
             return -1;
     }
+    if (v.depth > 1)
+        return svg_unclosed(&v, v.line);
     return v.found ? 0 : shapes_fail(s, 0, "there is no element <svg>");
 }
 

@@ -3077,7 +3077,7 @@ def _drawn(data: bytes, ending: str, name: str, what: Dict[str, Any],
                                 (row[1] or b"").decode(),
                                 line.value or None, count.value))
         for note in out.notes:
-            if re.match("no label|hang|looks|fill|mended", note):
+            if re.match("no label|hang|looks|fill:|mended|parts of", note):
                 warnings.warn("%s: %s" % (name, note), DrawingWarning, level)
         return out
     except KernError as error:
