@@ -404,6 +404,19 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
         >"$out/toe.kern"
     says '[0, 2.5]: factors' "$out/toe.kern" &&
         says 'moved in by up to 0.25 ' "$out/toe.kern" || return 1
+    # and under a pressure that all of it cannot bear, rest or live, central or not
+    sed 's/^strength.*/strength 19/' "$out/toe.kern" >"$out/weak.kern" &&
+        says 'weak.kern: falls (crushes)' "$out/weak.kern" &&
+        says 'let go      moves' "$out/weak.kern" &&
+        ! "$kern" --json "$out/weak.kern" >"$out/weak.json" &&
+        grep -q '"crushes": true' "$out/weak.json" &&
+        "$kern" --help >"$out/help" &&
+        $judge keys "$out/weak.json" "$out/help" &&
+        sed 's/^live.*/live a 0 -1 .5 2/' "$out/toe.kern" >"$out/press.kern" &&
+        says 'live limit  [0, 20]: limit' "$out/press.kern" &&
+        says 'live        [0, 20]: factors' "$out/press.kern" &&
+        sed 's/^live.*/live a 0 -1 .75 2/' "$out/toe.kern" >"$out/press.kern" &&
+        says '[0, 12.36]: factors' "$out/press.kern" || return 1
     # mirrored it is the same wall
     sed 's/^earth right/earth left/' $wall | awk '$1 ~ /^(fixed|block)$/ {
         for (i = $1 == "fixed" ? 3 : 4; i < NF; i += 2) $i = -$i } { print }' \

@@ -113,12 +113,25 @@ static inline void loads_axle(const struct analysis *a, int k,
 static inline void loads_strength(const struct analysis *a,
                                   char out[LOADS_ROOM])
 {
-    char one[LOADS_QUANTITY];
+    char one[LOADS_QUANTITY], broken[80] = "";
+    if (a->broken > 0)
+        snprintf(broken, sizeof broken, ", %d line contact%s bear%s nothing",
+                 a->broken, a->broken > 1 ? "s" : "", a->broken > 1 ? "" : "s");
     snprintf(out, LOADS_ROOM,
              "%.60s: ends of contacts are moved in by up to %.4g where stone "
-             "crushes%s; tilts and horizontal loads crush no more",
-             loads_number(a, a->text.strength, 2, one), a->crushed,
+             "crushes%s%s; tilts and horizontal loads crush no more",
+             loads_number(a, a->text.strength, 2, one), a->crushed, broken,
              a->settled ? "" : ", and did not settle");
+}
+
+/* Does water press on a wall? */
+static inline int has_water(const struct analysis *a)
+{
+    for (int i = 0; i < a->text.soils; i++)
+        if (a->text.soil[i].kind == TEXT_EARTH
+            && a->text.soil[i].earth.water > 0)
+            return 1;
+    return 0;
 }
 
 /* What --thrust found. */
@@ -177,6 +190,8 @@ static inline void json_soil(const struct analysis *a)
     const char *comma = "";
     if (a->text.strength > 0)
         json_number("crushed", a->crushed);
+    if (a->text.strength > 0)
+        printf(", \"crushes\": %s", a->crushes ? "true" : "false");
     if (a->text.soils == 0)
         return;
     printf(", \"soil\": [");

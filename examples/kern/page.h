@@ -65,6 +65,9 @@ static inline void page_verdict(FILE *out, const struct analysis *a)
                                 "hold it."
                               : "It falls: no forces hold it."
                        : "Undecided.");
+    if (a->crushes)
+        page_text(out, " It crushes: at a strength without limit it would "
+                       "stand.");
     if (live && as_stated(a) != KERN_UNDECIDED)
         page_text(out, as_stated(a) == KERN_STANDS
                            ? " Under the live load as stated it stands."
@@ -349,7 +352,8 @@ static inline void page_assumptions(FILE *out, const struct analysis *a)
     page_item(out, !(a->text.strength > 0), "Stone does not crush.");
     page_item(out, a->text.strength > 0,
               "Stone crushes in a rectangular stress block at the end of a "
-              "contact, at the strength that is given.");
+              "contact, at the strength that is given; a contact that all of "
+              "it cannot bear bears nothing.");
     page_item(out, !(a->text.bond > 0), "Mortar does not bond.");
     page_item(
         out, a->text.bond > 0,
@@ -368,6 +372,10 @@ static inline void page_assumptions(FILE *out, const struct analysis *a)
     page_item(out, earth,
               "Earth is level and presses with its active pressure, in "
               "proportion to depth.");
+    page_item(out, has_water(a),
+              "Water presses on the back of the wall; its uplift under the "
+              "wall is not counted, unless a load holds it. The density of "
+              "earth below water is the saturated one.");
     page_item(out, pose_error(a) > 0,
               "Outlines were measured: gaps and overlaps of some errors are "
               "contacts.");

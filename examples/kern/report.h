@@ -687,7 +687,7 @@ static inline void report_lack(const struct analysis *a)
 /* The verdict, as soon as it is known. */
 static inline void report_verdict(const struct analysis *a)
 {
-    printf("%s: %s", a->file, status_word(a));
+    printf("%s: %s%s", a->file, status_word(a), a->crushes ? " (crushes)" : "");
     if (a->text.lives > 0)
         printf(" without the live load");
     if (shrinkage(a) > 0)
@@ -855,6 +855,10 @@ static inline void report_warnings(const struct analysis *a)
     if (a->text.lives > 0)
         printf("  live load   is left out of verdict, margin, stress, load and "
                "tilt, and counts in 'live'\n");
+    if (has_water(a))
+        printf(
+            "  warning     uplift of the water under the wall is not counted: "
+            "add it as an upward 'load'\n");
     if (a->text.bond > 0)
         printf("  warning     the bond is plastic: it acts over the whole of a "
                "joint that opens; of brittle mortar\n"
