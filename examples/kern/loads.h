@@ -138,15 +138,25 @@ static inline int has_water(const struct analysis *a)
 static inline void loads_thrust(const struct analysis *a, char out[LOADS_ROOM])
 {
     char one[LOADS_QUANTITY], two[LOADS_QUANTITY], name[TEXT_SHOW_ROOM];
-    if (isnan(a->thrust_most))
+    double least = a->thrust_least, most = a->thrust_most;
+    const double tiny = 1e-6 * fmax(fabs(least), fabs(most));
+    if (isnan(most)) {
         snprintf(out, LOADS_ROOM, "undecided");
-    else
-        snprintf(out, LOADS_ROOM,
-                 "[%.60s, %.60s]: to the left, of %.60s; one end as it gives "
-                 "way, the other as it is pressed in",
-                 loads_number(a, a->thrust_least, 0, one),
-                 loads_number(a, a->thrust_most, 0, two),
-                 text_show(name, a->set->thrust));
+        return;
+    }
+    least = fabs(least) < tiny ? 0 : least;
+    most = fabs(most) < tiny ? 0 : most;
+    const int right = most <= 0 && least < 0;
+    const double low = right ? fabs(most) : least;
+    snprintf(out, LOADS_ROOM,
+             "[%.60s, %.60s]: to the %s, of %.60s; one end as it gives "
+             "way, the other as it is pressed in%s",
+             loads_number(a, low, 0, one),
+             loads_number(a, right ? -least : most, 0, two),
+             right ? "right" : "left", text_show(name, a->set->thrust),
+             low > 0 || a->text.props == 0
+                 ? ""
+                 : "; at 0 the pushes of fill and props replace it");
 }
 
 /* Calls `line` with each word and its sentence. */

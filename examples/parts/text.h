@@ -802,7 +802,7 @@ static int text_earth(struct text_reader *r)
         return text_expect(r, "left or right, where the earth is,", word);
     s->side = left ? SOIL_LEFT : SOIL_RIGHT;
     if (text_double(r, TEXT_ANY, &s->earth.top)
-        || text_double(r, TEXT_POSITIVE, &s->density)
+        || text_double(r, TEXT_NOT_NEGATIVE, &s->density)
         || text_degrees(r, text_phi, 5, 60, &s->earth.phi)
         || text_degrees(r, "delta, an angle in degrees from 0 to phi", 0,
                         57.295779513082321 * s->earth.phi * (1 + 1e-12),
@@ -823,6 +823,9 @@ static int text_earth(struct text_reader *r)
     if (*word && !s->live)
         return text_expect(r, "surcharge, water, live or the end of the line",
                            word);
+    if (!(s->density > 0 || s->earth.surcharge > 0))
+        return text_fail(r->t, "earth: a density above 0, or a surcharge, is "
+                               "expected");
     r->t->soils++;
     return 0;
 }
