@@ -736,8 +736,8 @@ int main(int argc, char **argv)
         "plane. It does not see what happens across the barrel: spandrel\n"
         "walls and skew (bridges that carry more than kern says), stone that "
         "crushes and rings that part\n(bridges that carry less), nor mortar, "
-        "second-order geometry, settlement and time. No arch on a "
-        "table and no tower is among\nthese experiments.\n");
+        "second-order geometry, settlement and time.\nNo arch on a "
+        "tilting table and no tower is among these experiments.\n");
     slopes();
     bridges();
     retaining();
