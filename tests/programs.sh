@@ -431,6 +431,10 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
         says 'live limit  [0, 7.2]: limit' "$out/top.kern" &&
         ! "$kern" --mu .7 "$out/top.kern" | grep 'without effect' &&
         says 'without effect: --mu NAME=MU' --mu w=.7 "$out/top.kern" || return 1
+    # half of an axle that stands half beside a stone is lost, and says so
+    sed '/^earth/d; s/^strength.*/axle 2 100 1/' "$out/bed.kern" \
+        >"$out/edge.kern" && says '% of the axles reaches no free block' \
+        "$out/edge.kern" || return 1
     # mirrored it is the same wall
     sed 's/^earth right/earth left/' $wall | awk '$1 ~ /^(fixed|block)$/ {
         for (i = $1 == "fixed" ? 3 : 4; i < NF; i += 2) $i = -$i } { print }' \

@@ -174,6 +174,12 @@ static inline void loads_each(const struct analysis *a,
         loads_axle(a, k, text);
         line("axle", text, data);
     }
+    if (a->text.beside > 1e-9) {
+        snprintf(text, sizeof text,
+                 "%.3g %% of the axles reaches no free block and is left out",
+                 100 * a->text.beside);
+        line("warning", text, data);
+    }
     if (a->text.bond > 0) {
         snprintf(text, sizeof text,
                  "%.60s: tensile strength of line contacts, plastic; forces "
