@@ -404,6 +404,37 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
         >"$out/toe.kern"
     says '[0, 2.5]: factors' "$out/toe.kern" &&
         says 'moved in by up to 0.25 ' "$out/toe.kern" || return 1
+    # and under a pressure that all of it cannot bear, rest or live, central or not
+    sed 's/^strength.*/strength 19/' "$out/toe.kern" >"$out/weak.kern" &&
+        says 'weak.kern: falls (crushes)' "$out/weak.kern" &&
+        says 'let go      moves' "$out/weak.kern" &&
+        ! "$kern" --json "$out/weak.kern" >"$out/weak.json" &&
+        grep -q '"crushes": true' "$out/weak.json" &&
+        "$kern" --help >"$out/help" &&
+        $judge keys "$out/weak.json" "$out/help" &&
+        sed 's/^live.*/live a 0 -1 .5 2/' "$out/toe.kern" >"$out/press.kern" &&
+        says 'live limit  [0, 20]: limit' "$out/press.kern" &&
+        says 'live        [0, 20]: factors' "$out/press.kern" &&
+        sed 's/^live.*/live a 0 -1 .75 2/' "$out/toe.kern" >"$out/press.kern" &&
+        says '[0, 12.36]: factors' "$out/press.kern" || return 1
+    # a bed is all of a contact: pressed at 1/3, by 200 on the toe of the wall
+    printf '%s\n' 'gravity 0 -1' 'friction .6' 'density 24' \
+        'fixed ground -5 -1 10 -1 10 0 -5 0' 'block w * 0 0 2 0 2 4 0 4' \
+        'earth right 4 18 30 0 water 0 10' 'strength 200' >"$out/bed.kern"
+    says '192       -48   0.167         0 (2, 0)                   192 (0, 0)' \
+        --forces "$out/bed.kern" &&
+        says 'stress      144 ' "$out/bed.kern" &&
+        says 'uplift of the water under the wall' "$out/bed.kern" || return 1
+    # a live surcharge alone: 40 / 3 at 2 up, against 192 at 1 from the toe
+    sed '/^strength/d; s/^earth.*/earth right 4 0 30 0 surcharge 10 live/' \
+        "$out/bed.kern" >"$out/top.kern" &&
+        says 'live limit  [0, 7.2]: limit' "$out/top.kern" &&
+        ! "$kern" --mu .7 "$out/top.kern" | grep 'without effect' &&
+        says 'without effect: --mu NAME=MU' --mu w=.7 "$out/top.kern" || return 1
+    # half of an axle that stands half beside a stone is lost, and says so
+    sed '/^earth/d; s/^strength.*/axle 2 100 1/' "$out/bed.kern" \
+        >"$out/edge.kern" && says '% of the axles reaches no free block' \
+        "$out/edge.kern" || return 1
     # mirrored it is the same wall
     sed 's/^earth right/earth left/' $wall | awk '$1 ~ /^(fixed|block)$/ {
         for (i = $1 == "fixed" ? 3 : 4; i < NF; i += 2) $i = -$i } { print }' \
@@ -657,7 +688,7 @@ thrust() { # the least and the greatest of a support: of a stone that friction
         says '[3, 7]: to the left, of r' --thrust r "$stone" || return 1
     stone=examples/structures/prestwood.kern
     says '[6.039 kN, 65.28 kN]: to the left' --thrust right $stone &&
-        says '[-65.28 kN, -6.039 kN]: to the left' --thrust left $stone &&
+        says '[6.039 kN, 65.28 kN]: to the right' --thrust left $stone &&
         "$kern" --json --thrust right $stone >"$out/thrust.json" &&
         "$kern" --help >"$out/help" &&
         $judge keys "$out/thrust.json" "$out/help" &&

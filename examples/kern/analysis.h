@@ -137,7 +137,8 @@ static inline void find_limit(struct analysis *a)
 }
 
 /* At the margin a force acts no nearer to the end of a line contact than that:
-   it can spread over twice the margin, or over all of a shorter contact. A bond,
+   it can spread over twice the margin, or over all of a shorter contact, with what
+   crushes at their ends. A bond,
    which presses all of a joint, is no stress of the stone. */
 static inline void find_stress(struct analysis *a)
 {
@@ -150,7 +151,7 @@ static inline void find_stress(struct analysis *a)
         for (int k = 0; k < s->contacts; k++) {
             if (!draw_is_line(s, k))
                 continue;
-            kern_vec p = s->contact[k].p;
+            kern_vec p = a->whole ? a->whole[k].p : s->contact[k].p;
             kern_vec q = kern_contact_at(&s->contact[k], a->m.margin,
                                          a->set->relative);
             double pressed = (double)force[k].normal + force[k + 1].normal;

@@ -173,6 +173,10 @@ static inline int find_live(struct analysis *a)
         find_live_most(a, block);
     if (block && asks_raised_loads(a))
         find_live_let_go(a, block);
+
+    /* A path from rest asks contacts that the load at rest crushes. */
+    if (a->whole && !(a->live_let_go[1] <= a->live))
+        a->live_let_go[1] = isnan(a->live_let_go[1]) ? (double)NAN : a->live;
     free(block);
     return block ? 0 : fail_memory(a);
 }

@@ -3,7 +3,8 @@
    A bed is all that lies on one line across gravity without a wide gap: the stones of
    a course on those of the course below. Any other interface is a joint of its
    own. The forces are those of the report, less the bond of mortar; stresses are
-   linear over the bed, and without tension where nothing bonds.
+   linear over all of the bed, whatever of it crushes, and without tension where
+   nothing bonds.
 
    SPDX-License-Identifier: MIT */
 
@@ -48,12 +49,13 @@ static inline kern_vec bed_point(const struct bed *d, double along)
 static inline struct bed bed_of(const struct analysis *a, int k, int n)
 {
     const kern_contact *c = &a->task.s.contact[k];
+    const kern_contact *whole = a->whole ? &a->whole[k] : c;
     struct bed d = {c->a, c->b, 1, c->n, 0, HUGE_VAL, -HUGE_VAL, 0, 0, 0};
     d.level = (double)(c->p.x * c->n.x + c->p.y * c->n.y);
     for (int i = 0; i < n; i++) {
         const double along = bed_along(&d, c[i].p);
-        d.low = fmin(d.low, along);
-        d.high = fmax(d.high, along);
+        d.low = fmin(d.low, bed_along(&d, whole[i].p));
+        d.high = fmax(d.high, bed_along(&d, whole[i].p));
         d.normal += (double)a->force[k + i].normal;
         d.shear += (double)a->force[k + i].tangential;
         d.moment += along * (double)a->force[k + i].normal;
@@ -126,14 +128,15 @@ static inline int find_beds(const struct analysis *a, struct bed **out)
 }
 
 /* The stress at the low and the high end of a bed, below 0 what mortar bears;
-   NAN for a point. */
+   NAN for a point, infinite where all is on an end. */
 static inline void bed_stress(const struct bed *d, int bonds, double *e,
                               double *low, double *high)
 {
     const double wide = d->high - d->low, middle = (d->low + d->high) / 2;
     const double off = d->moment / d->normal - middle;
     const double pressed = 3 * (wide / 2 - fabs(off));
-    double most = 2 * d->normal / fmax(pressed, 0), least = 0;
+    double most = pressed > 1e-6 * wide ? 2 * d->normal / pressed : HUGE_VAL;
+    double least = 0;
     *e = wide > 0 ? off / wide : 0;
     *low = *high = (double)NAN;
     if (!(wide > 0))
@@ -142,6 +145,8 @@ static inline void bed_stress(const struct bed *d, int bonds, double *e,
         most = d->normal / wide * (1 + 6 * fabs(off) / wide);
         least = d->normal / wide * (1 - 6 * fabs(off) / wide);
     }
+    if (fabs(least) < 1e-9 * most)
+        least = 0;
     *low = off > 0 ? least : most;
     *high = off > 0 ? most : least;
 }
@@ -169,10 +174,14 @@ static inline int bed_row_of(const struct analysis *a, const struct bed *d,
     return 1;
 }
 
-/* A stress, or that there is none. */
+/* A stress, that it is all on an end, or that there is none. */
 static inline const char *bed_number(double stress, char out[32])
 {
-    snprintf(out, 32, isnan(stress) ? "-" : "%.4g", stress);
+    snprintf(out, 32,
+             isnan(stress)   ? "-"
+             : isinf(stress) ? "edge"
+                             : "%.4g",
+             stress);
     return out;
 }
 

@@ -154,7 +154,9 @@ static const char help_format[] =
 "                      back is Rankine; Q: pressure on top of it; a back that leans\n"
 "                      bears the weight of the earth on it by this: no fill there;\n"
 "                      live: by which factor may it grow, or must it be there?\n"
-"                      It is then left out of the verdict, as live is\n"
+"                      It is then left out of the verdict, as live is.\n"
+"                      Below water DENSITY of the earth is the saturated one. Uplift\n"
+"                      under the wall is not counted: add it as an upward load\n"
 "  axle X FORCE [WIDTH]  live load, downwards, which fill below it spreads within\n"
 "                      30 degrees (Boussinesq)\n"
 "  prop NAME FX FY X Y MOST   a push in this direction, as needed, up to MOST: a\n"
@@ -162,7 +164,8 @@ static const char help_format[] =
 "  bond STRESS         tensile strength of mortar in every line contact, plastic: over\n"
 "                      all of a joint that opens; unsafe for brittle mortar, which\n"
 "                      bears what it bears without bond\n"
-"  strength STRESS     of the stone: contacts give way where more would press\n";
+"  strength STRESS     of the stone: contacts give way where more would press; one\n"
+"                      that even all of it cannot bear crushes, and bears nothing\n";
 
 static const char help_json[] =
 "\n"
@@ -181,6 +184,8 @@ static const char help_json[] =
 "                      needed), most (in all); null without one\n"
 "  props               blocks that push as needed, at the end of the lists\n"
 "  crushed             with strength: how far ends of contacts moved in at most\n"
+"  crushes             with strength: it falls, and would stand if stone did not\n"
+"                      crush\n"
 "  blocks, fixed, contact_points, line_contacts, point_contacts   counts\n"
 "  near, relative      as --near and --relative ask\n"
 "  let_go              all blocks at once, from rest, on real contacts: stays,\n"

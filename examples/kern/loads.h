@@ -113,27 +113,50 @@ static inline void loads_axle(const struct analysis *a, int k,
 static inline void loads_strength(const struct analysis *a,
                                   char out[LOADS_ROOM])
 {
-    char one[LOADS_QUANTITY];
+    char one[LOADS_QUANTITY], broken[80] = "";
+    if (a->broken > 0)
+        snprintf(broken, sizeof broken, ", %d line contact%s bear%s nothing",
+                 a->broken, a->broken > 1 ? "s" : "", a->broken > 1 ? "" : "s");
     snprintf(out, LOADS_ROOM,
              "%.60s: ends of contacts are moved in by up to %.4g where stone "
-             "crushes%s; tilts and horizontal loads crush no more",
-             loads_number(a, a->text.strength, 2, one), a->crushed,
+             "crushes%s%s; tilts and horizontal loads crush no more",
+             loads_number(a, a->text.strength, 2, one), a->crushed, broken,
              a->settled ? "" : ", and did not settle");
+}
+
+/* Does water press on a wall? */
+static inline int has_water(const struct analysis *a)
+{
+    for (int i = 0; i < a->text.soils; i++)
+        if (a->text.soil[i].kind == TEXT_EARTH
+            && a->text.soil[i].earth.water > 0)
+            return 1;
+    return 0;
 }
 
 /* What --thrust found. */
 static inline void loads_thrust(const struct analysis *a, char out[LOADS_ROOM])
 {
     char one[LOADS_QUANTITY], two[LOADS_QUANTITY], name[TEXT_SHOW_ROOM];
-    if (isnan(a->thrust_most))
+    double least = a->thrust_least, most = a->thrust_most;
+    const double tiny = 1e-6 * fmax(fabs(least), fabs(most));
+    if (isnan(most)) {
         snprintf(out, LOADS_ROOM, "undecided");
-    else
-        snprintf(out, LOADS_ROOM,
-                 "[%.60s, %.60s]: to the left, of %.60s; one end as it gives "
-                 "way, the other as it is pressed in",
-                 loads_number(a, a->thrust_least, 0, one),
-                 loads_number(a, a->thrust_most, 0, two),
-                 text_show(name, a->set->thrust));
+        return;
+    }
+    least = fabs(least) < tiny ? 0 : least;
+    most = fabs(most) < tiny ? 0 : most;
+    const int right = most <= 0 && least < 0;
+    const double low = right ? fabs(most) : least;
+    snprintf(out, LOADS_ROOM,
+             "[%.60s, %.60s]: to the %s, of %.60s; one end as it gives "
+             "way, the other as it is pressed in%s",
+             loads_number(a, low, 0, one),
+             loads_number(a, right ? -least : most, 0, two),
+             right ? "right" : "left", text_show(name, a->set->thrust),
+             low > 0 || a->text.props == 0
+                 ? ""
+                 : "; at 0 the pushes of fill and props replace it");
 }
 
 /* Calls `line` with each word and its sentence. */
@@ -150,6 +173,12 @@ static inline void loads_each(const struct analysis *a,
     for (int k = 0; k < a->text.wheels; k++) {
         loads_axle(a, k, text);
         line("axle", text, data);
+    }
+    if (a->text.beside > 1e-9) {
+        snprintf(text, sizeof text,
+                 "%.3g %% of the axles reaches no free block and is left out",
+                 100 * a->text.beside);
+        line("warning", text, data);
     }
     if (a->text.bond > 0) {
         snprintf(text, sizeof text,
@@ -177,6 +206,8 @@ static inline void json_soil(const struct analysis *a)
     const char *comma = "";
     if (a->text.strength > 0)
         json_number("crushed", a->crushed);
+    if (a->text.strength > 0)
+        printf(", \"crushes\": %s", a->crushes ? "true" : "false");
     if (a->text.soils == 0)
         return;
     printf(", \"soil\": [");

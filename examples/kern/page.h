@@ -65,6 +65,9 @@ static inline void page_verdict(FILE *out, const struct analysis *a)
                                 "hold it."
                               : "It falls: no forces hold it."
                        : "Undecided.");
+    if (a->crushes)
+        page_text(out, " It crushes: at a strength without limit it would "
+                       "stand.");
     if (live && as_stated(a) != KERN_UNDECIDED)
         page_text(out, as_stated(a) == KERN_STANDS
                            ? " Under the live load as stated it stands."
@@ -141,7 +144,7 @@ static inline void page_factors(FILE *out, const struct analysis *a)
 static inline void page_results(FILE *out, const struct analysis *a)
 {
     const int most = most_stressed(a, 0, a->task.s.contacts);
-    char value[LOADS_QUANTITY], means[2 * TEXT_SHOW_ROOM + 80];
+    char value[LOADS_QUANTITY], means[2 * TEXT_SHOW_ROOM + 200];
     char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
     if (a->set->verdict_only)
         return;
@@ -157,9 +160,12 @@ static inline void page_results(FILE *out, const struct analysis *a)
     if (most >= 0) {
         const kern_contact *c = &a->task.s.contact[most];
         snprintf(means, sizeof means,
-                 "between %s and %s, with twice the margin as its length",
-                 name_of(a, c->a, one), name_of(a, c->b, two));
-        page_row(out, "largest stress",
+                 "between %s and %s: mean over twice the margin%s, the "
+                 "length that is sure; linear stresses of the forces shown are "
+                 "in the table of beds",
+                 name_of(a, c->a, one), name_of(a, c->b, two),
+                 a->whole ? " and what crushes" : "");
+        page_row(out, "largest stress (Meyerhof)",
                  loads_number(a, a->stress[most], 2, value), means);
     }
     fputs("</table>\n", out);
@@ -212,7 +218,8 @@ static inline void page_thrust(FILE *out, const struct analysis *a)
         page_head(out, "Thrust: one resultant a bed or joint");
         fprintf(out,
                 "<p>%s. Eccentricity is a share of the length, below 1/6 where "
-                "all of it is pressed; stresses are linear%s.</p>\n",
+                "all of it is pressed; stresses are linear over all of it%s, "
+                "\"edge\" where all is on an end.</p>\n",
                 a->least ? "The forces of the least norm that hold it"
                          : "Forces that hold it",
                 a->text.bond > 0 ? ", below 0 what mortar bears"
@@ -349,7 +356,8 @@ static inline void page_assumptions(FILE *out, const struct analysis *a)
     page_item(out, !(a->text.strength > 0), "Stone does not crush.");
     page_item(out, a->text.strength > 0,
               "Stone crushes in a rectangular stress block at the end of a "
-              "contact, at the strength that is given.");
+              "contact, at the strength that is given; a contact that all of "
+              "it cannot bear bears nothing.");
     page_item(out, !(a->text.bond > 0), "Mortar does not bond.");
     page_item(
         out, a->text.bond > 0,
@@ -368,6 +376,10 @@ static inline void page_assumptions(FILE *out, const struct analysis *a)
     page_item(out, earth,
               "Earth is level and presses with its active pressure, in "
               "proportion to depth.");
+    page_item(out, has_water(a),
+              "Water presses on the back of the wall; its uplift under the "
+              "wall is not counted, unless a load holds it. The density of "
+              "earth below water is the saturated one.");
     page_item(out, pose_error(a) > 0,
               "Outlines were measured: gaps and overlaps of some errors are "
               "contacts.");

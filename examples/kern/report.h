@@ -201,8 +201,9 @@ static inline void report_stress(const struct analysis *a)
         printf("  stress      %-8s  ",
                loads_number(a, a->stress[most], 2, stress));
     printf("mean stress if the most loaded contact, between %s and %s, were "
-           "only twice the margin long\n",
-           name_of(a, c->a, one), name_of(a, c->b, two));
+           "only twice the margin%s long\n",
+           name_of(a, c->a, one), name_of(a, c->b, two),
+           a->whole ? " and what crushes" : "");
 }
 
 static inline void report_limit(const struct analysis *a)
@@ -603,6 +604,22 @@ static inline void report_friction(const struct analysis *a)
                mu, 57.295779513082321 * atan(mu));
 }
 
+/* Options of drawings that a file of another kind leaves without effect. */
+static inline void report_undrawn(const struct analysis *a)
+{
+    const struct shapes_asked *drawing = &a->set->drawing;
+    int named = 0;
+    for (int k = 0; k < drawing->friction_words; k++)
+        named |= strchr(drawing->frictions[k], '=') != NULL;
+    if (!a->drawing.made
+        && (drawing->layers > 0 || drawing->has_ground || named
+            || drawing->phi > 0))
+        printf("  the file is no drawing, without effect:%s%s%s%s\n",
+               drawing->layers > 0 ? " --layer" : "",
+               drawing->has_ground ? " --ground" : "",
+               drawing->phi > 0 ? " --phi" : "", named ? " --mu NAME=MU" : "");
+}
+
 /* Options that this file, or another option, leaves without effect. */
 static inline void report_unheard(const struct analysis *a)
 {
@@ -627,12 +644,7 @@ static inline void report_unheard(const struct analysis *a)
     }
     if (!*head)
         printf("\n");
-    const struct shapes_asked *drawing = &set->drawing;
-    if (!a->drawing.made
-        && (drawing->layers > 0 || drawing->has_ground
-            || drawing->friction_words > 0 || drawing->phi > 0))
-        printf("  the file is no drawing, without effect: --layer, --ground, "
-               "--phi, --mu NAME=MU\n");
+    report_undrawn(a);
     if (pose_error(a) > 0 && !a->text.given && shrinkage(a) > 0)
         printf("  whether it is certain within the error is not told with "
                "--at\n");
@@ -687,7 +699,7 @@ static inline void report_lack(const struct analysis *a)
 /* The verdict, as soon as it is known. */
 static inline void report_verdict(const struct analysis *a)
 {
-    printf("%s: %s", a->file, status_word(a));
+    printf("%s: %s%s", a->file, status_word(a), a->crushes ? " (crushes)" : "");
     if (a->text.lives > 0)
         printf(" without the live load");
     if (shrinkage(a) > 0)
@@ -855,6 +867,10 @@ static inline void report_warnings(const struct analysis *a)
     if (a->text.lives > 0)
         printf("  live load   is left out of verdict, margin, stress, load and "
                "tilt, and counts in 'live'\n");
+    if (has_water(a))
+        printf(
+            "  warning     uplift of the water under the wall is not counted: "
+            "add it as an upward 'load'\n");
     if (a->text.bond > 0)
         printf("  warning     the bond is plastic: it acts over the whole of a "
                "joint that opens; of brittle mortar\n"

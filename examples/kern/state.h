@@ -93,6 +93,8 @@ struct analysis {
     double *stress;            /* of a line contact at the margin; 0: none   */
     kern_contact *whole;       /* contacts before stone crushes, NULL: it does
                                   not                                        */
+    int crushes;               /* stands with stone that does not, falls     */
+    int broken;                /* line contacts that bear nothing any more   */
     double crushed;            /* how far an end has moved in at most        */
     int settled;               /* the forces no longer move ends             */
 

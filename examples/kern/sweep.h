@@ -132,6 +132,8 @@ static inline void sweep_at(struct sweep *w, double x, struct swept *at)
     status = kern_raised_load(&a->task, shrinkage(a), KERN_SHRINK, w->pattern,
                               &value, NULL);
     at->raised = value_or_nan(status, value);
+    if (a->whole && at->raised > at->live)
+        at->raised = at->live;
     at->cut = status == KERN_LIMIT;
 }
 

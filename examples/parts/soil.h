@@ -296,12 +296,13 @@ static inline void soil_drop(kern_wrench *pattern, const kern_block *block,
 /* Adds to the pattern the share of a vertical unit load that reaches each block:
    a patch on the level `top`, `patch` wide about x, spreads within `cone` from
    the vertical by Boussinesq's law onto the n edges of the upper surface. Where
-   cone is 0 the patch acts straight down. */
+   cone is 0 the patch acts straight down, and so does a part that reaches the
+   middle of no piece. What is beside all edges is lost. */
 static inline void soil_spread(kern_wrench *pattern, const kern_block *block,
                                const struct soil_edge *edge, int n, double x,
                                double patch, double top, double cone)
 {
-    enum { STRIPS = 31, PIECES = 8 };
+    enum { STRIPS = 31, PIECES = 8, MOST_PIECES = 256 };
     int s, i, k;
     for (s = 0; s < STRIPS; s++) {
         const double from = x + patch * ((s + .5) / STRIPS - .5);
@@ -317,13 +318,17 @@ static inline void soil_spread(kern_wrench *pattern, const kern_block *block,
             for (i = 0; i < n; i++) {
                 const double dx = (double)(edge[i].q.x - edge[i].p.x);
                 const double dy = (double)(edge[i].q.y - edge[i].p.y);
-                for (k = 0; k < PIECES && dx > 0; k++) {
-                    const double t = (k + .5) / PIECES;
+                const double depth = fmax(top - (double)edge[i].p.y - dy / 2,
+                                          1e-3);
+                const double fine = ceil(2 * dx / (depth * tan(cone)));
+                const double pieces = fmax(PIECES, fmin(fine, MOST_PIECES));
+                for (k = 0; k < pieces && dx > 0; k++) {
+                    const double t = (k + .5) / pieces;
                     const double px = (double)edge[i].p.x + t * dx;
                     const double z = fmax(top - (double)edge[i].p.y - t * dy,
                                           1e-3);
                     const double off = fabs(px - from);
-                    const double reach = fmax(z * tan(cone), dx / PIECES / 2);
+                    const double reach = fmax(z * tan(cone), dx / pieces / 2);
                     const double q = z * z + off * off;
                     const double share = off > reach ? 0
                                                      : z * z * z / (q * q) * dx;
@@ -334,6 +339,8 @@ static inline void soil_spread(kern_wrench *pattern, const kern_block *block,
                                    share / sum / STRIPS, px);
                 }
             }
+        if (!(sum > 0))
+            soil_drop(pattern, block, edge, n, from, 1. / STRIPS);
     }
 }
 

@@ -112,7 +112,8 @@ struct text_file {
     int blocks, fixed;     /* all of them; the fixed among them               */
     int given;             /* nonzero: contacts are those of the file alone   */
     kern_contact *contact; /* these, with their travels                       */
-    char *own_mu;          /* nonzero: the contact has a friction of its own  */
+    double beside; /* share of the axles that no free block bears      */
+    char *own_mu;  /* nonzero: the contact has a friction of its own  */
     int contacts;
     kern_wrench *live; /* one a block: load pattern about its centre      */
     int lives, loads;  /* statements of a pattern; of loads that stay     */
@@ -802,7 +803,7 @@ static int text_earth(struct text_reader *r)
         return text_expect(r, "left or right, where the earth is,", word);
     s->side = left ? SOIL_LEFT : SOIL_RIGHT;
     if (text_double(r, TEXT_ANY, &s->earth.top)
-        || text_double(r, TEXT_POSITIVE, &s->density)
+        || text_double(r, TEXT_NOT_NEGATIVE, &s->density)
         || text_degrees(r, text_phi, 5, 60, &s->earth.phi)
         || text_degrees(r, "delta, an angle in degrees from 0 to phi", 0,
                         57.295779513082321 * s->earth.phi * (1 + 1e-12),
@@ -823,6 +824,9 @@ static int text_earth(struct text_reader *r)
     if (*word && !s->live)
         return text_expect(r, "surcharge, water, live or the end of the line",
                            word);
+    if (!(s->density > 0 || s->earth.surcharge > 0))
+        return text_fail(r->t, "earth: a density above 0, or a surcharge, is "
+                               "expected");
     r->t->soils++;
     return 0;
 }
@@ -1154,12 +1158,18 @@ static int text_drive(struct text_reader *r, const struct text_surface *above)
                                                   * sizeof *axle);
     int bad = !pattern || !axle;
     const int before = t->spread;
+    double all = 0, met = 0;
     if (axle)
         t->axle = axle;
     r->statement = "axle";
     t->line = t->wheel[0].line;
     if (!bad)
         text_axles(t, above, 0, pattern);
+    for (int k = 0; k < t->wheels; k++)
+        all += fabs((double)t->wheel[k].force);
+    for (int i = 0; i < t->blocks && !bad; i++)
+        met += fabs((double)pattern[i].fy);
+    t->beside = all > 0 ? fmax(0, 1 - met / all) : 0;
     for (int i = 0; i < t->blocks && !bad; i++) {
         const kern_vec c = t->block[i].centre;
         struct text_live *l = t->axle + t->lives;
