@@ -293,50 +293,60 @@ static inline void soil_drop(kern_wrench *pattern, const kern_block *block,
         }
 }
 
+/* Cuts the range t[0..1] to where rate t <= most. */
+static inline void soil_cut(double rate, double most, double t[2])
+{
+    if (rate > 0)
+        t[1] = fmin(t[1], most / rate);
+    else if (rate < 0)
+        t[0] = fmax(t[0], most / rate);
+    else if (most < 0)
+        t[1] = t[0];
+}
+
 /* Adds to the pattern the share of a vertical unit load that reaches each block:
    a patch on the level `top`, `patch` wide about x, spreads within `cone` from
    the vertical by Boussinesq's law onto the n edges of the upper surface. Where
-   cone is 0 the patch acts straight down, and so does a part that reaches the
-   middle of no piece. What is beside all edges is lost. */
+   cone is 0 the patch acts straight down, and so does a part whose cone meets no
+   edge. What is beside all edges is lost. */
 static inline void soil_spread(kern_wrench *pattern, const kern_block *block,
                                const struct soil_edge *edge, int n, double x,
                                double patch, double top, double cone)
 {
-    enum { STRIPS = 31, PIECES = 8, MOST_PIECES = 256 };
+    enum { STRIPS = 31, PIECES = 16 };
+    const double slope = tan(cone);
     int s, i, k;
     for (s = 0; s < STRIPS; s++) {
         const double from = x + patch * ((s + .5) / STRIPS - .5);
         double sum = 0;
         int pass;
-        if (!(cone > 0)) {
-            soil_drop(pattern, block, edge, n, from, 1. / STRIPS);
-            continue;
-        }
 
         /* add up the shares, then hand each piece its part of the strip */
-        for (pass = 0; pass < 2; pass++)
+        for (pass = 0; pass < 2 && cone > 0; pass++)
             for (i = 0; i < n; i++) {
                 const double dx = (double)(edge[i].q.x - edge[i].p.x);
                 const double dy = (double)(edge[i].q.y - edge[i].p.y);
-                const double depth = fmax(top - (double)edge[i].p.y - dy / 2,
-                                          1e-3);
-                const double fine = ceil(2 * dx / (depth * tan(cone)));
-                const double pieces = fmax(PIECES, fmin(fine, MOST_PIECES));
-                for (k = 0; k < pieces && dx > 0; k++) {
-                    const double t = (k + .5) / pieces;
-                    const double px = (double)edge[i].p.x + t * dx;
-                    const double z = fmax(top - (double)edge[i].p.y - t * dy,
-                                          1e-3);
-                    const double off = fabs(px - from);
-                    const double reach = fmax(z * tan(cone), dx / pieces / 2);
+                const double side = (double)edge[i].p.x - from;
+                const double depth = top - (double)edge[i].p.y;
+                double t[2] = {0, 1};
+
+                /* the stretch of the edge that is below, within the cone */
+                soil_cut(dy, depth, t);
+                soil_cut(dx + dy * slope, depth * slope - side, t);
+                soil_cut(-dx + dy * slope, depth * slope + side, t);
+                for (k = 0; k < PIECES && dx > 0 && t[1] > t[0]; k++) {
+                    const double at = t[0] + (t[1] - t[0]) * (k + .5) / PIECES;
+                    const double z = depth - at * dy, off = side + at * dx;
                     const double q = z * z + off * off;
-                    const double share = off > reach ? 0
-                                                     : z * z * z / (q * q) * dx;
+                    const double share = q > 0 ? z * z * z / (q * q) * dx
+                                                     * (t[1] - t[0])
+                                               : 0;
                     if (pass == 0)
                         sum += share;
                     else if (share > 0)
                         soil_share(pattern, block, edge[i].block,
-                                   share / sum / STRIPS, px);
+                                   share / sum / STRIPS,
+                                   (double)edge[i].p.x + at * dx);
                 }
             }
         if (!(sum > 0))
