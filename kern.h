@@ -1012,7 +1012,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
               angles less by 3 theta. On these it stands. It comes to rest where
               every third of them is open by the gap of the options and 1.75
               theta sizes more than was measured, each third in turn: 1.5 times
-              the way, at most 0.45 mean sizes. KERN_INFINITY: it does not.
+              the way, at most 0.45 mean sizes, and nothing slides by half of
+              the contact it presses on. KERN_INFINITY: it does not.
    KERN_STANDS: low is above 0, and settles below infinity. What stands by forces
    on the contacts of the task never falls for certain. Settling is without
    inertia, and of blocks of the shape they were measured in: one that rocks from
@@ -11100,7 +11101,8 @@ static int kern_descent_go(kern_descent *r, kern_course *c)
 }
 
 /* Makes *best the motion c if that is steeper, or as steep and a turn, not a
-   slide, or as steep and shorter, and presses no footing. The stone's centre begins to move by m, whose speed is 1. */
+   slide, or as steep and shorter, and presses no footing. The stone's centre
+   begins to move by m, whose speed is 1. */
 static void kern_descent_prefer(const kern_descent *r, kern_course *best,
                                 kern_course *c, kern_motion m)
 {

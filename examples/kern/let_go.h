@@ -65,7 +65,7 @@ static inline void explain_staying(struct analysis *a)
     snprintf(a->let_go_why, sizeof a->let_go_why,
              "its load raises the forces that hold it");
     const size_t used = strlen(a->let_go_why);
-    if (gravity_of(a) > 0 && a->task.s.blocks > RAISED_MOST)
+    if (gravity_of(a) > 0 && a->task.s.blocks > RAISED_MOST && !a->set->raised)
         snprintf(a->let_go_why + used, sizeof a->let_go_why - used,
                  "; the reserve is not asked above %d blocks (--raised)",
                  RAISED_MOST);
