@@ -9005,7 +9005,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     kern_copy(r->held, u, r->size);
     while (stood < end
            && step >= KERN_LOAD_NARROW * kern_max(stood, end / 100)) {
-        *share = kern_min(stood + step, end);
+        *share = stood + KERN_R(1.01) * step < end ? stood + step : end;
 
         /* begin where the last two places lead; prices are not negative */
         for (i = 0; i < r->size; i++) {

@@ -563,6 +563,32 @@ static void raised_patterns(void)
     CHECK_INT(raised_load(&w, NULL, KERN_RIGHT, &value), KERN_FALLS);
 }
 
+/* Semicircular arches under loads without bound: the end of the path doubles
+   twenty times, and no step is what rounding leaves of one. */
+static void raised_doubling(void)
+{
+    static world w;
+    kern_wrench pattern[15];
+    double value;
+    int n, i, t;
+    for (n = 7; n <= 13; n += 2)
+        for (t = 3; t <= 5; t++) {
+            world_reset(&w);
+            w.options.mu = R(0.4);
+            memset(pattern, 0, sizeof pattern);
+            for (i = 0; i < n; i++) {
+                world_voussoir(&w, 2000, (n - 1 - i) * pi / n, (n - i) * pi / n,
+                               1, 1 + 0.1 * t);
+                pattern[i].fy = R(abs(i - n / 2) == 1 ? -2000 : -1000);
+            }
+            world_box(&w, 0, -1.1 - 0.1 * t, -1, -0.9, 0);
+            world_box(&w, 0, 0.9, -1, 1.1 + 0.1 * t, 0);
+            CHECK_INT(world_touch(&w), 2 * (n + 1));
+            CHECK_INT(raised_load(&w, pattern, 0, &value), KERN_STANDS);
+            CHECK(value > 1e30);
+        }
+}
+
 /* ---- let go as a whole, and the least load that holds ---- */
 
 /* Returns kern_let_go() of a world; its proof is checked. */
@@ -698,11 +724,11 @@ static void plan_raised(void)
 }
 
 static const test raised_tests[] = {
-    TEST(raised_by_hand), TEST(raised_reserve),  TEST(raised_random),
-    TEST(raised_memory),  TEST(stays_law),       TEST(stays_random),
-    TEST(stays_memory),   TEST(raised_loads),    TEST(raised_scaled),
-    TEST(raised_grown),   TEST(raised_patterns), TEST(let_go_as_whole),
-    TEST(least_loads),    TEST(plan_raised),
+    TEST(raised_by_hand),  TEST(raised_reserve), TEST(raised_random),
+    TEST(raised_memory),   TEST(stays_law),      TEST(stays_random),
+    TEST(stays_memory),    TEST(raised_loads),   TEST(raised_scaled),
+    TEST(raised_doubling), TEST(raised_grown),   TEST(raised_patterns),
+    TEST(let_go_as_whole), TEST(least_loads),    TEST(plan_raised),
 };
 
 #endif
