@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    {200, 0x5441695bb012c4feu},
-    {1000, 0x0d007ad481a083dcu},
-    {5000, 0x274aff7efebf04f9u},
+    {200, 0x07d70cdbba16f104u},
+    {1000, 0x1976a8f859acaca7u},
+    {5000, 0xf633b3dc51b3cefau},
 #else
-    {200, 0xecebd2fbc376bc71u},
-    {1000, 0x23d27ade4af2f07au},
-    {5000, 0xcc24edd110631375u},
+    {200, 0xa543f592e2cb1683u},
+    {1000, 0x05d9f48ed5a6d233u},
+    {5000, 0xedf2497399c80efdu},
 #endif
 };
 
