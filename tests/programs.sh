@@ -527,6 +527,14 @@ stated() { # what numbers leave out or assume is said in report, JSON and page
         "$kern" --report "$out/bond.html" "$f" >"$out/o" &&
         grep -q 'unsafe for brittle mortar' "$out/bond.html" &&
         echo 'strength 8' >>"$f" && says '[0, 1.05]: factors' "$f" || return 1
+    # densities of a weight under a gravity of 9.81 are a mistake; t/m3 are not
+    printf '%s\n' 'units m kN' 'density 22' 'fixed g -2 -1 3 -1 3 0 -2 0' \
+        'block a * 0 0 1 0 1 2 0 2' >"$out/odd.kern"
+    says 'blocks weigh 216 kN/m3: give densities in' "$out/odd.kern" &&
+        sed -i 's/22/2.2/' "$out/odd.kern" &&
+        ! "$kern" "$out/odd.kern" | grep 'blocks weigh' &&
+        sed -i 's/2\.2/22/; 1i gravity 0 -1' "$out/odd.kern" &&
+        ! "$kern" "$out/odd.kern" | grep 'blocks weigh' || return 1
     # fill in front of an upright face lies on nothing
     printf '%s\n' 'fixed g -5 -1 6 -1 6 0 -5 0' 'block w * 0 0 1 0 1 3 0 3' \
         'fill .8 18 phi 30 from -5 to 0' >"$out/front.kern"

@@ -159,6 +159,36 @@ static inline void loads_thrust(const struct analysis *a, char out[LOADS_ROOM])
                  : "; at 0 the pushes of fill and props replace it");
 }
 
+/* Writes to `out` that the blocks weigh what no stone does, where metres and
+   the unit of force are known: densities of a weight under a gravity of 9.81.
+   Returns 0 if not so. */
+static inline int loads_odd(const struct analysis *a, char *out)
+{
+    static const struct {
+        const char *unit;
+        double newtons;
+    } known[] = {{"N", 1}, {"kN", 1e3}, {"MN", 1e6}};
+    const struct text_file *t = &a->text;
+    double weight = 0, area = 0, newtons = 0;
+    for (size_t k = 0; t->force_units && k < sizeof known / sizeof *known; k++)
+        if (strcmp(t->units, "m") == 0
+            && strcmp(t->force_units, known[k].unit) == 0)
+            newtons = known[k].newtons;
+    for (int i = 0; i < a->task.s.blocks; i++) {
+        const kern_block *b = &a->task.s.block[i];
+        weight += b->fixed ? 0 : (double)b->mass * gravity_of(a);
+        area += b->fixed ? 0 : fabs((double)b->area);
+    }
+    weight *= newtons / 1e3;
+    if (!(weight > 0) || (weight > area && weight < 100 * area))
+        return 0;
+    snprintf(out, LOADS_ROOM,
+             "blocks weigh %.3g kN/m3: give densities in kg/m3 with N, in t/m3 "
+             "with kN, or in kN/m3 with 'gravity 0 -1'",
+             weight / area);
+    return 1;
+}
+
 /* Calls `line` with each word and its sentence. */
 static inline void loads_each(const struct analysis *a,
                               void (*line)(const char *word, const char *what,
@@ -174,6 +204,8 @@ static inline void loads_each(const struct analysis *a,
         loads_axle(a, k, text);
         line("axle", text, data);
     }
+    if (loads_odd(a, text))
+        line("warning", text, data);
     if (a->text.beside > 1e-9) {
         snprintf(text, sizeof text,
                  "%.3g %% of the axles reaches no free block and is left out",
