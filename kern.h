@@ -1,9 +1,10 @@
 /* kern.h 0.2.0: how safely does a dry-stacked structure stand?
 
    A header-only C library for robots that build with found stones and no
-   mortar. It finds the contacts between polygons, contact forces that hold
-   every stone, and how far every contact can shrink until no such forces
-   exist: a measure of stability. Each verdict has a proof, which was checked.
+   mortar. It finds the contacts between polygons and contact forces that hold
+   every stone. It measures stability: how far every contact can shrink before
+   no such forces exist. Every verdict comes with a proof, which kern checks
+   before it returns.
 
    SPDX-License-Identifier: MIT (text at the end of the file)
 
@@ -34,7 +35,7 @@
      ==================             d             |======|     what is left: the
                                     d*              |==|       kern of a contact
 
-   "Kern" is the paper's word for this, not for the middle third of a section.
+   "Kern" is the paper's word for this, not the middle third of a section.
    Beyond the margin d* no forces are in equilibrium.
 
    HOW TO USE IT                                                        >>use
@@ -61,64 +62,71 @@
            printf("level %d, margin %g m\n", m.level, m.margin);
 
    Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. A negative
-   count of contacts is a status, which the next call returns. With all checks
-   it is examples/copy/one_block.c. "multiple definition": KERN_IMPLEMENTATION
-   is in two files; "undefined reference": in none, or of the other precision.
+   count of contacts is a status, which the next call returns.
+   examples/copy/one_block.c is this program with all checks. If the linker
+   reports "multiple definition", KERN_IMPLEMENTATION is in two files. If it
+   reports "undefined reference", it is in none, or in a file of the other
+   precision.
 
    CONVENTIONS                                                  >>conventions
 
    Units of length, mass and time are your choice; comments say m, kg, s. Angles
    are in radians, counter-clockwise positive. Blocks are polygons in world
-   coordinates of a plane: think of one unit of depth, and of a density per
-   area. Contacts of a new stone (kern_touch()) are appended; to take the last
-   stone back, make `blocks` and `contacts` smaller.
+   coordinates of a plane. Think of one unit of depth, and of a density per
+   area. kern_touch() finds the contacts of a new stone, to be appended to the
+   others. To take the last stone back, reduce `blocks` and `contacts`.
 
    MEMORY                                                            >>memory
 
    The library allocates nothing, has no globals and no recursion, and keeps
-   nothing between calls: threads need no locks, each with its own work memory:
-   two arrays, of KERN_REALS(blocks, contacts) and KERN_INTS(blocks, contacts)
-   numbers (kern_work_need() at run time). Contacts are counted as points: a
-   running bond has seven a block, twelve with joints between neighbours.
-   KERN_CONTACTS(blocks) has room for these; stones with many short edges may
-   need twice as many (KERN_NO_SPACE). Bytes in double (float: about half):
+   nothing between calls. Threads need no locks if each has its own work memory.
+   Work memory is two arrays, of KERN_REALS(blocks, contacts) and of
+   KERN_INTS(blocks, contacts) numbers (kern_work_need() at run time). Contacts
+   are counted as points: a running bond has seven a block, and twelve with
+   joints between neighbours. KERN_CONTACTS(blocks) has room for these. Stones
+   with many short edges may need twice as many (KERN_NO_SPACE). Bytes in double
+   (float: about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
        KERN_REALS and KERN_INTS     9,124    21,496    66,296   359,616
        both KERN_LEAN_ sizes        9,124    12,364    20,204    64,404
 
-   KERN_LEAN_REALS and KERN_LEAN_INTS (from 10 blocks on) are enough where few
-   blocks move at the margin, as in most walls: 0.7 MB, not 11, for 1000 blocks
-   and 7000 points. Where many do, as in arches, a call returns KERN_NO_SPACE.
+   KERN_LEAN_REALS and KERN_LEAN_INTS are smaller from 10 blocks on. They
+   suffice where few blocks move at the margin, as in most walls: 0.7 MB instead
+   of 11 MB for 1000 blocks and 7000 points. Where many blocks move, as in
+   arches, a call returns KERN_NO_SPACE.
 
    VERDICTS AND PROOFS                                             >>verdicts
 
-   KERN_STANDS: forces were found that pass kern_check_forces(); KERN_FALLS: a
-   motion that passes kern_check_motion(). The checks use nothing of the solver.
-   What passes neither is KERN_UNDECIDED (>>limits), never a guess.
+   KERN_STANDS: kern found forces that pass kern_check_forces(). KERN_FALLS: it
+   found a motion that passes kern_check_motion(). These checks use nothing of
+   the solver. KERN_UNDECIDED: it found neither (>>limits). It never guesses.
 
-   options.limit bounds the work of one call. Work that would exceed the limit,
-   to read the input included, is not begun: the call returns KERN_LIMIT and
-   writes what is proven by then. Below the limit the answer is the same, to the
-   last bit, as without. A call takes at most 3,000 instructions and 2,000 for
-   each unit of its limit, a whole answer 550 to 2,000 for each unit that it
-   took (tests/work.sh limits): 0.1 to 0.6 microseconds of a desktop computer.
-   Where most blocks have a single contact, as pushes of a fill, a unit of the
-   limit was up to 3,100 instructions, and one of a whole answer 2,230.
+   options.limit bounds the work of one call, reading the input included. Work
+   that would exceed the limit is not begun: the call returns KERN_LIMIT and
+   writes what is proven by then. An answer below the limit is the same, to the
+   last bit, as without a limit. A call takes at most 3,000 instructions plus
+   2,000 for each unit of its limit. A call that completes takes 550 to 2,000
+   for each unit in work->units, which is 0.1 to 0.6 microseconds on a desktop
+   computer (tests/work.sh limits). Where most blocks have a single contact, as
+   in a fill that is pushed, a unit of the limit was up to 3,100 instructions,
+   and a unit of a completed call 2,230.
 
    CONFIGURATION                                                     >>config
 
-   KERN_STATIC          in a file that wants a private copy of everything
+   KERN_STATIC          every function is static: a copy of the library that
+                        only this file uses
    KERN_API             linkage of public functions; extern
-   KERN_SINGLE          kern_real is float; the same in every file
-   KERN_SQRT(x)         in place of sqrt or sqrtf and of <math.h>
-   KERN_NO_INTERIOR     without >>ipm, for firmware: above 64 free blocks the
+   KERN_SINGLE          kern_real is float; also where the implementation is
+   KERN_SQRT(x)         replaces sqrt or sqrtf; <math.h> is not included
+   KERN_NO_INTERIOR     leaves out >>ipm, for firmware: above 64 free blocks the
                         simplex method decides, which may take minutes
-   KERN_USE_GLPK        large programs go to GLPK (under the GPL): see kern_lp.h
-   KERN_GLPK_ROWS       rows above which they do (three a free block); 96
+   KERN_USE_GLPK        GLPK (under the GPL) solves large programs (kern_lp.h)
+   KERN_GLPK_ROWS       programs of more rows are large; 96 (three a free block)
 
-   Without a C library, -Os -fno-tree-loop-distribute-patterns keep gcc from
-   memcpy and memset; -fno-math-errno makes the square root an instruction.
+   Without a C library, compile with -Os -fno-tree-loop-distribute-patterns, or
+   gcc calls memcpy and memset. With -fno-math-errno the square root is one
+   instruction.
 
    METHOD                                                            >>method
 
@@ -130,11 +138,11 @@
 
    Along the two edges of the friction cone, n + mu t and n - mu t, this is Eq.
    (5): find x >= 0 with A x = -w (A_eq of the paper, >>statics). If there is
-   none, Farkas' lemma gives a y with y.A >= 0 and y.w > 0: velocities and spins
-   such that no contact closes and the weights do work: a mechanism. It proves
-   that the structure falls.
+   none, Farkas' lemma gives a y with y.A >= 0 and y.w > 0. This y is a
+   mechanism: velocities and spins such that no contact closes and the weights
+   do work. It proves that the structure falls.
 
-   A verdict asks, in this order, until one gives a proof:
+   A verdict tries these methods in this order, until one gives a proof:
 
        top-down     >>pass    forces are passed on from top to bottom, a block
          |                    by three equations, a cluster where it cannot
@@ -146,250 +154,282 @@
                               interior point again where that has no proof
 
    A measure is the critical value of a path (kerns shrink, a load grows,
-   gravity turns): the first at which it falls. That of the whole is at most
-   that of a part with all other blocks fixed. So the search (>>search) begins
-   at the smallest value of a body (a block with what rests on it alone), runs
-   the pass there, and goes on to that of the part that falls, until none does.
-   Where the pass gives no proof, the whole is asked. Load factor and tilt of up
-   to 64 free blocks are one linear program with the value as a column. What
-   this cannot decide, as in jams, the interior-point method narrows. A proof to
-   each side of the critical value makes the bracket. Why each of these is
-   there, and what it costs to leave it out: tests/DESIGN.md.
+   gravity turns): the first value at which the structure falls. Fixing blocks
+   never lowers the critical value, so any part, with all other blocks fixed,
+   gives an upper bound. The search (>>search) begins at the smallest value of a
+   body (a block with what rests on it alone) and runs the pass there. If a part
+   falls, the search continues at the critical value of that part, until no part
+   falls. If the pass gives no proof, the search solves the whole structure.
+   Load factor and tilt of up to 64 free blocks are one linear program with the
+   value as a column. Where this cannot decide, as in jams, the interior-point
+   method narrows the bracket: one proof on each side of the critical value.
+   tests/DESIGN.md says why each step is there, and what it costs to leave it
+   out.
 
    RULES                                                               >>rules
 
-   What each number is, exactly, so that another program can reproduce it; the
-   tests of each rule: RULES of tests/kern_test.c.
+   This chapter defines each number exactly, so that another program can
+   reproduce it. RULES in tests/kern_test.c names the tests of each rule.
 
-   Contacts of two polygons that are not both fixed. `gap` and `angle` are
-   those of the options; no tolerance is below 64 roundings of the largest
-   coordinate. "Size" is that of the pair's smaller free block. Vertices where
-   the outline turns by less than 1e-6 rad do not count. Outlines are taken as
-   they are: every other edge, a step of one pixel too, has its own contacts, so
-   simplify raw outlines first (kern_outline_simplify()).
+   Contacts are found for each pair of polygons that are not both fixed. `gap`
+   and `angle` are those of the options, and no tolerance is below 64 roundings
+   of the largest coordinate. "Size" is that of the pair's smaller free block.
+   Vertices where the outline turns by less than 1e-6 rad do not count. Outlines
+   are used as they are: every other edge has its own contacts, even a step of
+   one pixel, so simplify raw outlines first (kern_outline_simplify()).
      line      Two edges, one of each block, antiparallel within `angle`, and
                within the gap over a length of more than the gap or 1e-3 of the
                size, whichever is less. Where both edges are shorter than that,
-               half of the longer is enough. The contact points are the ends of
-               that stretch, midway between the edges; n is the mean normal.
-     point     A convex vertex within the gap of an edge, its foot more than
-               1e-6 of the size from both ends, both edges of the vertex on the
-               outer side of that edge within `angle`. The contact point is the
-               vertex, n is the normal of the edge. It is no contact where a
-               line contact of the pair, its normal within 10 degrees of n,
-               passes within the gap.
-     corner    A convex vertex within the gap of a reflex one: a point contact
-               with each edge there on whose outer side both its edges lie.
-               A convex vertex on a convex one is no contact.
+               half of the longer edge is enough. The contact points are the
+               ends of that stretch, midway between the edges. n is the mean of
+               the edges' normals.
+     point     A convex vertex within the gap of an edge. Its foot is more than
+               1e-6 of the size from both ends of the edge, and both edges of
+               the vertex are on the outer side of that edge within `angle`. The
+               contact point is the vertex, n is the normal of the edge. It is
+               no contact where a line contact of the pair, its normal within 10
+               degrees of n, passes within the gap.
+     corner    A convex vertex within the gap of a reflex one. It gives a point
+               contact with each edge of the reflex vertex that has both edges
+               of the convex vertex on its outer side. A convex vertex at a
+               convex vertex is no contact.
      face      Contacts of a pair whose normals agree within `angle` and which
-               lie on one line within the gap are one line contact, from the
-               first to the last point, with the mean of the normals weighted by
-               length. The longest contact begins a face, points come last.
+               lie on one line within the gap are joined to one line contact. It
+               goes from the first to the last point. n is the mean of the
+               normals, weighted by length. Contacts are joined in the order of
+               their lengths, the longest first and points last.
      overlap   A point of one outline deeper than the gap inside the other
                block, or a block inside another: KERN_OVERLAP.
-   A larger gap removes no support. Contacts that are given are taken as they
-   are, with unit normals; a line off t by more than `angle` is refused.
+   A larger gap removes no support. Contacts that the caller gives are used as
+   they are. Their normals must have length 1, and kern_contact_make() refuses a
+   line that leaves its tangent by more than `angle`.
 
    Shrinkage. A contact point has a direction u = t or -t, a travel l >= 0:
      line      The two ends go to each other; l is half the length.
      points    Two or more points of one pair go to the middle q of the two that
                are farthest apart, each along its own t: l = |(q - p) . t|.
-     one point stays: l = 0, as does every l below 1e-9 of the mean size.
-     lone      Where options.lone asks for it, the one point of a pair goes to
-               the middle of what carries its block, as in Fig. 2 c, d of the
-               paper: a contact carries the block that its normal pushes up, or
-               none where the normal is horizontal within 1e-6. The middle is
-               that of the two points farthest apart that carry the same block.
-               Kerns are then not nested (>>limits).
-   It acts at p + min(d, l) u; with options.relative at p + d l u, d <= 1.
-   d_max is the largest l (relative: 1). Normals do not change. With lines
-   alone the contacts are nested and a structure that has fallen falls at every
-   larger d; with points of different normals it may stand again.
+     one point stays: l = 0, as does every point with l below 1e-9 of the mean
+               size.
+     lone      Where options.lone asks for it, a single point of a pair goes to
+               the middle of the contacts that carry its block, as in Fig. 2 c,
+               d of the paper. A contact carries the block that its normal
+               pushes up, or none if the normal is horizontal within 1e-6. The
+               middle is that of the two points farthest apart that carry the
+               same block. Kerns are then not nested (>>limits).
+   The point acts at p + min(d, l) u, or with options.relative at p + d l u, d
+   <= 1. d_max is the largest l (relative: 1). Normals do not change. If all
+   contacts are lines, the contacts are nested: a structure that falls at one d
+   falls at every larger d. With points of different normals it may stand again.
 
    Measures, for a structure that stands at d = 0 unless said otherwise:
-     level     The smallest k >= 1 such that it falls at min(k epsilon, d_max);
-               ceil(d_max / epsilon) + 1, saturated, where there is none; 0
-               where it falls at d = 0.
-     margin    The largest d* such that it stands at every d below d*; d_max,
-               saturated, where it stands throughout.
-     deficit   Where it falls at d = 0: the least growth d with contact points
-               at p - d u (relative: p - d l u) such that it stands; infinite
-               where a growth of 1000 times the longest side of the free
-               blocks' box (relative: over the smallest l) is not enough.
+     level     The smallest k >= 1 such that it falls at min(k epsilon, d_max).
+               If there is none the level is ceil(d_max / epsilon) + 1 and the
+               margin is saturated. The level is 0 if it falls at d = 0.
+     margin    The largest d* such that it stands at every d below d*. If it
+               stands at every d the margin is d_max and is saturated.
+     deficit   For a structure that falls at d = 0: the least growth d with
+               contact points at p - d u (relative: p - d l u) such that it
+               stands. Infinite where a growth of 1000 times the longest side of
+               the free blocks' box (relative: over the smallest l) is not
+               enough.
      load      The largest factor f such that it stands under every multiple of
      factor    the pattern up to f. Horizontal: f m |g| at every centre, to the
                right (gravity turned by +90 degrees) or to the left.
      tilt      The first angle of gravity, turned to the side, at which it
-               falls; pi where there is none. Loads do not turn.
+               falls; pi if there is none. Loads do not turn.
      profile   d grows from 0. Where the structure falls, the blocks that move
-               in the mechanism get that d and are taken away, and d goes on
-               from there. A block that never moves gets d_max, one that moves
-               at once 0. The same with a horizontal load, up to a factor 10.
-               Of several mechanisms one of few blocks is preferred.
-     mechanism Where it falls: velocities of all free blocks, the largest of a
-               centre or of a spin times the block's size being 1.
+               in the mechanism get that d as their value and are taken away. d
+               then grows on. A block that never moves gets d_max, and one that
+               moves at once gets 0. With a horizontal load its factor grows
+               instead of d, up to 10. Among several mechanisms one of few
+               blocks is preferred.
+     mechanism For a structure that falls: velocities of all free blocks, scaled
+               so that the largest is 1. A spin counts times the block's size.
 
    WHAT EACH NUMBER IS GOOD FOR                                    >>measures
 
-   margin      comparing structures and places for a stone: how far the worst
+   margin      compares structures, and places for a stone: how far the worst
                stone is from the edge of what carries it, in metres, so that
-               large stones weigh more; relative: a share. level: the paper's
-   load factor the largest sideways acceleration, in units of gravity; raised
-               load: without dilatant sliding, see >>limits
-   tilt        how far the ground may turn: without loads atan(load factor)
-   deficit     how much is missing, where it falls
-   bearing     the length of the shortest contact that it needs
-   mechanism   which stones go first, and how
-   profile     how much worse it gets then: every stone's margin or load factor,
-               their mean, that of the weaker half, and the expected drop
-   raised      whether its load raises its forces, with what reserve for a push
-   stays       the chance that a stone stays where it is let go
-   rest        where a stone comes to rest, and which place is best
+               large stones weigh more; relative: a share of each travel
+   level       is the paper's measure: the margin in steps of epsilon
+   load factor is the largest sideways acceleration, in units of gravity
+   raised load is the load factor without dilatant sliding (>>limits)
+   tilt        tells how far the ground may turn: without loads, atan of the
+               load factor
+   deficit     tells how far the contacts of a structure that falls must grow
+   bearing     is the length of the shortest contact that the structure needs
+   mechanism   shows which stones move first, and how
+   profile     gives every stone's margin or load factor while others fall,
+               their mean, the mean of the weaker half, and the expected drop
+   raised      tells whether the load itself raises forces that hold the
+               structure, and the reserve that it has for a push
+   stays       is the chance that a stone stays where it is released
+   rest        finds where a stone comes to rest, and compares places
                (kern_rest(), kern_place_compare(), examples/place.c)
-   sensitivity how a stone should move, and how exactly lie (examples/nudge.c)
-   push        the load factor of a force on one stone (examples/push.c)
+   sensitivity tells how to move a stone for a larger margin, and how exactly it
+               must lie (examples/nudge.c)
+   push        is the load factor of a force on one stone (examples/push.c)
 
-   Kerns shrink to a point, and a point still carries: a stone one end of which
-   rests on 2 micrometres has the margin of the other end. The bearing length
-   sees the sliver; a robot that places stones less exactly than that cannot
-   count on it. Ask it on kern_stretches(): the contacts of a block on two feet
-   are one, from end to end. A saturated margin, half the longest contact, tells
-   no safety.
+   The margin does not show a sliver of support. Kerns shrink to a point, and a
+   point still carries: a stone with one end on 2 micrometres has the margin of
+   its other end. The bearing length shows the sliver. A robot that places
+   stones less exactly than that length cannot count on the contact. Compute it
+   with the contacts of kern_stretches(), since kern_contacts() joins the two
+   feet of a block to one contact from end to end. A saturated margin is half
+   the length of the longest contact and says nothing about safety.
 
-   Collapse under shaking. All but the profile tell when the first stone falls,
-   not when half of a wall does. A stone that rocks soon meets the next one, so
-   contacts that a little motion closes count too:
+   Collapse under shaking. Every measure but the profile tells when the first
+   stone falls, not when half of a wall does. A stone that rocks soon meets the
+   next one, so count contacts that a little motion closes:
 
        task.options = kern_near(&task.options, kern_mean_size(block, blocks));
        find the contacts with these, then
        kern_profile(&task, side, value, &c) for KERN_LEFT and KERN_RIGHT,
        and add both c.drop, the expected drop: larger is worse
 
-   It ranks structures by their level of collapse as no other measure does
-   (README; examples/laboratory/STUDY.md). Where stones slide before they
-   tip, as in low walls, all load factors end at mu and rank less well. Near
-   contacts are not for verdicts: a gap carries nothing yet.
+   This sum ranks structures by their level of collapse better than any other
+   measure (README; examples/laboratory/STUDY.md). Where stones slide before
+   they tip, as in low walls, all load factors end at mu and rank less well. Do
+   not use near contacts for a verdict: a gap carries nothing until it is
+   closed.
 
-   Whether a stone stays where it is let go. kern_stays() gives the chance. Let
-   go from a threshold on, each half of 969 placements by the law of the other:
+   Whether a stone stays where it is released. kern_stays() returns the chance.
+   Suppose that a planner releases a stone if the chance is at least a
+   threshold. Of 969 placements, each half judged by the law fitted to the other
+   half:
 
-       threshold               0.3    0.5    0.7    0.9
-       of 630 that stay, kept  0.96   0.95   0.93   0.83
-       of 205 that move, not   0.90   0.96   0.985  0.995
+          threshold                       0.3    0.5    0.7    0.9
+          630 that stay: released         0.96   0.95   0.93   0.83
+          205 that move: not released     0.90   0.96   0.985  0.995
 
-   The chance follows from the displacement that raises the forces. After a
-   large one many equilibria are possible, and friction decides between them.
+   The chance is computed from the displacement that raises the forces, and from
+   the reserve. After a large displacement many equilibria are possible, and
+   friction decides between them.
 
-   Whether a finished structure stays. kern_let_go() asks all blocks at once:
-   the answer is the same in any order of the blocks. kern_least_load_of() and
-   kern_load_factor_of() are the ends of the range of a load that holds it.
+   Whether a finished structure stays. kern_let_go() releases all blocks at
+   once, so the order of the blocks does not matter. kern_least_load_of() and
+   kern_load_factor_of() return the least and the largest factor of a load with
+   which the structure stands.
 
-   Forces. Many sets of forces hold a structure; no measure depends on which,
-   and a proof has the first that was found. To look at, take the minimum-norm
-   forces (kern_forces()): one set, symmetric where the structure is, which
-   loads all that can carry. Those of kern_raised() are closer to friction, but
-   not unique. Neither says how stones of some stiffness share a load.
+   Forces. Many sets of forces hold a structure. No measure depends on which set
+   is used, and a proof has the first one that was found. For pictures use the
+   minimum-norm forces (kern_forces()): a unique set, symmetric where the
+   structure is, which loads every contact that can carry. The forces of
+   kern_raised() are closer to friction, but not unique. Neither set tells how
+   elastic stones share a load.
 
    STONES FROM A CAMERA OR A SCANNER                               >>measured
 
-   Outline. Simplify it first, within 1.5 to 3 pixels (kern_outline_simplify()).
-   Raw points on a grid touch each other (KERN_CROSSING), and each step of a
-   pixel would hold as a shear key. From 1.5 pixels on a straight joint is one
-   edge again; below 1.42 its steps may remain. Two outlines that are simplified
-   may part by twice the tolerance: set options.gap to that, or tell the error.
+   Outline. Simplify each outline first, within 1.5 to 3 pixels
+   (kern_outline_simplify()). Raw points on a grid touch each other
+   (KERN_CROSSING), and each step of a pixel would hold like a shear key. From
+   1.5 pixels on a straight joint is one edge again; below 1.42 its steps may
+   remain. Two simplified outlines may part by twice the tolerance. Set
+   options.gap to that, or include it in the error of kern_measured_options().
    Outlines of drawings and clippers have steps of rounding: simplify them
    within half a gap. The density is that of the material times the thickness.
    examples/copy/contour.c shows these steps.
 
    Error. kern_measured_options() takes the standard errors of a stone's place
-   (of pixel, simplification and registration the squares are added) and angle.
-   Margins of a stone of 40, 200 or 1000 vertices then agree within 2 %; else
-   the discretisation decides them. Overlaps beyond the error are modelling
-   errors (kern_overlaps()): measure again, or set options.overlap.
+   and of its angle. To combine the errors of pixel, simplification and
+   registration, add their squares. Margins of a stone of 40, 200 or 1000
+   vertices then agree within 2 %; without these options the discretisation
+   decides them. Overlaps beyond the error are modelling errors
+   (kern_overlaps()): measure again, or set options.overlap.
 
-   Certainty. What was measured is near a structure at rest: its stones settle
-   by a few errors. kern_certain() lets them settle. It tells a lower and an
-   upper end of the margin, whether the verdict is certain within the error, and
-   how far stones may settle. What stands for certain stands on stretches of
-   contact that no error along them takes away, and comes to rest after a small
-   motion where every third stretch is open. How often that is right:
-   tests/TRUST.md.
+   Certainty. A measured structure is near one at rest: its stones settle by a
+   few errors. kern_certain() lets them settle. It returns a lower and an upper
+   end of the margin, whether the verdict is certain within the error, and how
+   far stones may settle. A structure that certainly stands does so on stretches
+   of contact that no error along them takes away. It also comes to rest after a
+   small motion with every third stretch open. tests/TRUST.md tells how often
+   these answers are right.
 
    LIMITS                                                            >>limits
 
    Model     Two dimensions, rigid blocks that do not break, statics. "Stands"
-             means that admissible forces exist: necessary for standing still,
-             with friction not sufficient. A cube held between two walls by
-             friction alone counts as standing; kern_raised() tells whether the
-             load raises such forces.
+             means that admissible forces exist. With friction that is necessary
+             for standing still, but not sufficient: a cube held between two
+             walls by friction alone counts as standing. kern_raised() tells
+             whether the load raises such forces.
    Unsafe    Mechanisms are those of limit analysis: blocks that slide also part
              (dilatant sliding). Where a wall's own joints slide, load factor
-             and tilt are too high: against a simulator by 11 to 26 % on four
-             published brick walls with openings (tests/PUBLISHED.md), once 2.5
-             times on random ones; never on settled rubble. Where columns topple
-             in a row they are up to five times too high, and the least friction
-             of the verdict is up to 31 % too low; there is no bound where their
-             base slopes as they do: once 100 times, and a friction of .44 where
-             2.07 is needed. kern_raised_load() has no
-             dilatancy, and kern_let_go() says whether such a row stays: none of
-             600 random slopes below the friction of limit equilibrium. Both
-             answer for one path of loading: take the lower. Bricks that hang in
-             a flat arch are not raised.
-   Search    "Not shown" is no proof of falling: kern_work.end tells whether no
-             equilibrium was found, as where blocks run away, or a limit of
-             work ended the search. Of 90 rows of 20 to 90 columns 75 reach 97 %
-             of limit equilibrium, all 87 %; of 360 slopes within 10 % of
-             critical friction 326, one is not shown. There, and where a
-             structure has several equilibria near it, a turn, a mirror or
-             rounding of the input may lead to another raised load: of these
-             slopes 28 by more than 2 %, of 969 placements 13, 10 of which move.
-   Ambiguous A reserve cannot see equilibria that depend on what happened
-   forces    before: of 181 rows of wedges between cliffs that fall in a
-             simulator though forces exist, 2 have the largest (tests/TRUST.md).
-             A stone that is pushed out from under a longer one may count on a
-             weight that the longer one can lay elsewhere: of 51 walls under .6
-             to .9 of the load that they bear 7 move in a simulator.
+             and tilt are too high. Against a simulator they were so by 11 to
+             26 % on four published brick walls with openings
+             (tests/PUBLISHED.md), by a factor of up to 2.5 on random ones, and
+             never on settled rubble. Where columns topple in a row they are up
+             to five times too high, and the least friction of the verdict is up
+             to 31 % too low. There is no bound where the base of a row slopes
+             as the row does: one load factor was 100 times too high, and one
+             verdict stands at a friction of .44 where 2.07 is needed.
+             kern_raised_load() has no dilatancy. kern_let_go() says whether
+             such a row stays, and did so for none of 600 random slopes below
+             the friction of limit equilibrium. Both follow one path of loading,
+             so use the lower answer. Bricks that hang in a flat arch do not
+             count as raised.
+   Search    KERN_NOT_SHOWN is no proof of falling. kern_work.end tells whether
+             no equilibrium was found, as where blocks run away, or a limit of
+             work ended the search. Of 90 rows of 20 to 90 columns all reach
+             87 % of limit equilibrium, and 75 reach 97 %. Of 360 slopes within
+             10 % of critical friction 326 reach 97 %, and one is not shown.
+             Near critical friction, or where a structure has several equilibria
+             close to each other, turning, mirroring or rounding the input may
+             change the raised load. It did so by more than 2 % for 28 of these
+             slopes, and for 13 of 969 placements, 10 of which move.
+   Ambiguous The reserve does not see equilibria that depend on the history of
+   forces    loading. Of 181 rows of wedges between cliffs that fall in a
+             simulator though forces exist, 2 have the largest reserve
+             (tests/TRUST.md). A stone that is pushed out from under a longer
+             one may count on a weight that the longer one can pass elsewhere:
+             of 51 walls under .6 to .9 of the load that they bear, 7 move in a
+             simulator.
    Loads     stay: what kern_block_load() adds neither grows with a horizontal
              load nor turns with gravity.
-   Not       Kerns that are not nested (points of different normals) are asked
-   nested    first without these points. Where that proves neither, they are
-             searched in steps <= d_max / 1001, as tilts with loads are in steps
-             of pi / 1001: a fall narrower than that may be missed.
-   Undecided Within 1e-9 of the mean size of critical; in jams, whose forces
-             grow without bound toward critical, within 1e-7, rarely 1e-4: of 800
+   Not       Where kerns are not nested (points of different normals), the path
+   nested    is searched first without these points. If that proves neither
+             verdict, it is searched in steps of at most d_max / 1001. Tilts
+             with loads are searched in steps of pi / 1001. A range in which the
+             structure falls may be missed if it is narrower than a step.
+   Undecided A verdict may be undecided within 1e-9 of the mean size of the
+             critical value. In jams, whose forces grow without bound toward the
+             critical value, it may be so within 1e-7, rarely 1e-4: of 800
              hoppers, rows between walls, zigzag beds and packed discs of up to
-             120 stones seven measures; where one block weighs more than 1e4
-             times another, farther. A level is undecided only if the verdict at
-             a step that it depends on is. Bricks held by loads up to 1000 times
-             their weight: none of 288 with mu up to 100, with mu 1000 2 of 96.
-   Brackets  At most 2e-6 mean sizes wide (load factor 2e-6, tilt 8e-6 rad); in
-             jams up to 50 times as wide; above 256 blocks of which many move at
-             once up to 3e-5. Above 64 such blocks a value may lie anywhere in
-             it.
-   Slow      Structures of many blocks of which many move at the margin: ragged
-             walls, fitted masonry, long arches (tests/BENCH.md).
-   Float     Proofs are weaker (>>tune), a deficit is exact to 3e-6 sizes, above
-             64 blocks values to 0.05; more is undecided near critical; where
-             wedges jam a margin may be off by 1/3 size. Stay near the origin.
+             120 stones, seven measures were. It may be so farther away if one
+             block weighs more than 1e4 times another. Of bricks held by loads
+             up to 1000 times their weight, none of 288 was undecided with mu up
+             to 100, and 2 of 96 with mu 1000. A level is undecided only if the
+             verdict at a step that it depends on is.
+   Brackets  At most 2e-6 mean sizes wide (load factor 2e-6, tilt 8e-6 rad). In
+             jams up to 50 times as wide. Up to 3e-5 if above 256 blocks are
+             free and many move at once. If more than 64 blocks move, the true
+             value may lie anywhere in the bracket.
+   Slow      Structures of which many blocks move at the margin: ragged walls,
+             fitted masonry, long arches (tests/BENCH.md).
+   Float     Proofs are weaker (>>tune) and more is undecided near critical. A
+             deficit is exact to 3e-6 sizes. Above 64 blocks a value is exact to
+             0.05. Where wedges jam a margin may be off by 1/3 size. Stay near
+             the origin.
 
    DETERMINISM                                                  >>determinism
 
-   The same input gives the same bits on every machine whose compiler keeps to
+   The same input gives the same bits on every machine, if the compiler keeps to
    IEEE arithmetic:
 
        -ffp-contract=off     where the target has fused multiply-add (AArch64,
-                             PowerPC, s390x, x86 with -mfma); gcc contracts by
-                             default in GNU modes, clang from version 14 on
-       -fno-tree-vectorize   with gcc as well, where it has vectors of those:
-                             it fuses pairs of products all the same. On x86
-                             this file sees to that, for itself alone
+                             PowerPC, s390x, x86 with -mfma). By default gcc
+                             contracts in GNU modes, and clang from version 14
+       -fno-tree-vectorize   with gcc as well, where the target has fused
+                             multiply-add for vectors: gcc fuses pairs of
+                             products despite the first option. On x86 kern.h
+                             sets this for its own code
        -msse2 -mfpmath=sse   on 32-bit x86
-       never -ffast-math, -Ofast or -funsafe-math-optimizations, nor where the
-                             program is linked: they flush small numbers to 0
-
+       never -ffast-math, -Ofast or -funsafe-math-optimizations, not even where
+                             the program is linked: they flush small numbers to
+                             0
    Only + - * / and square root are used, which must round as IEEE asks: sums of
-   doubles by libgcc for ARM do not always. tests/golden.c sees wrong flags. */
-
+   Only + - * / and square root are used, and they must round as IEEE demands;
+   sums of doubles by libgcc for ARM do not always. tests/golden.c detects wrong
+   flags. */
 /* ==== Part II: Declarations ======================================== >>decl */
 
 #ifndef KERN_H
@@ -485,9 +525,10 @@ typedef struct kern_box {
     kern_vec low, high;
 } kern_box;
 
-/* Above zero a call returns a verdict, or a linear program's result; zero where
-   it has none. Below zero it failed, and of the caller's data only counters and
-   fault of the work memory changed; with KERN_LIMIT also what it says. */
+/* A positive status is a verdict or the result of a linear program. KERN_OK
+   means success of a call that has neither. A negative status means failure.
+   The call has then changed nothing of the caller's but the counters and the
+   fault in the work memory, and with KERN_LIMIT what the function says. */
 #define KERN_STATUS_LIST(X)                                                  \
     X(KERN_OK, 0, "done")                                                    \
     X(KERN_STANDS, 1, "stands: forces were found that hold every block")     \
@@ -528,13 +569,13 @@ typedef enum kern_status {
         KERN_STATUS_LEAST = -25 /* the same number */
 } kern_status;
 
-/* Where the fault of a status below zero lies. */
+/* Where the fault of a negative status lies. */
 typedef struct kern_fault {
-    int block;         /* index of a block, -1: none                       */
-    int other;         /* the other block of an overlap, -1: none          */
-    int index;         /* vertex of the polygon or contact point, -1: none */
-    kern_real value;   /* an overlap is at least this deep [m], 0: none    */
-    kern_real allowed; /* overlap that would be a contact [m], 0: none     */
+    int block;         /* index of a block; -1: none                        */
+    int other;         /* the other block of an overlap; -1: none           */
+    int index;         /* vertex of the polygon or contact point; -1: none  */
+    kern_real value;   /* the overlap is at least this deep [m]; 0: none    */
+    kern_real allowed; /* deepest overlap that is a contact [m]; 0: none    */
 } kern_fault;
 
 /* A force [N] and a counter-clockwise torque [N m] about a centre of mass. */
@@ -542,21 +583,23 @@ typedef struct kern_wrench {
     kern_real fx, fy, torque;
 } kern_wrench;
 
-/* A stone or ground: kern_block_init(). Mass, centre, load may change later. */
+/* A stone or the ground, made by kern_block_init() or kern_ground_init(). Mass,
+   centre and load may change later. */
 typedef struct kern_block {
     const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none   */
-    int vertices;           /* >= 3; 0 with vertex NULL; -1: it was refused   */
-    int fixed;              /* nonzero: ground, exerts whatever is needed     */
+    int vertices;           /* >= 3; 0 if vertex is NULL; -1: was refused     */
+    int fixed;              /* nonzero: ground, exerts any force needed       */
     kern_real area;         /* [m^2], < 0: clockwise; "size": sqrt(|area|)    */
-    kern_box box;           /* of the polygon; read where there are vertices  */
-    kern_real mass;         /* [kg] > 0; of fixed blocks not read             */
+    kern_box box;           /* of the polygon; read only if it has vertices   */
+    kern_real mass;         /* [kg] > 0; not read if the block is fixed       */
     kern_vec centre;        /* centre of mass [m]                             */
     kern_wrench load;       /* acts besides the weight, at the centre         */
 } kern_block;
 
-/* A contact point. Block b feels the force  f n + r t  at p, block a the
-   opposite; t = (-n.y, n.x). A line contact is two points, neighbours in the
-   array: lines, pairs and groups of points are one thing to the statics. */
+/* A contact point. Block b feels the force  f n + r t  at p and block a the
+   opposite force, with t = (-n.y, n.x). A line contact is two points,
+   neighbours in the array. The statics knows only points: for it a line is no
+   different from two points. */
 typedef struct kern_contact {
     int a, b;         /* blocks, a != b                                   */
     int line;         /* nonzero: one end of a line contact               */
@@ -569,8 +612,8 @@ typedef struct kern_contact {
 /* Two blocks that overlap deeper than the options allow. */
 typedef struct kern_overlap {
     int a, b;          /* blocks, a < b                                    */
-    kern_real depth;   /* of the overlap [m], 1/8 too small at most        */
-    kern_real allowed; /* it would be a contact up to that [m]             */
+    kern_real depth;   /* of the overlap [m], at most 1/8 too small        */
+    kern_real allowed; /* deepest overlap that would be a contact [m]      */
 } kern_overlap;
 
 typedef struct kern_structure {
@@ -585,7 +628,8 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     kern_real mu;         /* friction of contacts found from polygons; 0.4    */
     kern_real gap;        /* widest gap that is a contact [m]; 0: 1e-3 of the
                              size of the pair's smaller free block            */
-    kern_real angle;      /* widest of touching edges [rad], < 0.5; 0.0174533 */
+    kern_real angle;      /* widest angle between touching edges [rad], < 0.5;
+                             0.0174533                                        */
     kern_real epsilon;    /* step of Algorithm 1 [m]; 0: 0.02 mean block size;
                              relative: a share, 0: 0.05                       */
     int relative;         /* nonzero: shrinkage is a share of each travel     */
@@ -594,55 +638,60 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     kern_real overlap;    /* deepest overlap that is a contact [m]; 0: gap    */
     kern_real pose_error; /* standard error of the blocks' places [m] and     */
     kern_real pose_turn;  /* angles [rad]: kern_measured_options(); 0: exact  */
-    kern_real narrow;     /* rate at which cones of friction narrow as kerns
+    kern_real narrow;     /* rate at which friction cones narrow as kerns
                              shrink [1/m; relative: 1]; 0, see kern_measure() */
-    kern_real reserve;    /* most that kern_raised() asks for, <= 0.1; 0: 0.1 */
-    kern_vec lone;        /* gravity, of any length: lone points that are found
-                             travel (>>rules); (0, 0): they stay              */
+    kern_real reserve;    /* largest that kern_raised() tries, <= 0.1; 0: 0.1 */
+    kern_vec lone;        /* gravity, of any length: a single contact point of
+                             two blocks travels (>>rules); (0, 0): it stays   */
 } kern_options;
 
-/* Of a contact point [N], and of a block: velocity of its centre and spin. */
+/* The force at a contact point [N], along n and t. */
 typedef struct kern_force {
     kern_real normal, tangential;
 } kern_force;
+/* The velocity of a block's centre, and its spin. */
 typedef struct kern_motion {
     kern_real vx, vy, spin;
 } kern_motion;
 
-/* Where to put the proof: arrays of the caller, each may be NULL. Measures use
-   them on the way, so after a status below zero their contents mean nothing. */
+/* Where to write the proof: arrays of the caller, each may be NULL. Measures
+   also use them for intermediate results, so after a negative status their
+   contents mean nothing. */
 typedef struct kern_proof {
     kern_force *force;   /* one a contact point: written with KERN_STANDS    */
-    kern_motion *motion; /* one a block, fixed ones rest: with KERN_FALLS    */
+    kern_motion *motion; /* one a block, 0 for fixed ones: with KERN_FALLS   */
 } kern_proof;
 
 typedef struct kern_margin {
     kern_real margin;  /* d*, the shrinkage up to which it stands [m]      */
     kern_real holds;   /* largest shrinkage known to stand, proven         */
-    kern_real fails;   /* smallest known to fall, proven; `most` if none   */
+    kern_real fails;   /* smallest known to fall, proven; `most`: none     */
     kern_real most;    /* d_max: every kern is closed [m]; relative: 1     */
     kern_real epsilon; /* step that was used                               */
     int level;         /* Algorithm 1; -1: a verdict it needs is undecided */
     int saturated;     /* nonzero: stands with every kern closed           */
 } kern_margin;
 
-/* Of the margin of a measured structure: kern_certain() [m; relative: 1]. */
+/* An interval of the margin of a measured structure: kern_certain(). In [m],
+   relative: 1. */
 typedef struct kern_interval {
-    kern_real low;     /* 0: it may fall                                   */
-    kern_real high;    /* 0: it falls; KERN_INFINITY: not known            */
-    kern_real settles; /* blocks may move by that [m]; KERN_INFINITY: by
-                          more, or not known                            */
+    kern_real low;     /* 0: the structure may fall                       */
+    kern_real high;    /* 0: it falls; KERN_INFINITY: not known           */
+    kern_real settles; /* how far its blocks may move [m]; KERN_INFINITY: not
+                          known, or farther than is allowed */
 } kern_interval;
 
-/* By how much the margin grows when one datum of a contact point does by 1: its
-   place, normal turned [1/rad], friction, travel of a kern closed there. */
+/* Derivatives of the margin with respect to the data of a contact point: its
+   place, the angle of its normal [1/rad], friction, and the travel of a kern
+   that is closed there. */
 typedef struct kern_contact_rate {
     kern_vec p;
     kern_real turn, mu, travel;
 } kern_contact_rate;
 
-/* The same of a block. Its place, and its turning about its centre [m/rad]: its
-   contacts follow as the search would find them again; loads stay. */
+/* Derivatives of the margin with respect to the data of a block. `centre` moves
+   the centre of mass alone. `place` moves the block and `turn` turns it about
+   its centre; contacts follow as the search would find them, and loads stay. */
 typedef struct kern_block_rate {
     kern_vec centre, place;
     kern_real turn, mass; /* [m/rad], [m/kg] */
@@ -651,19 +700,19 @@ typedef struct kern_block_rate {
 
 /* What is known of the forces in a structure that stands. */
 typedef enum kern_raising {
-    KERN_NOT_SHOWN, /* neither of these: no proof of falling            */
+    KERN_NOT_SHOWN, /* neither is shown; this is no proof of falling    */
     KERN_RAISED,    /* its load raises forces that hold it              */
-    KERN_HANGS      /* some blocks rest on nothing, others stand alone  */
+    KERN_HANGS      /* some blocks rest on nothing; the others stand
+                       without them                                     */
 } kern_raising;
 
 /* Why a search for forces that the load raises ended (kern_work.end). */
 typedef enum kern_end {
-    KERN_END_NONE,  /* nothing was searched for                       */
-    KERN_END_SHOWN, /* all that was asked is shown; of a load: up to the
-                       load factor                                    */
+    KERN_END_NONE,  /* there was no search                            */
+    KERN_END_SHOWN, /* all is shown; of a load: up to its load factor */
     KERN_END_LOST,  /* no equilibrium was found: blocks run away, or
-                       nothing gains any more                         */
-    KERN_END_WORK   /* a limit of work                                */
+                       the search makes no progress                   */
+    KERN_END_WORK   /* a limit of work was reached                    */
 } kern_end;
 
 /* A profile in four numbers: of margins [m] or load factors of free blocks. */
@@ -671,29 +720,30 @@ typedef struct kern_collapse {
     kern_real least; /* the weakest block's: the margin, the load factor */
     kern_real mean;  /* progressive margin, or progressive load factor   */
     kern_real weak;  /* mean of the lower half                           */
-    kern_real drop;  /* expected drop: mean of h exp(-value / 0.07), h
-                             the height of the centre above the lowest block
-                             in mean sizes, at least 0.3; without loads 0     */
+    kern_real drop;  /* expected drop: mean of h exp(-value / 0.07), where h is
+                             the height of the centre above the lowest block in
+                             mean sizes, at least 0.3; 0 for margins          */
 } kern_collapse;
 
 /* What a mechanism does at a contact point. */
 typedef enum kern_meeting {
     KERN_RESTS,  /* its blocks move as one, or not at all            */
-    KERN_HINGES, /* they turn about it                               */
-    KERN_SLIDES, /* they slide, and part as sliding does (>>limits)  */
-    KERN_OPENS   /* they part                                        */
+    KERN_HINGES, /* its blocks turn about it                         */
+    KERN_SLIDES, /* its blocks slide, and part as sliding does
+                    (dilatancy: >>limits)                            */
+    KERN_OPENS   /* its blocks part                                  */
 } kern_meeting;
 
-/* What limits a measure, and what moves first: kern_critical_of(). Each array,
-   of the caller, may be NULL. */
+/* What limits a measure, and what moves first: kern_critical_of(). The arrays
+   are the caller's, and each may be NULL. */
 typedef struct kern_critical {
     kern_meeting *meeting; /* one a contact point                             */
     kern_real *limit;      /* one a contact point: how much it limits, as a
-                             share of `contact`; up to 1.0001                 */
-    int *group;            /* one a block: number of the group that moves as one
-                             with it, 0 the fastest; -1: it rests             */
-    int contact; /* the first that limits most, to 1e-4; -1: none    */
-    int groups;  /* 0 where `group` is NULL                          */
+                             share of that of `contact`; up to 1.0001         */
+    int *group;            /* one a block: number of its group, which moves as
+                             one body, 0 the fastest; -1: it rests            */
+    int contact; /* the first point that limits most, to 1e-4; -1: none */
+    int groups;  /* number of groups; 0 if `group` is NULL              */
 } kern_critical;
 
 /* Work memory: two arrays of the caller. Nothing in them needs to be set. */
@@ -702,25 +752,25 @@ typedef struct kern_work {
     int reals; /* KERN_REALS(blocks, contacts)                     */
     int *index;
     int indices; /* KERN_INTS(blocks, contacts)                      */
-    /* the library adds up; the caller reads, and sets to 0 as it likes       */
+    /* counters: the library adds to them, the caller may set them to 0       */
     int pivots;       /* of all linear programs                           */
     int solves;       /* top-down passes and linear programs              */
     int units;        /* work of the last call, without searches for
                              contacts; limit + 1 after KERN_LIMIT           */
-    kern_real error;  /* largest of a proof, in what is allowed: <= 1     */
-    kern_fault fault; /* of the last call that returned less than 0       */
+    kern_real error;  /* largest error of a proof / allowed error: <= 1   */
+    kern_fault fault; /* of the last call with a negative status          */
     kern_end end;     /* of the last call that searched for raised forces */
 } kern_work;
 
-/* Warm start: what kern_measure() remembers of a structure for the next question
-   about nearly the same one. A measure uses the bracket and the motion; a plan's
-   questions and kern_stays() use the forces, too. Two arrays of the caller, both
-   or none. Whatever stands there changes the time of an answer and not the
-   answer: it is verified first. */
+/* Warm start: what kern_measure() remembers of a structure for the next
+   question about a similar one. Measures use the bracket and the motion. The
+   questions of a plan and kern_stays() use the forces, too. The caller provides
+   both arrays or none. Their contents are verified before use: they change the
+   time of an answer, not the answer. */
 typedef struct kern_known {
     kern_motion *motion; /* one a block: the mechanism at `fails`            */
-    kern_force *force;   /* one a contact point: forces at `holds`           */
-    kern_real holds, margin, fails; /* of the last measure; fails 0: none     */
+    kern_force *force;   /* one a contact point: forces at `holds`          */
+    kern_real holds, margin, fails; /* of the last measure; fails 0: none   */
 } kern_known;
 
 /* What a call needs: kern_task_of(). Fields may be changed between calls. */
@@ -732,8 +782,8 @@ typedef struct kern_task {
 } kern_task;
 
 /* A structure that a planner changes by one block at a time: kern_plan_of().
-   Set task.options and task.s.gravity before blocks are added. Contacts that
-   are given rather than found may be appended to contact[task.s.contacts]. */
+   Set task.options and task.s.gravity before you add blocks. You may append
+   contacts of your own to contact[task.s.contacts]. */
 typedef struct kern_plan {
     kern_task task;    /* the structure as it is now                       */
     kern_block *block; /* arrays of the caller, which task.s reads         */
@@ -749,8 +799,8 @@ typedef struct kern_pose {
     int motions;      /* on the way, the first of which is downward    */
 } kern_pose;
 
-/* A place for a stone, with what kern_place_compare() ranks it by. A number
-   that was not asked for is the same in all places, such as 0. */
+/* A place for a stone, and the numbers by which kern_place_compare() ranks it.
+   A number that was not computed must be the same in all places, such as 0. */
 typedef struct kern_place {
     kern_real stays;   /* chance that it stays: kern_plan_stays()         */
     kern_real margin;  /* of the structure with it: kern_plan_try()       */
@@ -774,7 +824,8 @@ typedef struct kern_lp {
     const kern_real *cost; /* one a column; NULL: any solution will do        */
     int limit;             /* most units of work, as in kern_options          */
 } kern_lp;
-/* Infinity: outside of gcc and clang a product that overflows when compiled. */
+/* Infinity. Other compilers than gcc and clang compute it by a product that
+   overflows. */
 #if defined(__GNUC__) && defined(KERN_SINGLE)
 #define KERN_INFINITY __builtin_inff()
 #elif defined(__GNUC__)
@@ -784,12 +835,12 @@ typedef struct kern_lp {
 #endif
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
-/* Constant expressions (>>memory); blocks include fixed ones. KERN_ROOM is for
-   factors of columns with fill-in (>>lp), KERN_LP_ROOM of a dense program.
-   KERN_ROOM is a square up to 300 blocks, which are 458 extras, and its tangent
-   above. Where it is full the basis is factored again; where it is full then,
-   as it may be for large structures near critical, the call returns
-   KERN_NO_SPACE. */
+/* Constant expressions (>>memory). Blocks include fixed ones. KERN_ROOM is the
+   room for the factors of a basis with fill-in (>>lp), KERN_LP_ROOM that for a
+   dense program. KERN_ROOM is a square up to 300 blocks, which are 458 extras,
+   and its tangent above. If it is full the basis is factored again. If it is
+   full after that, as may happen for large structures near critical, the call
+   returns KERN_NO_SPACE. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
@@ -812,51 +863,59 @@ typedef struct kern_lp {
 #define KERN_LP_INTS(rows, cols) (9 * (rows) + (cols) + 30)
 
 /* ---- Functions ----------------------------------------------------- >>api */
-/* B is the number of blocks, C of contact points. No pointer may be NULL unless
-   its function says so: KERN_BAD_POINTER. Every function that takes work memory
-   may return KERN_NO_SPACE, every one that takes a structure: KERN_BAD_POINTER,
-   _NUMBER, _COUNT (blocks up to 20,000, contacts up to 1,000,000), _MASS,
-   _FRICTION, _OPTION, _BLOCK, _NORMAL, _SHARE (a relative shrinkage above 1),
-   KERN_SAME_BLOCK, KERN_NO_BLOCK, KERN_NO_AREA, KERN_NO_FREE, KERN_NO_LOAD,
-   KERN_LIMIT; where the number of contacts is below -1 it is the status of
-   kern_contacts(), returned with its fault. A measure with KERN_LIMIT is the
-   largest proven to stand by then, below 0 if none is. Numbers that cannot be
-   squared or multiplied safely are refused, with the block in the fault. With F
-   = 1e60 (float: 1e10): a mass out of 1 / F to F (KERN_BAD_MASS), an area below
-   1 / F^2 (KERN_NO_AREA), as KERN_BAD_NUMBER an option, vertex, centre, place
-   or travel above F [m], an area above F^2, pattern or weight with load of a
-   block above F [N], or the latter below 1 / F and not 0. */
+/* B is the number of blocks, C that of contact points. No pointer may be NULL
+   unless its function says so: KERN_BAD_POINTER. Every function that takes work
+   memory may return KERN_NO_SPACE. Every function that takes a structure may
+   return KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000, contacts up to
+   1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL, _SHARE (a relative
+   shrinkage above 1), KERN_SAME_BLOCK, KERN_NO_BLOCK, KERN_NO_AREA,
+   KERN_NO_FREE, KERN_NO_LOAD and KERN_LIMIT. If the number of contacts is below
+   -1 it is a status of kern_contacts(), which every function returns, with its
+   fault. After KERN_LIMIT a measure is the largest value proven to stand so
+   far, or negative if there is none.
 
-/* Returns what a status means, in words; also of a count that is below 0. */
+   Numbers that cannot be squared or multiplied safely are refused, and the
+   fault names the block. With F = 1e60 (float: 1e10) the bounds are
+     KERN_BAD_MASS    a mass outside [1 / F, F] [kg]
+     KERN_NO_AREA     an area below 1 / F^2 [m^2]
+     KERN_BAD_NUMBER  an area above F^2 [m^2]; an option, vertex, centre, place
+                      or travel above F [m]; the sum of weight and loads of a
+                      block, or of these and the pattern, above F [N]; the
+                      former below 1 / F [N] and not 0 */
+
+/* Returns the meaning of a status in words, also of a negative count. */
 KERN_API const char *kern_status_text(int status);
 
-/* The defaults that stand beside each field of kern_options. */
+/* Returns the defaults that stand beside each field of kern_options. */
 KERN_API kern_options kern_defaults(void);
 
-/* *options (NULL: the defaults) that also find contacts which a little rocking
-   closes: gap at least 4 % of the mean size [m], angle at least 0.15 rad. */
+/* Returns *options (NULL: the defaults) that also find contacts which a little
+   rocking closes: gap at least 4 % of the mean size [m], angle at least 0.15
+   rad. */
 KERN_API kern_options kern_near(const kern_options *options,
                                 kern_real mean_size);
 
-/* Options for measured structures (>>measured), from *options (NULL: the
-   defaults): e is the standard error of a stone's place [m], theta of its angle
-   [rad]; vertices within their stone are as exact as half of e. Sets
-     gap      5.25 e, and 1e-3 of the size; at a place r from the centre of its
-              block 3.5 theta r is added for both blocks, as squares (>>tol)
-     angle    7 theta, at least 1 degree and below 0.5; a corner may stand 3 e
+/* Returns options for measured structures (>>measured), from *options (NULL:
+   the defaults). e is the standard error of a stone's place [m], theta that of
+   its angle [rad]. The vertices are taken to be exact to e / 2 within their
+   stone. Sets
+     gap      5.25 e, to which 1e-3 of the size is added. At a contact at
+              distances r_a and r_b from the centres of its blocks the gap g
+              becomes sqrt(g^2 + (3.5 theta)^2 (r_a^2 + r_b^2)) (>>tol)
+     angle    7 theta, at least 1 degree and below 0.5. A corner may lie 3 e
               beyond the end of an edge
-     overlap  8 e, and 3.5 theta r for r the diagonal of the smaller box;
-              contacts lie at half the depth. Set it higher to accept more
+     overlap  8 e, to which 3.5 theta r is added, r the diagonal of the smaller
+              box. Contacts lie at half the depth. Set it higher to accept more
    Verdicts are then those of the structure as it most likely rests. Every call
-   returns KERN_BAD_OPTION for these options unless e > 0 and theta >= 0. */
+   refuses these options (KERN_BAD_OPTION) unless e > 0 and theta >= 0. */
 KERN_API kern_options kern_measured_options(const kern_options *options,
                                             kern_real e, kern_real theta);
 
-/* Work memory of two arrays, with its counters at zero. */
+/* Returns work memory of two arrays, with its counters at zero. */
 KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
                                 int indices);
 
-/* KERN_REALS and KERN_INTS at run time; 0 where a count is out of range. */
+/* Writes KERN_REALS and KERN_INTS at run time; 0 if a count is out of range. */
 KERN_API void kern_work_need(int blocks, int contacts, int *reals,
                              int *indices);
 
@@ -864,71 +923,74 @@ KERN_API void kern_work_need(int blocks, int contacts, int *reals,
 
 /* Fills a block from a simple polygon, convex or not, turning either way: area,
    box, centroid, mass = density * |area| with the density in kg/m^2, no load.
-   The vertices stay the caller's and must live as long as the block; after they
+   The vertices stay the caller's and must live as long as the block. After they
    have moved, call this again. fault may be NULL; its index is the vertex. A
-   failed call leaves no block: others return KERN_NO_BLOCK for it.
-   KERN_FEW_VERTICES, KERN_BAD_COUNT (above 1,000,000), KERN_BAD_NUMBER,
-   KERN_NO_AREA, KERN_CROSSING (also where the last vertex repeats the first, as
-   in closed rings of other formats), KERN_BAD_MASS (also a density not above
-   0): bounds as above. Time: O(n) for n vertices of a convex polygon, else a
-   test of boxes for each two edges. */
+   failed call leaves no block, and other calls return KERN_NO_BLOCK for it.
+   Errors, by the bounds above: KERN_FEW_VERTICES, KERN_BAD_COUNT (above
+   1,000,000), KERN_BAD_NUMBER, KERN_NO_AREA, KERN_CROSSING (also if the last
+   vertex repeats the first, as in closed rings of other formats), KERN_BAD_MASS
+   (also a density not above 0). Time: O(n) for n vertices of a convex polygon;
+   otherwise O(n^2) tests of boxes. */
 KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
                                      int vertices, kern_real density,
                                      kern_fault *fault);
 
-/* The same for a fixed block: ground, a wall, a support. */
+/* Fills a fixed block, as kern_block_init(): ground, a wall, a support. */
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
                                       int vertices, kern_fault *fault);
 
-/* Simplifies a closed outline, as of an image: leaves out vertices while none
-   is farther than the tolerance [m] from the edge that replaces it (Douglas and
-   Peucker 1973). A step lower than the tolerance goes, unless one of its
-   vertices is the farthest for another reason; a step higher than twice the
-   tolerance stays. Knees, corners where an outline turns and goes on, obey the
-   same rule.
-   Writes the vertices that stay to out[0..room), from the one farthest from the
-   centroid on, and to kept[0..room) which of `vertex` they are. Returns how
-   many there are, which is the least `room` that is enough. These are a simple
-   polygon, ready for kern_block_init(): where edges would cross, the tolerance
-   is halved, up to eight times, and then 0. The vertices and the way they turn
-   are the same wherever the outline begins. Where two vertices are equally far,
-   an outline that is mirrored or turned may keep the other one.
-   `vertex` may touch or cross itself, and must not overlap `out`. Returns below
-   0 KERN_NO_SPACE, KERN_FEW_VERTICES, KERN_NO_AREA or KERN_CROSSING (no polygon
-   remains; out means nothing), KERN_BAD_COUNT (above 1,000,000),
-   KERN_BAD_POINTER, KERN_BAD_NUMBER, KERN_BAD_OPTION (the tolerance is below 0
-   or no number). Time: O(n) for each level of halving, some log n; at worst
+/* Simplifies a closed outline, such as one from an image: leaves out vertices
+   while none is farther than the tolerance [m] from the edge that replaces it
+   (Douglas and Peucker 1973). A step lower than the tolerance goes, unless one
+   of its vertices is the farthest for another reason. A step higher than twice
+   the tolerance stays. Corners where the outline turns and then continues
+   follow the same rule.
+   Writes the vertices that stay to out[0..room), beginning with the one
+   farthest from the centroid, and their indices in `vertex` to kept[0..room).
+   Returns how many there are, which is the least `room` that is enough. They
+   are a simple polygon, ready for kern_block_init(): if edges would cross, the
+   tolerance is halved, up to eight times, and then set to 0. The result does
+   not depend on the vertex with which the outline begins. If two vertices are
+   equally far, a mirrored or turned outline may keep the other one. `vertex`
+   may touch or cross itself. It must not overlap `out`.
+   Errors: KERN_NO_SPACE, KERN_FEW_VERTICES, KERN_NO_AREA or KERN_CROSSING (no
+   polygon remains; out means nothing), KERN_BAD_COUNT (above 1,000,000),
+   KERN_BAD_POINTER, KERN_BAD_NUMBER, KERN_BAD_OPTION (the tolerance is negative
+   or not a number). Time: O(n) for each level of halving, about log n; at worst
    O(n) for each vertex that stays. */
 KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
                                    kern_real tolerance, kern_vec *out,
                                    int *kept, int room);
 
-/* Adds a force [N] that acts at a point and a torque [N m] to the block's
-   load, which acts at the centre: set the centre first. */
+/* Adds a force [N] that acts at a point, and a torque [N m], to the block's
+   load. The load acts at the centre of mass, so set the centre first. */
 KERN_API void kern_block_load(kern_block *block, kern_vec force, kern_vec at,
                               kern_real torque);
 
-/* Mean size of the free blocks [m]: the mean of the roots of their areas. */
+/* Returns the mean size of the free blocks [m]: the mean of the square roots of
+   their areas. */
 KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
 
 /* -- contacts -- */
 
 /* Finds the contacts between all blocks (>>rules) and writes them to
    out[0..room): those of block 1 with block 0, of block 2 with 0 and with 1,
-   and so on. A block without vertices has none. Returns how many contact
-   points there are, or KERN_NO_SPACE (out means nothing; on the way it takes
-   some seven points for each short edge of an outline), KERN_OVERLAP (the first
-   pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
+   and so on. A block without vertices has none. Returns how many contact points
+   there are. Errors: KERN_NO_SPACE (out means nothing; the search itself needs
+   about seven points for each short edge of an outline), KERN_OVERLAP (the
+   first pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
    KERN_FEW_VERTICES, KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the block's
-   vertices have moved, or their array was used for another block). Work
-   memory: the fault alone. Time: a test of boxes for each two blocks; where
-   they meet a few products for near edges, tens where no edge parts them. */
+   vertices have moved, or their array was used for another block). Uses only
+   the fault of the work memory. Time: one test of boxes for each pair of
+   blocks. Where two blocks meet, a few products for each pair of close edges,
+   or tens if no edge separates the blocks. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
                            int room, kern_work *work);
 
-/* Lists all pairs of blocks that overlap too deeply for a contact. Returns how
-   many, of which room are written at most, or below 0 as kern_contacts(). */
+/* Writes the pairs of blocks that overlap too deeply for a contact to
+   out[0..room). Returns how many pairs there are, which may be more than room,
+   or a negative status as kern_contacts(). */
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work);
@@ -944,51 +1006,55 @@ KERN_API int kern_stretches(const kern_block *block, int blocks,
                             const kern_options *options, kern_contact *out,
                             int room, kern_work *work);
 
-/* The contacts of block b with the blocks before it: those of kern_contacts(),
-   unless a later block lies so far out that the rounding of its coordinates
-   counts. Returns the same; KERN_STALE is found of block b and of what it may
-   touch. options.lone: what carries a block is looked for among these contacts
-   alone. Time: O(b), and the edges as above. */
+/* Finds the contacts of block b with the blocks before it: those of
+   kern_contacts(), unless a later block lies so far out that the rounding of
+   its coordinates counts. Returns the same as kern_contacts(); it finds
+   KERN_STALE for block b and the blocks that it may touch. With options.lone,
+   only these contacts count as carrying a block. Time: O(b), and the edges as
+   above. */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options, kern_contact *out,
                         int room, kern_work *work);
 
-/* Makes a contact that is given rather than found. *out has a, b, p, mu and
-   the normal n, from a into b and of any length; the contact goes from p to q,
-   or is the point p where q equals p. Writes one or two contact points from
-   out on and returns how many, or KERN_SAME_BLOCK, KERN_BAD_BLOCK (an index
-   below 0), KERN_BAD_NUMBER, KERN_BAD_FRICTION, KERN_BAD_NORMAL (no length),
+/* Makes a contact of the caller's own. *out has a, b, p, mu and the normal n,
+   from a into b and of any length. The contact goes from p to q; if q equals p
+   it is the point p. Writes one or two contact points to out and returns how
+   many. Errors: KERN_SAME_BLOCK, KERN_BAD_BLOCK (a negative index),
+   KERN_BAD_NUMBER, KERN_BAD_FRICTION, KERN_BAD_NORMAL (no length),
    KERN_BAD_LINE (p to q leaves the tangent by more than options->angle),
-   KERN_BAD_OPTION. When all are made: kern_contact_travels(). */
+   KERN_BAD_OPTION. When all contacts are made, call kern_contact_travels(). */
 KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
                                const kern_options *options);
 
-/* Sets the travel of every contact point (>>rules), a point's from the others
-   of its interface: the same two blocks, in either order. NULL: no effect.
-   Time: O(C) for each interface, and for each of its points beside another. */
+/* Sets the travel of every contact point (>>rules). The travel of a point
+   depends on the other points of its interface, those between the same two
+   blocks in either order. NULL is allowed and does nothing. Time: O(C) for each
+   interface, and for each of its points beside another. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
-/* Where a contact point acts at a shrinkage, or where it is negative a growth;
-   relative: at a share, above 1 at the middle. The origin for NULL. */
+/* Returns the place at which a contact point acts at a shrinkage [m], or at a
+   growth if it is negative. relative: `shrink` is a share, and from 1 on the
+   point acts at the middle. Returns the origin for NULL. */
 KERN_API kern_vec kern_contact_at(const kern_contact *contact, kern_real shrink,
                                   int relative);
 
 /* -- verdicts and measures -- */
-/* `shrink` [m] (relative: a share, at most 1): kerns are shrunk by so much, and
-   grown where it is negative. proof may be NULL. */
+/* `shrink` is the length [m] by which kerns are shrunk (relative: a share, at
+   most 1). If it is negative they grow. proof may be NULL. */
 
-/* A structure under gravity (0, -9.81), kern_defaults(), nothing known. */
+/* Returns a task with gravity (0, -9.81), kern_defaults() and nothing known. */
 KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
                                 const kern_contact *contact, int contacts,
                                 kern_work *work);
 
-/* Two arrays to remember in (task.known), as long as the structure will be. */
+/* Returns what task.known needs: two arrays for a warm start, as long as the
+   structure will be. */
 KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 
-/* Whether the structure stands: KERN_STANDS, KERN_FALLS or KERN_UNDECIDED.
-   Time: O(B + C) where forces can be passed on from the top down, as in most
-   walls. Otherwise a pivot takes C plus the entries of the factors (>>lp),
-   which are at most B^2. */
+/* Returns whether the structure stands: KERN_STANDS, KERN_FALLS or
+   KERN_UNDECIDED. Time: O(B + C) if forces can be passed on from the top down,
+   as in most walls. Otherwise a pivot takes C plus the entries of the factors
+   (>>lp), which are at most B^2. */
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
@@ -1032,245 +1098,269 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
                                   int room);
 
-/* Whether the load, put on contacts without stress, raises forces that hold
-   the structure: blocks approach wherever a force acts, stick where there is
-   friction to spare, else slide against it. Where the loads of all blocks at
-   once show nothing, they grow from 0, as in kern_raised_load().
-   KERN_STANDS: *out is written, and both arrays of the proof, which passes
-   kern_check_raised() (KERN_NOT_SHOWN: forces alone). KERN_FALLS: the motion
-   is that of kern_verdict(), *out as it was.
-   *reserve (may be NULL) is the largest share of gravity, among 0, .001 ...
-   .005, .0055, .006, .007, .008, .01, .015, .02, .03, .05 and .1, with which a
-   push to either side, and kerns shrunk further by that share of the mean size
-   (relative: by that share), leave it raised; 0 where it is not. No share above
-   options.reserve is asked; KERN_BAD_OPTION: a reserve without gravity.
-   work->end tells why the search without a push ended.
-   KERN_NO_SPACE also where a structure is much wider than a wall of squares.
-   Time: 3 margins in the mean of 969 walls; with the reserve 6. */
+/* Finds whether the load, put on contacts without stress, raises forces that
+   hold the structure. Blocks approach wherever a force acts, stick where there
+   is friction to spare, and otherwise slide against the friction. If loads that
+   act at once show nothing, they grow from 0, as in kern_raised_load().
+   KERN_STANDS: writes *out and both arrays of the proof, which passes
+   kern_check_raised() (for KERN_NOT_SHOWN only forces). KERN_FALLS: the motion
+   is that of kern_verdict(), and *out is as it was.
+   *reserve (may be NULL) is the largest of the shares of gravity 0, .001 ...
+   .005, .0055, .006, .007, .008, .01, .015, .02, .03, .05 and .1 for which the
+   structure stays raised under a push of that share to either side, with kerns
+   shrunk further by that share of the mean size (relative: by that share). It
+   is 0 where the structure is not raised. Shares above options.reserve are not
+   tried. KERN_BAD_OPTION: a reserve without gravity. work->end tells why the
+   search without a push ended. KERN_NO_SPACE also if a structure is much wider
+   than a wall of squares. Time: 3 margins in the mean of 969 walls; with the
+   reserve 6. */
 KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof);
 
-/* The chance that block i, laid last, stays where it is let go, from statics: a
-   law fitted to placements (>>measures), of what raises it where all that is
-   more than four contacts away from it is held:
-       .05 + .95 odds / (1 + odds),    odds = (5.5e7 r^3 / s)^2
-       r = reserve, up to .01, + .004
-       s = how far the block goes until forces are raised, at least 1, where the
-           mean weight is 1 and the stiffness of a contact point .1 and its
-           travel in mean sizes; a turn counts by half the size
-   It is a chance among placements like those of that set, of which 630 stay and
-   205 move (tests/TRUST.md): near the edge. Of places that a planner draws at
-   random and that stand, more stay than it says.
-   KERN_STANDS: *chance, from .05 to 1; 0 where something hangs. KERN_FALLS: as
-   it was. KERN_BAD_BLOCK: no free block i; KERN_BAD_OPTION: no gravity. Time:
-   that of 3 kern_plan_try() in the median, by a plan's known forces. */
+/* Computes the chance that block i, placed last, stays where it is released. It
+   follows from statics by a law fitted to placements (>>measures). Blocks more
+   than four contacts away from block i are held. Then
+       chance = .05 + .95 odds / (1 + odds),    odds = (5.5e7 r^3 / s)^2
+       r = min(reserve, .01) + .004
+       s = max(1, displacement of block i that raises the forces), where the
+           mean weight is 1 and the stiffness of a contact point is .1 plus,
+           at the end of a line, its travel in mean sizes. A turn counts by
+           half the size of the block
+   This is a chance among placements like those of the fit, of which 630 stay
+   and 205 move (tests/TRUST.md): most are close to falling. Of the places that
+   stand and that a planner draws at random, more stay than the chance says.
+   KERN_STANDS: writes *chance, from .05 to 1, or 0 if some block hangs.
+   KERN_FALLS: *chance is as it was. KERN_BAD_BLOCK: i is no free block.
+   KERN_BAD_OPTION: no gravity. Time: that of 3 kern_plan_try() in the median,
+   with the known forces of a plan. */
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance);
 
-/* Whether the structure stays when all blocks are let go at once, from rest, in
-   the poses that are given: the answer for a finished structure.
+/* Finds whether the structure stays when all blocks are released at once, from
+   rest, in the given poses. This is the question for a finished structure.
      KERN_STANDS     It stays: its load raises forces that hold it. Both arrays
-                     of the proof pass kern_check_raised() as KERN_RAISED. So
-                     does a pencil on its tip: ask kern_raised() for a reserve.
+                     of the proof pass kern_check_raised() as KERN_RAISED. A
+                     pencil on its tip stays, too: ask kern_raised() for a
+                     reserve.
      KERN_FALLS      It moves by proof->motion. It passes kern_check_motion(),
                      or where blocks hang, kern_check_raised() as KERN_HANGS.
      KERN_UNDECIDED  Neither is shown; work->end tells why.
    *how (may be NULL) is KERN_HANGS where blocks hang, KERN_RAISED where it
-   stays and KERN_NOT_SHOWN elsewhere. The least friction or the tilt of this
-   answer is that of the verdict or more: bisect options.mu, or the angle of
-   s.gravity, from one at which it stays. Time: that of kern_raised(). */
+   stays and KERN_NOT_SHOWN elsewhere. To find the least friction with which it
+   stays, bisect options.mu, finding the contacts again; to find its tilt,
+   bisect the angle of s.gravity. Begin at a value at which it stays. The least
+   friction is not below that of the verdict, and the tilt is not above it.
+   Time: that of kern_raised(). */
 KERN_API kern_status kern_let_go(const kern_task *task, kern_raising *how,
                                  const kern_proof *proof);
 
-/* The minimum-norm forces (>>measures): of all that hold the structure those of
-   least sum of f^2 + (r / mu)^2 over the contact points. KERN_STANDS:
-   force[0..contacts), checked like those of a proof. KERN_UNDECIDED: there are
-   none, as kern_verdict() tells, or none so exact, as where jams are critical
-   or sizes differ by 1e4. KERN_NO_SPACE as kern_raised(). Time: 1/3 margin. */
+/* Computes the minimum-norm forces (>>measures): of all forces that hold the
+   structure, those with the least sum of f^2 + (r / mu)^2 over the contact
+   points. KERN_STANDS: writes force[0..contacts), which pass the check of a
+   proof. KERN_UNDECIDED: there are no such forces, as kern_verdict() tells, or
+   none so exact, as where jams are critical or sizes differ by 1e4.
+   KERN_NO_SPACE as in kern_raised(). Time: 1/3 of a margin. */
 KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                                  kern_force *force);
 
-/* Margin and level.
-     KERN_STANDS    All of *out. proof->force holds the structure at out->holds,
-                    with its kerns shrunk; proof->motion moves it at out->fails
-                    (not written where the margin is saturated).
-     KERN_FALLS     level, margin, holds, fails, saturated are 0; most, epsilon
-                    are set; proof->motion says how it falls.
-     KERN_LIMIT     level -1, saturated 0; margin and holds are the largest
-                    shrinkage proven to stand, -1: none yet; fails the smallest
-                    proven to fall, `most`: none; these and epsilon infinity
-                    where the input was not read. The proof means nothing.
+/* Computes the margin and the level.
+     KERN_STANDS    All of *out is written. proof->force holds the structure at
+                    out->holds, with its kerns shrunk. proof->motion moves it at
+                    out->fails (not written if the margin is saturated).
+     KERN_FALLS     level, margin, holds, fails and saturated are 0; most and
+                    epsilon are set. proof->motion says how it falls.
+     KERN_LIMIT     level is -1, saturated 0. margin and holds are the largest
+                    shrinkage proven to stand, or -1 if there is none yet. fails
+                    is the smallest proven to fall, or `most`. If the input was
+                    not read fails, most and epsilon are infinite. The proof
+                    means nothing.
      KERN_UNDECIDED, KERN_BAD_STEP (most / epsilon > 1,000,000): *out is kept.
-   How wide [holds, fails] is: >>limits. The level is proven with the margin
-   where kerns are nested, else by a proof of each step.
-   options.narrow = k: at shrinkage d > 0 friction mu is max(0, (mu - k d) / (1
-   + mu k d)), the tangent of its angle less atan(k d), in every question about
-   shrunk kerns. A robot that places stones within e and theta asks with k =
-   tan(theta) / (2 e): margin / (2 e) is how many times its own error the
-   structure bears; a measure, not a bound. Where k is so large that kerns
-   hardly shrink, this mu at the margin is the least that it stands with.
-   Warm start: from task->known, where the result is remembered; after
-   KERN_UNDECIDED and KERN_LIMIT nothing is known any longer. */
+   How wide [holds, fails] may be: >>limits. The level is proven with the margin
+   if kerns are nested, otherwise by a proof of each step.
+   options.narrow = k: in every question about kerns shrunk by d > 0, friction
+   mu is max(0, (mu - k d) / (1 + mu k d)), the tangent of its angle less atan(k
+   d). A robot that places stones within e and theta sets k = tan(theta) / (2
+   e). Then margin / (2 e) is how many times its own error the structure bears;
+   a measure, not a bound. If k is so large that kerns hardly shrink, this mu at
+   the margin is the least friction with which the structure stands.
+   Warm start: the search begins from task->known and remembers its result
+   there. After KERN_UNDECIDED and KERN_LIMIT nothing is known any longer. */
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
                                   const kern_proof *proof);
 
-/* How the margin depends on every contact point and block, from the proof that
-   kern_measure() wrote: contact[0..contacts) and block[0..blocks). It is the
-   derivative where one mechanism alone is critical, contacts stay and no kern
-   that carries is about to close; else that of the mechanism of the proof.
-   Where corners of two blocks end a contact together, either is taken to move
-   it. The travel of lone points (options.lone) is taken to stay as it is.
-   KERN_OK, or KERN_UNDECIDED where the margin is saturated or does not move.
-   With narrow 0. Time: O(B + C), 0.03 of that of the margin. */
+/* Computes how the margin depends on every contact point and block, from the
+   proof that kern_measure() wrote, into contact[0..contacts) and
+   block[0..blocks). It is the derivative of the margin if one mechanism alone
+   is critical, the contacts stay and no kern that carries is about to close.
+   Otherwise it is that of the mechanism of the proof. If corners of two blocks
+   lie together at the end of a contact, either is taken to move it. The travel
+   of single points (options.lone) is taken to stay. options.narrow must be 0.
+   Returns KERN_OK, or KERN_UNDECIDED if the margin is saturated or does not
+   change. Time: O(B + C), 0.03 of that of the margin. */
 KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       const kern_margin *margin,
                                       const kern_proof *proof,
                                       kern_contact_rate *contact,
                                       kern_block_rate *block);
 
-/* The deficit (>>rules) [m; relative: 1]. KERN_STANDS: it is 0. KERN_FALLS: it
-   is written. KERN_LIMIT: how far kerns must grow at least, -1 where the
-   structure is not proven to fall yet. */
+/* Computes the deficit (>>rules) [m; relative: 1]. KERN_STANDS: it is 0.
+   KERN_FALLS: *deficit is written. KERN_LIMIT: *deficit is a lower bound, -1 if
+   the structure is not proven to fall yet. */
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 
-/* The length [m] of the shortest contact that the structure needs, of those of
-   kern_contacts() or, where faces may be hollow, kern_stretches(): it stands on
-   its contacts of at least this length alone, but not on the longer ones
-   alone. A point of an interface of several counts with twice its travel; a
-   lone point that stays is never left out. KERN_STANDS: *length, KERN_INFINITY
-   where it needs no contact that has a length; proof->force holds the structure
-   by those contacts, proof->motion moves it without the shortest of them (0
-   where that is undecided: it counts as needed). KERN_FALLS: it falls with all
-   contacts. Time: a verdict for each halving of the logarithms of lengths. */
+/* Computes the length [m] of the shortest contact that the structure needs,
+   among those of kern_contacts() or, where faces may be hollow, of
+   kern_stretches(). The structure stands on its contacts of at least this
+   length, but not on the longer ones alone. If several points form an
+   interface, the length of each is twice its travel. A single point that stays
+   is never left out. KERN_STANDS: writes *length, or KERN_INFINITY if no
+   contact that has a length is needed. proof->force holds the structure by
+   those contacts, and proof->motion moves it without the shortest of them; it
+   is 0 where that is undecided and the contact counts as needed. KERN_FALLS: it
+   falls with all contacts. Time: one verdict for each halving of the range of
+   the logarithms of the lengths. */
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
-/* The largest factor of a horizontal load to a side on top of weights and
-   loads. KERN_STANDS: *factor, KERN_INFINITY where it stands at 1,000,000;
-   proof as in kern_measure(), for the loads at the factor. KERN_FALLS: it
-   falls at 0. KERN_BAD_OPTION: no gravity, or no side to the left or right. */
+/* Computes the largest factor of a horizontal load to a side, on top of weights
+   and loads. KERN_STANDS: writes *factor, KERN_INFINITY if the structure stands
+   at 1,000,000; proof as in kern_measure(), for the loads at the factor.
+   KERN_FALLS: it falls at 0. KERN_BAD_OPTION: no gravity, or the side is
+   neither left nor right. */
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof);
 
-/* The same for pattern[0..blocks): a wrench about each free block's centre. */
+/* Computes the largest factor of pattern[0..blocks), as kern_load_factor(): a
+   wrench about each free block's centre. */
 KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          kern_real shrink,
                                          const kern_wrench *pattern,
                                          kern_real *factor,
                                          const kern_proof *proof);
 
-/* The least factor of the pattern at which the structure stands: 0 where it
-   does without, else the smallest load that holds it, as a prop or a hand
-   does; the largest is that of kern_load_factor_of() for the weights with this
-   load. KERN_STANDS: *factor, at which proof->force holds it; proof->motion
-   moves it just below (not written where it is 0). KERN_FALLS: it falls at
-   every factor, *factor is KERN_INFINITY. KERN_UNDECIDED, KERN_LIMIT: *factor
-   is the largest below which it is proven to fall. Time: a verdict for each
-   mechanism. */
+/* Computes the least factor of the pattern with which the structure stands. It
+   is 0 if the structure stands without the pattern; otherwise it is the
+   smallest load that holds it, as a prop or a hand does. To find the largest
+   factor, call kern_load_factor_of() with this load added to the blocks.
+   KERN_STANDS: writes *factor. proof->force holds the structure at it;
+   proof->motion moves it just below (not written if the factor is 0).
+   KERN_FALLS: it falls at every factor, and *factor is KERN_INFINITY.
+   KERN_UNDECIDED, KERN_LIMIT: it is proven to fall at every factor below
+   *factor. Time: a verdict for each mechanism. */
 KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         const kern_wrench *pattern,
                                         kern_real *factor,
                                         const kern_proof *proof);
 
-/* The load factor of Coulomb friction, from rest: stones that slide need not
-   part. *factor is the largest multiple of the load with forces that it raises,
-   as in kern_raised(), proven while the load grows from 0, each step (>>tune)
-   from those before. With friction equilibrium is not unique: another path of
-   loading may collapse earlier (seen: 5 %) or later. It is never above the load
-   factor, which is asked for first. The load is `pattern`, or where that is
-   NULL horizontal to the side.
-   KERN_STANDS: *factor, KERN_INFINITY where it is raised at 1,000,000; proof as
-   kern_check_raised() takes it with the loads at the factor, both its arrays.
-   work->end: KERN_END_SHOWN where it is the load factor, else why it is less.
-   KERN_FALLS: it falls at 0. KERN_UNDECIDED also where nothing shows that its
-   own weight raises the forces; *factor stays. Time: 8 load factors in the
-   median of settled stones, 13 on walls that slide (9.5 of 40 to 60 blocks). */
+/* Computes the load factor of Coulomb friction, from rest: sliding stones need
+   not part. *factor is the largest multiple of the load that raises forces
+   which hold the structure, as in kern_raised(). This is proven while the load
+   grows from 0, each step (>>tune) from those before. With friction equilibrium
+   is not unique: another path of loading may collapse earlier (by 5 % in one
+   case) or later. *factor is never above the load factor, which is computed
+   first. The load is `pattern`, or if that is NULL, horizontal to the side.
+   KERN_STANDS: writes *factor, KERN_INFINITY if the load is raised at
+   1,000,000. Both arrays of the proof pass kern_check_raised() with the loads
+   at the factor. work->end is KERN_END_SHOWN if *factor is the load factor;
+   otherwise it tells why it is less. KERN_FALLS: it falls at 0. KERN_UNDECIDED
+   also if its own weight is not shown to raise forces; *factor is kept. Time: 8
+   load factors in the median of settled stones, 13 on walls that slide (9.5 on
+   those of 40 to 60 blocks). */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
                                       kern_real *factor,
                                       const kern_proof *proof);
 
-/* The first angle [rad] at which it falls when gravity turns toward a side.
-   KERN_STANDS: *angle; proof and all else as in kern_load_factor(). */
+/* Computes the first angle [rad] at which the structure falls when gravity
+   turns toward a side. KERN_STANDS: writes *angle. Proof and errors are those
+   of kern_load_factor(). */
 KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                kern_side side, kern_real *angle,
                                const kern_proof *proof);
 
-/* The profile (>>rules), in value[0..blocks): shrinkages [m] (KERN_SHRINK) or
-   factors of a horizontal load to a side; of a fixed block KERN_INFINITY. Below
-   0 *out is as it was, and value means nothing. KERN_BAD_OPTION: no such side,
-   or a load and no gravity. KERN_UNDECIDED: a verdict it depends on is.
-   KERN_LIMIT: value of the blocks that have been taken away is as it will be,
-   of others -1. Time: 3 to 5 times that of the margin. */
+/* Computes the profile (>>rules), in value[0..blocks): shrinkages [m] for
+   KERN_SHRINK, factors of a horizontal load for a side, KERN_INFINITY for a
+   fixed block. After a negative status *out is as it was, and value means
+   nothing. KERN_BAD_OPTION: no such side, or a load without gravity.
+   KERN_UNDECIDED: a verdict that it depends on is undecided. KERN_LIMIT: the
+   values of blocks that have been taken away are final, others are -1. Time: 3
+   to 5 times that of the margin. */
 KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
                                   kern_real *value, kern_collapse *out);
 
-/* What limits a measure, from its proof: proof->motion, not NULL, moves the
-   structure at about `shrink`, proof->force holds it there or is NULL. After
-   kern_measure(): out.margin and its proof; where it falls, 0 and the motion
-   alone. A contact point limits by the power that the mechanism gains per
-   length by which the point moves inward; without forces, or where none gains,
-   by its turning, and where nothing turns, by its sliding. Slower than 1e-4
-   (the fastest is 1) counts as rest. KERN_OK: out's arrays are filled, contact
-   and groups are set. KERN_BAD_POINTER also for no motion, KERN_BAD_NUMBER for
-   one that is not finite (the block). Time: O(C), and O(B) for each group. */
+/* Finds what limits a measure, from its proof. proof->motion, not NULL, moves
+   the structure at about `shrink`; proof->force holds it there or is NULL.
+   After kern_measure() pass out->margin and its proof; if the structure falls,
+   pass 0 and the motion alone. How much a contact point limits is the first of
+   these that is above 0 at any contact:
+     1. the power that the mechanism gains per length by which the point moves
+        inward, if there are forces
+     2. the rate at which its blocks turn about it
+     3. the speed at which its blocks slide
+   Motions slower than 1e-4 (the fastest is 1) count as rest. KERN_OK: out's
+   arrays are filled, contact and groups are set. KERN_BAD_POINTER also without
+   a motion, KERN_BAD_NUMBER for one that is not finite (the fault names the
+   block). Time: O(C), and O(B) for each group. */
 KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
                                       const kern_proof *proof,
                                       kern_critical *out);
 
 /* -- planning -- */
-/* Structures that differ by a stone: no contact is searched twice, and
-   kern_measure(&plan.task, ...) and the questions below go on from its last
-   measure. Measure first: answers are the same without, but slower. Questions
-   leave the plan as it is; below 0 they also return what kern_plan_add() does,
-   and their proof is of the structure with the block: one motion more, and the
-   forces of the block's contacts, which lie behind the plan's, last. */
+/* A plan is a structure that changes by a stone at a time. No contact is
+   searched twice, and kern_measure(&plan.task, ...) and the questions below
+   start from its last measure. Measure first: answers are the same without, but
+   slower. Questions leave the plan as it is. Their negative statuses include
+   those of kern_plan_add(). Their proof is of the structure with the block: it
+   has one more motion, and the forces of the block's contacts follow those of
+   the plan. */
 
-/* An empty plan under gravity (0, -9.81): arrays for so many blocks and contact
-   points, kern_known_of() arrays as long, and work memory for so many. */
+/* Returns an empty plan under gravity (0, -9.81). The arrays, those of
+   kern_known_of() and the work memory must be long enough for so many blocks
+   and contact points. */
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
                                 kern_known known, kern_work *work);
 
-/* Adds a block behind the others and finds its contacts. Returns how many
-   contact points it has, or what kern_touch() does below 0, KERN_NO_SPACE also
-   without room for it, KERN_BAD_POINTER also without known forces or motions;
-   the plan is then as it was. The block is copied, its vertices are NOT: they
-   must outlive the plan. Its contacts are found with the options as they are
-   now, and keep that friction. Time: O(B). */
+/* Adds a block after the others and finds its contacts. Returns how many
+   contact points it has, or a negative status of kern_touch(); KERN_NO_SPACE
+   also if the plan is full, KERN_BAD_POINTER also without arrays for known
+   forces or motions. After a negative status the plan is as it was. The block
+   is copied, its vertices are NOT: they must outlive the plan. Its contacts are
+   found with the present options, and keep their friction. Time: O(B). */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 
-/* Takes block i away; those behind it move up, in contacts too. KERN_OK: done.
-   KERN_BAD_BLOCK: there is none. Time: O(B + C). */
+/* Removes block i. The blocks after it move up, also in the contacts. KERN_OK:
+   done. KERN_BAD_BLOCK: there is none. Time: O(B + C). */
 KERN_API kern_status kern_plan_remove(kern_plan *plan, int i);
 
-/* What kern_measure() would say with the block added. Time: that of one
-   verdict, where the block does not change which stones are the weakest.
-   The search comes from above, so a call that options.limit ends proves an upper
-   bound, out->fails, and a lower one, out->holds, only near its end. At half of
-   the work that they need, 963 tries on walls have these bounds:
-       upper bound, at most 2 margins    0.73      none       0.06
-                    at most 1.1 margins  0.53      any lower  0.03
-   For a lower bound use kern_plan_bears(): with half of the margin it takes 0.44
-   of the work of a try in the median, and 0.13 where a try takes 1,500 units. */
+/* Computes what kern_measure() would return with the block added. Time: that of
+   one verdict, if the block does not change which stones are the weakest. The
+   search comes from above: a call that options.limit ends proves an upper
+   bound, out->fails, but a lower one, out->holds, only near its end. With half
+   of the work that they need, 963 tries on walls have these bounds:
+     upper bound, at most 2 margins    0.73      none       0.06
+                  at most 1.1 margins  0.53      any lower  0.03
+   For a lower bound use kern_plan_bears(). With half of the margin it takes
+   0.44 of the work of a try in the median, and 0.13 where a try takes 1,500
+   units. */
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof);
 
-/* Whether the margin with the block added is at least `margin` [m] (relative: a
-   share): KERN_STANDS with forces at that shrinkage, KERN_FALLS with a motion.
-   What stands with every kern closed bears any margin, unless options.narrow is
-   set. Where kerns are not nested it falls, too, with the motion at the margin
-   of kern_plan_try(), if that is smaller.
-   KERN_BAD_NUMBER also for a margin below 0. Time: that of a verdict; O(B + C)
-   beyond the measured margin where it does not touch what limits that. */
+/* Returns whether the margin with the block added is at least `margin` [m]
+   (relative: a share): KERN_STANDS with forces at that shrinkage, KERN_FALLS
+   with a motion. A structure that stands with every kern closed bears any
+   margin, unless options.narrow is set. If kerns are not nested it also falls,
+   with the motion at the margin of kern_plan_try(), if that margin is smaller.
+   KERN_BAD_NUMBER also for a negative margin. Time: that of a verdict; O(B + C)
+   beyond the measured margin if the block does not touch what limits that. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof);
 
-/* kern_stays() and kern_raised() with a block added; for NULL of the plan as it
-   is, and of its last block. */
+/* kern_stays() and kern_raised() for the plan with a block added. For NULL they
+   are those of the plan as it is, kern_stays() for its last block. */
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
                                      kern_real *chance);
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
@@ -1279,8 +1369,8 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 
 /* Copies a plan into `to`, which kern_plan_of() made with arrays and work
    memory of its own: one plan for each thread. Vertices are not copied, so both
-   plans read the same. KERN_OK: the two give the same answers, to the last bit.
-   KERN_NO_SPACE: an array of `to` is too short, and `to` is as it was. */
+   plans read the same ones. KERN_OK: the two give the same answers, to the last
+   bit. KERN_NO_SPACE: an array of `to` is too short, and `to` is as it was. */
 KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
 
 /* Finds where a stone comes to rest on a structure, such as plan.task, when it
@@ -1327,11 +1417,11 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
 
 /* -- proofs -- */
 
-/* Returns the error of a proof over the error that is allowed: up to 1 the
-   proof holds. Returns KERN_INFINITY where it proves nothing, and for bad input
-   (NULL, NaN). Forces may leave 1e-9 (float: 1e-4) of the load on a block in
-   each of its equations, and roundings of the largest force there; their sum
-   may be 1e6 (1e3) weights. A motion must be one that such forces could not
+/* Return the error of a proof, as a share of the allowed error: up to 1 the
+   proof holds. They return KERN_INFINITY for what proves nothing, and for bad
+   input (NULL, NaN). Forces may leave 1e-9 (float: 1e-4) of the load on a block
+   in each of its equations, plus roundings of the largest force there. Their
+   sum may be 1e6 (1e3) weights. A motion must be one that such forces could not
    stop, whatever rounding does. Time: O(B + C). Work memory: for forces 4 B
    reals. */
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
@@ -1339,29 +1429,31 @@ KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
                                      const kern_motion *motion);
 
-/* Returns the error of the proof of kern_raised(). Raised: besides the forces,
-   that the motion approaches at every force which equilibrium would miss, and
-   slides by less than 1/500 (float: 1/5) of that where it must not. Hanging:
-   that the motion moves blocks without a load, that no contact with another
-   presses one of them against gravity, and that the forces hold the others
-   without them. KERN_NOT_SHOWN proves nothing. Work memory: 5 B reals. */
+/* Returns the error of the proof of kern_raised(). For KERN_RAISED it checks
+   the forces. It also checks that the motion approaches at every contact whose
+   force equilibrium needs, and slides by less than 1/500 (float: 1/5) of that
+   where it must stick. For KERN_HANGS it checks that the motion moves blocks
+   without a load, that no contact with another block presses one of them
+   against gravity, and that the forces hold the others without them.
+   KERN_NOT_SHOWN proves nothing: KERN_INFINITY. Work memory: 5 B reals. */
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
                                      kern_raising raising,
                                      const kern_proof *proof);
 
 /* -- the linear program alone -- */
 
-/* Solves a small dense program. x has cols, y rows numbers.
+/* Solves a small dense linear program. x has cols, y rows numbers.
      KERN_LP_OPTIMAL     x is a solution, of least cost if there are costs, and
                          then y are its prices: cost - y.A >= 0, 0 where x > 0
      KERN_LP_INFEASIBLE  no x exists: y.A >= 0 and y.rhs < 0
      KERN_LP_UNBOUNDED   the cost falls along x: A x = 0, x >= 0, cost.x < 0
-     KERN_UNDECIDED      the method does not end, or the check failed, as it may
+     KERN_UNDECIDED      the method did not end, or the check failed, as it may
                          where units differ by more than 1e4
      KERN_LIMIT          lp->limit was reached
-   Each is checked against A, every row and column by its own terms, so that
-   units do not matter. Below 0 x and y mean nothing. Work memory: KERN_LP_REALS
-   and _INTS(rows, cols). Time: rows^2 + rows cols for a pivot. */
+   Each answer is checked against A, every row and column in its own units, so
+   that the choice of units does not matter. After a negative status x and y
+   mean nothing. Work memory: KERN_LP_REALS and _INTS(rows, cols). Time: rows^2
+   + rows cols for a pivot. */
 KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
                                    kern_real *y, kern_work *work);
 
