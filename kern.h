@@ -1485,14 +1485,15 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #error "kern.h: do not compile the implementation with -ffast-math"
 #endif
 
-/* Casts of C are no fault in C++ that includes the implementation. */
+/* C++ that includes the implementation must not warn of its casts, which are
+   those of C. */
 #if defined(__cplusplus) && defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #endif
 
-/* The vectorisers of gcc make one fused operation of pairs of products such as
-   a c - b d, a d + b c, also with -ffp-contract=off. */
+/* The vectorisers of gcc fuse pairs of products such as a c - b d and a d + b c
+   into one operation, also with -ffp-contract=off. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__FMA__)
 #pragma GCC push_options
 #pragma GCC optimize("no-tree-vectorize")
@@ -1502,9 +1503,9 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 extern "C" {
 #endif
 
-/* KERN_ASSERT: a condition that holds whatever the arguments are. KERN_AUDIT: a
-   check of the state of an engine (tests/audit.h). Both are off, unless a test
-   build defines them. */
+/* KERN_ASSERT checks a condition that holds whatever the arguments are.
+   KERN_AUDIT checks the state of an engine (tests/audit.h). Both do nothing
+   unless a test build defines them. */
 #ifndef KERN_ASSERT
 #define KERN_ASSERT(condition) ((void)0)
 #endif
@@ -1523,7 +1524,7 @@ extern "C" {
 
 #define KERN_OUT (-1)
 
-/* Marks functions that take more room in firmware when they are inlined. */
+/* Marks functions that would make firmware larger if they were inlined. */
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define KERN_SHARED __attribute__((noinline))
 #else
@@ -1531,21 +1532,21 @@ extern "C" {
 #endif
 
 /* ---- Constants -------------------------------------------------- >>tune */
-/* All of Parts III to V; those of the geometry are in >>tol. Each constant has
-   one job. Lengths are shares of a block's size and forces are shares of the
-   weight of all, unless a unit stands in brackets. KERN_PICK(a, b) is a in
-   double and b in float. A value that is the name of another constant is so
-   because both bound the same rounding. */
+/* All constants of Parts III to V; those of the geometry are in >>tol. Each
+   constant has one job. Lengths are shares of a block's size and forces are
+   shares of the total weight, unless a unit stands in brackets. KERN_PICK(a, b)
+   is a in double and b in float. A value that is the name of another constant
+   bounds the same rounding. */
 
 /* ---- what a proof allows ---- */
 
-/* Residual that a proof may leave in a row of equilibrium, as a share of what
-   acts on the block. Coordinates and masses are known far less exactly. */
+/* Largest residual of a row of equilibrium in a proof, as a share of what acts
+   on the block. Coordinates and masses are known far less exactly. */
 #define KERN_TOL KERN_PICK(1e-9, 1e-4)
-/* Largest sum of forces that is taken for real, in weights: the bound excludes
-   jams, whose forces are arbitrarily large. A motion may close no contact
-   faster than its power divided by it. A larger gap leaves the interior point
-   no digits. */
+/* Largest sum of forces in a proof, in weights. It excludes jams, whose forces
+   are arbitrarily large. A motion proves a fall only if its power exceeds this
+   sum times the fastest speed at which it closes a contact. With a larger bound
+   the interior point has no digits left. */
 #define KERN_BOUND KERN_PICK(1e6, 1e3)
 /* Rounding of a sum in a proof, as a share of its terms: a row has some tens of
    terms. Part VI takes twice as much, as a share of the largest coordinate, for
@@ -1557,21 +1558,22 @@ extern "C" {
 /* Least power [W] of a motion in a proof, and what is added to each closing
    speed [m/s]: a product of smaller numbers may lose digits by underflow. */
 #define KERN_POWER_LEAST (1 / (KERN_FAR * KERN_FAR))
-/* Residual of a row or column of a caller's linear program in the proof of its
-   answer, as a share of the terms. */
+/* Largest residual of a row or column in the proof of a caller's linear
+   program, as a share of the terms. */
 #define KERN_LP_TOL KERN_TOL
-/* Raised forces: share of the cone by which a tangential force must be below it
-   for the contact to stick. */
+/* Raised forces: a contact must stick if its tangential force is below the cone
+   by more than this share of the cone. */
 #define KERN_SLIDES_TOL KERN_TOL
-/* Raised forces: least force of a contact that must approach, as a share of the
-   least load of a block. Without a smaller force equilibrium still holds. */
+/* Raised forces: contacts with smaller forces, as a share of the least load of
+   a block, need not approach. Equilibrium holds without these forces. */
 #define KERN_PRESSED_LEAST KERN_TOL
-/* Raised forces: the largest slide that is taken for sticking, in approaches.
-   The stiffness along t that >>raised begins with is its inverse. */
+/* Raised forces: largest slide of a contact that must stick, as a share of its
+   approach. The inverse is the stiffness along t of >>raised. */
 #define KERN_STICKS KERN_PICK(2e-3, 0.2)
-/* Cosine of a contact's normal and gravity from which the contact may hold a
-   block up. Less is a vertical joint, in a drawing of few digits too; as a
-   wedge it would press with thousands of the weights that it holds. */
+/* Least cosine between a contact's normal and gravity for the contact to hold a
+   block up. A contact below it is a vertical joint, also in a drawing of few
+   digits. As a wedge it would press with thousands of the weights that it
+   holds. */
 #define KERN_HOLDS_UP KERN_R(1e-4)
 
 /* ---- what may be asked ---- */
@@ -1588,222 +1590,230 @@ extern "C" {
 #define KERN_MASS_MOST KERN_FAR
 /* Least sum of all that acts on a block [N], unless that is 0. */
 #define KERN_LOAD_LEAST (1 / KERN_FAR)
-/* How far the square of a normal's length may be from 1: the rounding of a
-   normal that the caller computed in this precision. */
+/* Largest difference between 1 and the square of a normal's length: the
+   rounding of a normal that the caller computed in this precision. */
 #define KERN_NORMAL_TOL (64 * KERN_EPS)
-/* Angle [rad] from which an option for the angle is refused: it would take a
-   corner for a face, and the series of kern_sine() would lose digits. */
+/* Angle [rad] from which options.angle is refused: it would take a corner for a
+   face, and the series of kern_sine() would lose digits. */
 #define KERN_ANGLE_MOST KERN_R(0.5)
-/* Largest reserve [shares of gravity] that may be asked for: the table of
+/* Largest options.reserve, in shares of gravity: the table of
    kern_raise_reserve() ends there. */
 #define KERN_RESERVE_MOST KERN_R(0.1)
 /* Gravity of a task that names none [m/s^2]. */
 #define KERN_GRAVITY KERN_R(9.81)
-/* Largest numbers for which the work memory, and products in it, are an int:
-   blocks of a task, and rows of a program. */
+/* Largest number of blocks of a task, and of rows of a program: sizes of the
+   work memory and products of its indices are then an int. */
 #define KERN_BLOCKS_MOST 20000
 /* Largest number of contact points, vertices, levels and columns, and of blocks
    of a contact search. */
 #define KERN_POINTS_MOST 1000000
-/* Largest number of units of a call and of entries of a matrix. */
+/* Largest number of units of a call, and of entries of a caller's matrix. */
 #define KERN_WORK_MOST 2000000000
 
 /* ---- what work costs, in units ---- */
-/* Fitted to counts of instructions: a unit is 550 to 2,000 of them, as
-   >>verdicts says. A constant *_UNIT tells how many things are done in one
+/* Fitted to counts of instructions: a unit is 550 to 2,000 of them
+   (>>verdicts). A constant *_UNIT tells how many things are done in one
    unit. */
 
-/* Entries of sparse columns that are added up; of a dense factor it is 8/3 as
-   many, since no indices are read. */
+/* Entries of sparse columns that are added up in a unit. Of a dense factor it
+   is 8/3 as many, since no indices are read. */
 #define KERN_UNIT 64
-/* Blocks and contacts that a call reads and checks. */
+/* Blocks and contacts that a call reads and checks in a unit. */
 #define KERN_CALL_UNIT 5
-/* Blocks and contacts that the proof of a query looks at; three more units are
-   what a query costs besides. */
+/* Blocks and contacts that the proof of a query reads in a unit. Three units
+   are added for each query. */
 #define KERN_QUERY_UNIT 14
-/* Groups and contacts that are put in order for a short skyline. */
+/* Groups and contacts that are ordered for a short skyline in a unit. */
 #define KERN_ORDER_UNIT 4
-/* Groups and contacts whose known forces are copied. */
+/* Groups and contacts whose known forces are copied in a unit. */
 #define KERN_KNOWN_UNIT 32
-/* Contacts that a place of the line search looks at. */
+/* Contacts that the line search evaluates at one place in a unit. */
 #define KERN_PLACE_UNIT 16
 /* Products that a step of Newton's method takes for a contact: its row, its law
    and its block of the matrix. */
 #define KERN_CONTACT_PRODUCTS KERN_R(100)
-/* Products that the factor takes for a row, over the square of its blocks. Half
-   of all pairs of blocks take 27 products each. */
+/* Products that the factor takes for a row, as a multiple of the square of its
+   number of blocks. Half of all pairs of blocks take 27 products each. */
 #define KERN_PAIR_PRODUCTS KERN_R(14)
 
 /* ---- model ---- */
 
-/* Travel below which a contact point counts as one that does not travel [mean
-   size]: a millionth of the shortest line is rounding. */
+/* Largest travel of a contact point that counts as 0 [mean size]: a millionth
+   of the shortest line is rounding. */
 #define KERN_TRAVEL_LEAST (KERN_R(1e-6) * KERN_R(1e-3))
-/* Slope of the lines along which blocks count as equally high, in double: a
+/* In double, slope of the lines along which blocks count as equally high. A
    flat arch is then ordered from side to side and not by rounding. */
 #define KERN_LEVEL_SLOPE KERN_R(1e-6)
-/* Blocks of a run that is sorted by simple insertion: with shorter runs the
+/* Runs of at most so many blocks are sorted by insertion: with shorter runs the
    steps of Shell's sort cost more than they save. */
 #define KERN_SORT_RUN 64
 
 /* ---- measures ---- */
 
-/* Width of the bracket of a measure [mean block size; load factor; tangent of
-   a quarter of the angle]. Half of it lies before the critical value; up to
-   all of it may lie beyond. If it were narrower, fewer verdicts near critical
-   would have a proof. If it were wider, it would exceed the 2e-6 that are
-   promised. */
+/* Width of the bracket of a measure [mean block size; load factor; tangent of a
+   quarter of the angle]. Half of it lies before the critical value, and up to
+   all of it may lie beyond. With a narrower one fewer verdicts near critical
+   have a proof. A wider one exceeds the promised 2e-6. */
 #define KERN_WIDTH KERN_PICK(1.26e-6, 1.8e-3)
-/* Distance from the critical value, in widths, beyond which the search cuts the
-   bracket instead of aiming at the value. */
+/* Width of a bracket, in widths of a measure's, above which the search cuts the
+   bracket instead of aiming at the critical value. */
 #define KERN_WIDEST KERN_R(20)
-/* How many times wider it may be to count as an answer: in jams no proof comes
-   nearer. */
+/* How many times wider a bracket may be and still be an answer: in jams no
+   proof comes closer. */
 #define KERN_ANSWER KERN_PICK(80, 20)
-/* Groups up to which one linear program is solved: margins are then exact.
-   More, and its factor costs more than the interior point. */
+/* Most groups that are solved as one linear program; margins are then exact.
+   With more groups its factor costs more than the interior point. */
 #define KERN_SMALL 64
-/* Steps to the largest travel where kerns are not nested, and of half a circle
-   of tilt under loads that stay: a range that falls, and is narrower than one,
-   may be missed. A walk or a climb takes at most five times as many steps. */
+/* Number of steps to the largest travel if kerns are not nested, and of half a
+   circle of tilt under loads that stay. A range of falling that is narrower
+   than a step may be missed. A walk or a climb takes at most five times as many
+   steps. */
 #define KERN_SCAN 1001
 /* Default step of a level [mean size]: the paper's steps are of this order. */
 #define KERN_LEVEL_STEP KERN_R(0.02)
 /* Default step of a level where kerns are relative [share of the travel]. */
 #define KERN_LEVEL_SHARE KERN_R(0.05)
-/* Largest load factor; beyond, the load counts as held for ever. */
+/* Largest load factor; beyond it the load counts as held for ever. */
 #define KERN_FACTOR_MOST KERN_R(1e6)
 /* Deficit: first growth of the kerns [mean size; share of the travel], less
    than any deficit that matters. */
 #define KERN_GROW_FIRST KERN_R(0.001)
-/* Deficit: factor of the growth where kerns are nested: few verdicts. */
+/* Deficit: factor of the growth if kerns are nested; few verdicts suffice. */
 #define KERN_GROW_NESTED KERN_R(4)
-/* Deficit: factor of the growth where kerns are not nested, so that a range
-   that stands is seldom missed. */
+/* Deficit: factor of the growth if kerns are not nested, so that a range of
+   standing is seldom missed. */
 #define KERN_GROW_EVEN KERN_R(1.1)
-/* Deficit: largest growth, in extents of the structure: the rule of >>rules. */
+/* Deficit: largest growth, in longest sides of the free blocks' box
+   (>>rules). */
 #define KERN_GROW_MOST 1000
 
 /* ---- profile, mechanism, sensitivity ---- */
 
-/* Load factor that counts as no limit. */
+/* Profile: largest load factor; a stone that reaches it counts as unlimited. */
 #define KERN_PROFILE_MOST KERN_R(10)
-/* Places [widths of a bracket] beyond a critical value that are tried for a
-   mechanism with a proof. */
+/* Most places beyond a critical value, a bracket's width apart, at which a
+   mechanism with a proof is searched. */
 #define KERN_FALL_TRIES 8
-/* Steps of a collapse, besides three for each group, that may take nothing
-   away: both verdicts may have a proof at one place. */
+/* Most steps of a collapse that take no block away, besides three for each
+   group. There are such steps since both verdicts may have a proof at one
+   place. */
 #define KERN_FALL_IDLE 8
-/* Expected drop: load factor at which a stone's chance to fall is 1/e. From
-   0.05 to 0.1 structures are ranked as well. */
+/* Expected drop: load factor at which a stone falls with a chance of 1/e.
+   Values from 0.05 to 0.1 rank structures as well. */
 #define KERN_DROP_LOAD KERN_R(0.07)
 /* Expected drop: least height that counts [mean block size], since the lowest
    stones fall, too. */
 #define KERN_DROP_HEIGHT KERN_R(0.3)
-/* Share of the highest speed below which blocks rest, or do not approach. */
+/* Blocks rest, or do not approach, below this share of the highest speed. */
 #define KERN_REST KERN_R(1e-4)
-/* By what share a limit or a speed must be larger than the largest so far, so
-   that of equals the first is reported, not the one that rounding raised. */
+/* A limit or a speed is larger than another only by more than this share. Of
+   equals the first is then reported, not the one that rounding raised. */
 #define KERN_TIE KERN_R(1e-4)
-/* Sensitivity: the least sum of powers that is no rounding, as a share of its
-   terms. */
+/* Sensitivity: a sum of powers below this share of its terms is rounding. */
 #define KERN_RATE_LEAST KERN_PICK(1e-10, 1e-5)
-/* Sensitivity: distance of a contact's end from a corner that takes it along,
+/* Sensitivity: largest distance of a contact's end from a corner that moves it,
    as much as the shortest line. */
 #define KERN_CORNER_NEAR KERN_R(1e-3)
-/* Sensitivity: difference of two such distances that counts as none. */
+/* Sensitivity: two such distances that differ by less count as equal. */
 #define KERN_CORNER_TIE KERN_R(1e-6)
 
 /* ---- residuals that rounding leaves ---- */
 
-/* Residual of equilibrium that a method leaves, of a group as a share of its
-   load. A proof allows far more, and so residuals of many groups may add up. At
-   1e-10 in double a light stone beside heavy ones stands that falls. */
+/* Largest residual of equilibrium of a group that a method may leave, as a
+   share of its load. It is far below KERN_TOL, since residuals of many groups
+   may add up. At 1e-10 in double a light stone beside heavy ones stands
+   although it falls. */
 #define KERN_PASS_TOL KERN_PICK(1e-11, 1e-6)
-/* Residual that a program of all groups leaves, a tenth of KERN_TOL: its forces
-   are not passed on, so that no residuals add up. */
+/* Largest residual that a program of all groups may leave, a tenth of KERN_TOL:
+   its forces are not passed on, so that residuals do not add up. */
 #define KERN_PART_TOL KERN_PICK(1e-10, 1e-5)
 /* Rounding of a residual, as a share of the largest force or value in it. */
 #define KERN_RESIDUAL (4 * KERN_EPS)
 
 /* ---- minimum-norm forces ---- */
 
-/* Shift of the diagonal of Newton's matrix, as a share of its mean: without it
-   a row that no ray presses has no pivot. */
+/* Shift of the diagonal of Newton's matrix, as a share of its mean. Without it
+   a row has no pivot if no ray of the group presses. */
 #define KERN_DUAL_SHIFT KERN_ROUNDING
-/* Most rounds of Newton's method: it ends in far fewer, unless digits are
+/* Most rounds of Newton's method. It ends in far fewer, unless digits are
    lost. */
 #define KERN_NORM_ROUNDS 100
-/* Line search: it ends where the derivative is the first over this. Newton's
-   next step makes up for the rest. */
+/* Line search: it ends where the derivative is the first one divided by this.
+   Newton's next step makes up for the rest. */
 #define KERN_SHARE_TOL 8
-/* Line search: this with prices, since the next prices begin there. */
+/* Line search with prices: the same divisor, since the next prices begin
+   there. */
 #define KERN_SHARE_TOL_PRICED 1000
-/* Line search: most places until the maximum is passed, 4^12 steps away. */
+/* Line search: most steps, each four times the last, to pass the maximum. */
 #define KERN_SHARE_GROWS 13
-/* Line search: most places in all once it is passed; regula falsi needs few. */
+/* Line search: most places after that; regula falsi needs few. */
 #define KERN_SHARE_PLACES 20
 
 /* ---- top-down pass ---- */
 
-/* Pivot of a 3 x 3 matrix, as a share of its trace, that counts as rounding: at
-   1e-11 in double a profile of rubble begins beyond the margin. */
+/* A pivot of a 3 x 3 matrix below this share of its trace is rounding. At 1e-11
+   in double a profile of rubble begins beyond the margin. */
 #define KERN_THREE_TOL KERN_PICK(1e-12, 1e-5)
-/* Pivot of a 3 x 3 matrix, as a share of its trace, from which the solution
-   needs no refinement. */
+/* A pivot of a 3 x 3 matrix above this share of its trace needs no refinement
+   of the solution. */
 #define KERN_THREE_GOOD KERN_PICK(1e-4, 1e-2)
-/* Contacts of one group that is balanced alone: the arrays are on the stack. */
+/* Most contacts of a group that is balanced alone: the arrays are on the
+   stack. */
 #define KERN_ROWS_MOST 12
-/* Rounds of Newton's method for one group; it ends in four, usually. */
+/* Most rounds of Newton's method for one group. Usually it ends in four. */
 #define KERN_ALONE_ROUNDS 10
-/* By what factor a residual must fall in a round, or no forces exist. */
+/* Factor by which a residual must fall in a round; otherwise no forces
+   exist. */
 #define KERN_ALONE_PACE 8
-/* Share of a load that a joint within 30 degrees of upright takes of what a bed
-   would. With .3 verdicts of 126 courses of bricks take eight times the work,
-   with 1 900 times. */
+/* Load on a joint within 30 degrees of upright, as a share of the load that a
+   bed would take. With .3 verdicts of 126 courses of bricks take eight times
+   the work, and with 1 they take 900 times. */
 #define KERN_SIDE_SHARE KERN_R(0.1)
-/* Norm of the forces, in loads of a cluster, beyond which it counts as
-   infeasible. Larger, clusters grow later and Newton's method takes more
-   steps: without the bound trying a stone costs 4 % more. */
+/* Norm of the forces, in loads of a cluster, beyond which the cluster counts as
+   infeasible. With a larger norm clusters grow later and Newton's method takes
+   more steps: without this bound a try costs 4 % more. */
 #define KERN_CLUSTER_NORM KERN_R(100)
-/* Approach of a contact that parts, as a share of the largest speed. */
+/* Largest approach of contacts that count as parting, as a share of the largest
+   speed. */
 #define KERN_PARTS_TOL KERN_R(1e-4)
-/* Share of all groups that a cluster may have, inverse: a quarter in a verdict,
-   a fifth in a search, a seventh in one that knows forces. With a fifth
-   verdicts take 7 % more, with a quarter measures 6 %, and tries from known
-   forces 6 % with a fifth. */
+/* A cluster may have this share of all groups, inverse: a quarter in a verdict,
+   a fifth in a search, a seventh in a search that knows forces. With a fifth
+   verdicts take 7 % more. With a quarter measures take 6 % more. With a fifth
+   tries from known forces take 6 % more. */
 #define KERN_CLUSTER 4
-/* Groups of a cluster where there are more than KERN_SMALL. With fewer some
-   measures of 100 blocks take four times the work. */
+/* Most groups of a cluster if there are more than KERN_SMALL groups. With
+   fewer, some measures of 100 blocks take four times the work. */
 #define KERN_CLUSTER_MOST 20
-/* Groups of the structure for which such a cluster may have one more. */
+/* Such a cluster may have one more group for each so many groups. */
 #define KERN_CLUSTER_MORE 32
-/* Units of work of a pass for each group and contact. With 30 measures of
+/* Units of work of a pass for each group and contact. With 30, measures of
    bricks take 1.4 times as long. */
 #define KERN_PASS_UNITS 9
 
 /* ---- search ---- */
 
-/* Difference of two critical values that is rounding [mean block size]: with
-   less, Newton's method chases rounding. */
+/* Two critical values that differ by less are the same [mean block size]: with
+   less, Newton's method follows rounding. */
 #define KERN_VALUE_SAME KERN_PICK(1e-10, 1e-5)
-/* Negative force of a known basis that is rounding, as a share of the weight. */
+/* Negative force of a known basis that is rounding, as a share of the
+   weight. */
 #define KERN_BASIS_NOISE KERN_PICK(1e-10, 1e-5)
-/* Most places of a bracket: four to eight suffice, unless digits are lost. */
+/* Most places of a bracket. Four to eight suffice, unless digits are lost. */
 #define KERN_BRACKET_ROUNDS 100
 /* Most verdicts of a search for a least load; each mechanism takes one. */
 #define KERN_LEAST_ROUNDS 100
-/* Most bends of a power, where kerns close, that Newton's method passes. */
+/* Most kinks of a power, where kerns close, that Newton's method passes. */
 #define KERN_BENDS 8
-/* Most parts that fall before the whole is asked. */
+/* Most falling parts before the whole is solved. */
 #define KERN_PARTS 8
-/* A bracket without a predicted value is cut at a quarter: mechanisms are near
-   its lower end more often. */
+/* A bracket without a predicted value is cut at a quarter, since mechanisms are
+   found near its lower end more often. */
 #define KERN_CUT KERN_R(4)
-/* Halley's step is at most so many of Newton's. */
+/* Largest step of Halley's method, in steps of Newton's. */
 #define KERN_HALLEY_MOST KERN_R(4)
 /* First step of a search [mean size; load factor, tangent of a quarter of the
-   angle], by the corpus' odd half and by walls of 100 to 200 blocks. */
+   angle]. Chosen on the odd half of the corpus and on walls of 100 to 200
+   blocks. */
 #define KERN_CLIMB KERN_R(0.1)
 #define KERN_CLIMB_PUSH KERN_R(0.5)
 /* Growth of these steps: each is this many times the one before. */
@@ -1811,109 +1821,114 @@ extern "C" {
 
 /* ---- interior point ---- */
 
-/* Most steps. Usually ten suffice, unless digits are lost. */
+/* Most steps. Ten usually suffice, unless digits are lost. */
 #define KERN_IPM_ROUNDS 100
-/* Shift of a diagonal that has no pivots, as a share of its mean. */
+/* Shift of the diagonal of M where M is singular, as a share of its mean. */
 #define KERN_IPM_SHIFT KERN_PICK(1e-10, 1e-5)
-/* Share of the way to x, z = 0 that a step leaves, less as the gap closes: from
-   the boundary no further step is possible. */
+/* Share of the way to x, z = 0 that a step leaves, less as the gap closes: no
+   step is possible from the boundary. */
 #define KERN_IPM_BACKOFF KERN_R(1e-3)
 /* Least share of a ray's force that a step leaves: a force that rounds to 0
    would never grow again. */
 #define KERN_IPM_KEEP KERN_EPS
 /* Least share of its force that a ray keeps when forces are balanced. */
 #define KERN_IPM_BALANCE KERN_R(1e-3)
-/* How far x and z are lifted to begin, in their least entry (Mehrotra). */
+/* Starting point: x and z are raised by this times the magnitude of their least
+   entry, if that is negative (Mehrotra). */
 #define KERN_IPM_LIFT_LEAST KERN_R(1.5)
-/* How far they are lifted besides, in their largest entry. */
+/* Starting point: x and z are also raised by this share of their largest
+   entry. */
 #define KERN_IPM_LIFT_SHARE KERN_R(1e-3)
-/* Least -s with which a query continues from the last: with s = 0 it could not
-   find that it falls. */
+/* Least -s with which a query continues from the last one. With s = 0 it could
+   not find that the structure falls. */
 #define KERN_IPM_S KERN_R(1e-3)
-/* Least gap with which it continues: nearer to the boundary it could not
+/* Least gap with which a query continues: closer to the boundary it could not
    turn. */
 #define KERN_IPM_GAP KERN_R(1e-3)
-/* Least product x z after a step, in means of all. */
+/* Least product x z after a step, in means of all products. */
 #define KERN_IPM_CENTRE KERN_R(0.03)
-/* Least share of a gap that a step aims at. With less, fewer verdicts are
+/* Least share of the gap that a step aims at. With less, fewer verdicts are
    decided. */
 #define KERN_IPM_AIM KERN_R(0.03)
-/* Gap that is rounding: the square of what shifts the diagonal. */
+/* Gap that is rounding: the square of the shift of the diagonal. */
 #define KERN_IPM_GAP_LEAST (KERN_IPM_SHIFT * KERN_IPM_SHIFT)
 /* Gap above which no digits are left. */
 #define KERN_IPM_GAP_MOST KERN_BOUND
-/* Share of the gap that a step may leave, in the mean, or the method begins
-   again: without that some walls take three times the work. */
+/* A continued query restarts if after k steps its gap exceeds the first gap
+   times KERN_IPM_SLACK KERN_IPM_PACE^k. Otherwise some walls take three times
+   the work. */
 #define KERN_IPM_PACE KERN_R(0.95)
-/* Gap of a later step of a continued query, over its first gap, above which the
-   method begins again. */
+/* The factor of that bound before the first step. */
 #define KERN_IPM_SLACK KERN_R(1.1)
 
 /* ---- simplex method ---- */
 
 /* Violation of x >= 0 that counts, as a share of the largest load. */
 #define KERN_VALUE_TOL KERN_PICK(1e-10, 1e-5)
-/* Least gain of a column that enters, as a share of the largest price. With a
-   lower gain the method would follow rounding. */
+/* Least gain of a column that enters, as a share of the largest price. With
+   less the method would follow rounding. */
 #define KERN_PRICE_TOL KERN_VALUE_TOL
 /* Least pivot, as a share of the largest entry of the entering column. */
 #define KERN_PIVOT_LEAST KERN_VALUE_TOL
 /* Rounding of a price, of a slope and of x and y, as a share of the largest. */
 #define KERN_LP_ROUNDING KERN_ROUNDING
-/* How far a certificate is lifted off the columns that it touches, as a share
-   of its largest entry: the check of a motion adds as much. */
+/* Lift of a certificate off the columns that it touches, as a share of its
+   largest entry: the check of a motion allows for as much rounding. */
 #define KERN_LIFT KERN_ROUNDING
-/* Residual of the basic solution, as a share of its largest value, above which
-   a basis is factored again. */
+/* Largest residual of a basic solution, as a share of its largest value, before
+   the basis is factored again. */
 #define KERN_BASIS_TOL KERN_PASS_TOL
-/* How often a basic solution is refined: each time it gains most digits. */
+/* Refinements of a basic solution; each gains most of the digits. */
 #define KERN_REFINES 3
-/* Least pivot of a column that is factored after its group's own, as a share of
-   its largest entry: less depends on the columns before it. */
+/* Least pivot of a column that is factored after its group's own columns, as a
+   share of its largest entry. Below it the column depends on those before
+   it. */
 #define KERN_LATE_PIVOT KERN_PICK(1e-4, 1e-2)
-/* Least pivot of a column in its own group, where its entries are about 1. Less
-   makes the inverse grow from course to course, more fills it: at 0.01 a call
-   may take more than 2,000 instructions for a unit of its limit. */
+/* Least pivot of a column in its own group, where its entries are about 1. With
+   less the inverse grows from course to course. With more it fills: at 0.01 a
+   call may take more than 2,000 instructions for a unit of its limit. */
 #define KERN_OWN_TOL KERN_R(0.03)
-/* Crash basis: columns of a group that are tried; the arrays are on the
+/* Crash basis: most columns of a group that are tried; the arrays are on the
    stack. */
 #define KERN_CRASH_COLUMNS 12
 /* Crash basis: least determinant of three columns with entries of about 1. */
 #define KERN_CRASH_DET KERN_LATE_PIVOT
-/* Crash basis: most pull of a column, in loads. */
+/* Crash basis: largest pull of a column, in loads of its group. */
 #define KERN_CRASH_PULL KERN_R(2)
-/* Pivots before prices are refined: most programs take fewer. */
+/* Pivots before prices are refined, as a constant; most programs take fewer. */
 #define KERN_PIVOTS 50
-/* Such pivots more for each row. */
+/* Pivots before prices are refined, for each row. */
 #define KERN_PIVOTS_ROW 2
-/* Bland's rule begins after this multiple of these: it is safe, and slow. */
+/* Pivots before Bland's rule, in multiples of these: the rule is safe, and
+   slow. */
 #define KERN_PIVOTS_BLAND 5
-/* Limit of the pivots of a program of a structure: this many budgets of the
-   pivots above, plus one for each column. Only jams take more than two budgets,
-   and the interior point answers them sooner. */
+/* Most pivots of a program of a structure, in multiples of these; one for each
+   column is added. Only jams take more than two, and the interior point answers
+   them sooner. */
 #define KERN_PIVOTS_JAM 3
-/* Pivots in all of other programs, to end what rounding might keep going. */
+/* Most pivots of other programs, as a constant: it ends cycles of rounding. */
 #define KERN_PIVOTS_MOST 200
-/* Such pivots more for each row and column. */
+/* Most pivots of other programs, for each row and column. */
 #define KERN_PIVOTS_EACH 20
 
 /* ---- raised ---- */
 
-/* Norm of the forces, in all loads, beyond which none are expected. */
+/* Norm of the forces, in loads of all groups, beyond which the search ends. */
 #define KERN_RAISE_NORM KERN_R(200)
-/* Slide of a stone that falls into a jam, in approaches. */
+/* Largest slide, in approaches, of a contact in a proof: a stone that falls
+   into a jam slides farther. */
 #define KERN_SLIDE_MOST KERN_R(100)
 /* Most rounds of Newton's method for one set of prices; usually it takes 4. */
 #define KERN_PRICED_ROUNDS 10
-/* A search is lost once u goes this many times as far as in its first round,
-   and once more for each group, since in a row their slides add up; or, from a
-   place that was shown, this many times as far as that is from the unloaded
-   one. */
+/* A search is lost if u goes this many times as far as in its first round, plus
+   once for each group, since in a row of groups their slides add up. It is also
+   lost if u goes KERN_JUMPS times as far from the last place shown as that is
+   from the unloaded one. */
 #define KERN_RUNS_AWAY KERN_R(30)
 #define KERN_JUMPS KERN_R(2)
-/* And once prices have not settled for this many rounds and half as many as
-   there are groups: with fewer a long row is given up before its far end has
-   moved. */
+/* A search is also lost after this many rounds, plus half as many as there are
+   groups, in which the prices have not settled. With fewer rounds a long row is
+   given up before its other end has moved. */
 #define KERN_PATIENCE 20
 /* The most work of one search, in factors of its matrix. */
 #define KERN_SEARCH_COSTS 3000
@@ -1921,35 +1936,37 @@ extern "C" {
    cosine of the last two changes is larger than KERN_COHERENT. */
 #define KERN_FORWARD KERN_R(2)
 #define KERN_COHERENT KERN_R(0.7)
-/* Share of a price's fall in a round. */
+/* Share of the way by which a price falls in a round. */
 #define KERN_PRICE_FALL KERN_R(0.3)
-/* Newton's method: where no more contacts than this changed in the last round,
-   and its most steps. With more steps it costs more and finds no more. */
+/* Newton's method begins if at most so many contacts changed in the last round,
+   and takes at most so many steps. With more steps it costs more and finds no
+   more. */
 #define KERN_FEW_CHANGES 2
 #define KERN_NEWTON_ROUNDS 3
-/* Steps of a load up to the load factor; where one fails, the share of it that
-   is tried, since a step that fails takes the work of ten that are shown; and
-   the share of the load that was shown below which no step is tried. The load
-   factor may be several times too high: a least step that is a share of it
-   would stop within 3 % of limit equilibrium. */
+/* A load grows to the load factor in so many steps. A step that fails is
+   divided by KERN_LOAD_FINER, since a failing step takes the work of ten
+   others. No step is below the share KERN_LOAD_NARROW of the load that was
+   shown. As a share of the load factor, which may be several times too high,
+   the least step would stop 3 % before limit equilibrium. */
 #define KERN_LOAD_STEPS 10
 #define KERN_LOAD_FINER 4
 #define KERN_LOAD_NARROW KERN_R(0.005)
-/* kern_stays(): from block to block, how many contacts away from the stone what
-   is not held may be: with 3 and 5 it tells less. No proof is asked for,
-   so that contacts may be less stiff along t. */
+/* kern_stays(): blocks within so many contacts of the stone are free, all
+   others are held. With 3 or 5 the chance is worse. */
 #define KERN_STAYS_NEAR 4
+/* kern_stays(): stiffness along t. It is less than where a proof requires that
+   contacts stick within KERN_STICKS. */
 #define KERN_STAYS_STIFF KERN_R(4)
-/* The law of kern_stays(), fitted to placements: the largest reserve that it
-   searches for, the number added to the reserve, and the scale. A larger
-   reserve does not change the chance. */
+/* kern_stays(): the largest reserve that is searched for, the number added to
+   the reserve, and the scale, all fitted to placements. A larger reserve does
+   not change the chance. */
 #define KERN_STAYS_MOST KERN_R(0.01)
 #define KERN_STAYS_ADD KERN_R(0.004)
 #define KERN_STAYS_ODDS KERN_R(5.5e7)
 
 /* ---- Vectors ------------------------------------------------------ >>vec */
 
-/* Returns a without its sign, also of -0. Compilers do not find the one
+/* Returns the magnitude of a, and 0 for -0. Compilers do not find the one
    instruction by themselves. */
 static kern_real kern_abs(kern_real a)
 {
@@ -2041,16 +2058,17 @@ static int kern_vec_is_moderate(kern_vec a)
     return kern_abs(a.x) + kern_abs(a.y) <= KERN_FAR;
 }
 
-/* Returns the sine by its series, since the last digit of libm's differs
-   between machines. Angles below KERN_ANGLE_MOST are right to eight digits. */
+/* Returns the sine by its series, since the last digit of libm's sine differs
+   between machines. It is right to eight digits for angles below
+   KERN_ANGLE_MOST. */
 static kern_real kern_sine(kern_real angle)
 {
     const kern_real q = angle * angle;
     return angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42)));
 }
 
-/* Keeps of the interval [*low, *high] those s for which at + s slope lies from
-   least to most. An empty interval has *low > *high. */
+/* Shortens the interval [*low, *high] to those s for which at + s slope lies
+   from least to most. An empty interval has *low > *high. */
 static void kern_clip(kern_real *low, kern_real *high, kern_real at,
                       kern_real slope, kern_real least, kern_real most)
 {
@@ -2083,7 +2101,7 @@ static kern_real kern_wrench_sum(const void *w)
     return kern_abs(of[0]) + kern_abs(of[1]) + kern_abs(of[2]);
 }
 
-/* v := s v, n numbers, also those of structs of numbers */
+/* v := s v, for n numbers, also those of structs of numbers */
 static void kern_scale(void *v, int n, kern_real s)
 {
     kern_real *to = (kern_real *)v;
@@ -2123,7 +2141,7 @@ static kern_real kern_largest(const kern_real *v, int n)
     kern_real size = 0;
     int i;
     for (i = 0; i < n; i++)
-        if (!(size > kern_abs(v[i]))) /* in place: a third of all */
+        if (!(size > kern_abs(v[i]))) /* no call: it would cost a third */
             size = kern_abs(v[i]);
     return size;
 }
@@ -2161,7 +2179,7 @@ static void kern_box_add(kern_box *box, kern_vec p)
 }
 
 /* ---- Statics -------------------------------------------------- >>statics */
-/* Eq. (5) of >>method, which kern_part_set() writes:
+/* Eq. (5) of >>method, as kern_part_set() writes it:
 
        \   n   /         f n + r t = x1 (n + mu t) + x2 (n - mu t),
         \  |  /              x1, x2 >= 0
@@ -2172,35 +2190,35 @@ static void kern_box_add(kern_box *box, kern_vec p)
    columns for each contact point. Units are the size of the block and the
    weight of all. */
 
-/* Contacts that may carry: all, or those alone whose kerns are nested. */
+/* Contacts that may carry: all, or only those with nested kerns. */
 typedef enum kern_carry { KERN_CARRY_ALL, KERN_CARRY_NESTED } kern_carry;
 
-/* A question: which weights and loads are to be carried, and how far kerns
-   shrink. */
+/* A question: which weights and loads the structure has to carry, and how far
+   kerns shrink. */
 typedef struct kern_query {
     kern_real shrink; /* of all kerns [m; relative: share of each travel]   */
     int relative;     /* nonzero: shrink is a share                         */
-    kern_real narrow; /* rate at which cones narrow                         */
-    kern_real mean;   /* size of the free blocks                            */
+    kern_real narrow; /* rate at which friction cones narrow                */
+    kern_real mean;   /* mean size of the free blocks                       */
     kern_vec gravity;
     const kern_wrench *pattern; /* NULL: side * m |g| horizontally          */
     kern_real factor;           /* of the pattern                           */
-    kern_real loads;            /* share of the blocks' loads               */
-    int side;                   /* 1 or -1, of the NULL pattern or a tilt   */
+    kern_real loads;            /* factor of the blocks' own loads          */
+    int side;                   /* 1 or -1, of a NULL pattern or a tilt     */
     const kern_real *fallen;    /* block i is gone if fallen[i] >= 0; NULL:
-                                           none is gone                     */
-    kern_real shortest;         /* a shorter contact carries nothing [m]    */
+                                           no block is gone                 */
+    kern_real shortest;         /* shorter contacts carry nothing [m]       */
     kern_carry carry;           /* contacts that may carry                  */
 } kern_query;
 
-/* Returns the tangent by which a query narrows the cones of friction. */
+/* Returns the tangent of the angle by which a query narrows friction cones. */
 static kern_real kern_reduction(const kern_query *q)
 {
     return kern_max(q->narrow * q->shrink, 0);
 }
 
-/* Returns the friction of a contact whose cone is narrower by the angle of a
-   tangent. */
+/* Returns the friction of a contact whose cone is narrowed by the angle with
+   the tangent `reduction`. */
 static inline kern_real kern_friction(const kern_contact *c,
                                       kern_real reduction)
 {
@@ -2215,22 +2233,23 @@ static inline int kern_is_gone(const kern_query *q, int i)
     return q->fallen && q->fallen[i] >= 0;
 }
 
-/* Returns the travel of a contact point, 0 where it is too short to be one. */
+/* Returns the travel of a contact point, or 0 if it is so short that it is
+   rounding. */
 KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
 {
     KERN_ASSERT(mean > 0);
     return kern_abs(c->travel) < KERN_TRAVEL_LEAST * mean ? 0 : c->travel;
 }
 
-/* Returns the length of a contact's line, or about that of its points; 0 for a
-   lone point. */
+/* Returns the length of a contact's line, or about that of the interface of its
+   points. Returns 0 for a single point. */
 static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
 {
     return 2 * kern_abs(kern_travel(c, mean));
 }
 
-/* Returns 1 if a contact carries nothing: it is too short, it is a point that
-   travels and these are left out, or one of its blocks is gone. */
+/* Returns 1 if a contact carries nothing: it is too short, one of its blocks is
+   gone, or it is a travelling point and these are left out. */
 static inline int kern_is_out(const kern_query *q, const kern_contact *c)
 {
     const kern_real len = q->shortest > 0 ? kern_contact_length(c, q->mean) : 0;
@@ -2260,15 +2279,15 @@ static void kern_pattern_on(const kern_structure *s, const kern_query *q, int i,
                    s->block[i].mass * KERN_R(q->side), w);
 }
 
-/* Returns the magnitude of a force, which is not 0 where only its squares
-   are. */
+/* Returns the magnitude of a force. It is not 0 if only the squares
+   underflow. */
 static kern_real kern_force_size(const kern_wrench *w)
 {
     const kern_vec f = kern_vec_make(w->fx, w->fy);
     return kern_max(kern_vec_length(f), kern_vec_largest(f));
 }
 
-/* Adds a share of a wrench on block b to a sum. Returns the magnitude of the
+/* Adds a share of a wrench on block b to `sum`. Returns the magnitude of the
    addend. */
 static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
                                  const kern_wrench *w, kern_real share)
@@ -2280,9 +2299,8 @@ static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
          * (kern_force_size(w) + kern_abs(w->torque) / kern_block_size(b));
 }
 
-/* Writes the sum of all that acts on block i besides its contacts. Returns
-   the sum of the magnitudes, by which the residual of its equilibrium is
-   measured. */
+/* Writes the sum of all wrenches on block i except those of its contacts.
+   Returns the sum of their magnitudes, the scale of the block's residual. */
 static inline kern_real kern_wrench_on(const kern_structure *s,
                                        const kern_query *q, int i,
                                        kern_wrench *sum)
@@ -2298,8 +2316,8 @@ static inline kern_real kern_wrench_on(const kern_structure *s,
     return size + kern_wrench_add(sum, b, &pattern, q->factor);
 }
 
-/* Returns how far along t a contact point moves with a shrinkage, and in *rate
-   how fast. */
+/* Returns how far along t a shrinkage moves a contact point. Writes the rate of
+   that motion to *rate. */
 static kern_real kern_shift(kern_real travel, kern_real shrink, int relative,
                             kern_real *rate)
 {
@@ -2322,9 +2340,9 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
 }
 
 /* Writes the arms from the centres of blocks a and b to the place where contact
-   c acts. Returns how far along t that has moved. The centre is subtracted
-   first, since far from the origin a place has fewer digits than an arm. A
-   tenth of the time is spent here. */
+   c acts. Returns how far along t the shrinkage has moved it. The centre is
+   subtracted before that motion is added, since far from the origin a place has
+   fewer digits than an arm. A tenth of the time is spent here. */
 static inline kern_real kern_arms(const kern_structure *s,
                                   const kern_contact *c, const kern_query *q,
                                   kern_vec arm[2])
@@ -2350,7 +2368,7 @@ static kern_vec kern_meeting_motion(const kern_structure *s,
                         kern_velocity(motion + c->a, arm[0]));
 }
 
-/* Returns 1 if contact points i and i + 1 are the ends of one line. */
+/* Returns 1 if contact points i and i + 1 are the ends of a line. */
 static int kern_line_begins(const kern_contact *contact, int contacts, int i)
 {
     const kern_contact *c = contact + i;
@@ -2372,9 +2390,9 @@ KERN_SHARED static int kern_same_interface(const kern_contact *c,
 }
 
 /* ---- Work arrays ------------------------------------------------- >>work */
-/* Work memory that is left. Slices are taken from it one after the other. Where
-   a slice does not fit, the number that is left becomes -1 and stays below 0:
-   that slice and all later ones mean nothing. */
+/* The work memory that is left. Slices are taken from it one after the other.
+   If a slice does not fit, the count that is left becomes -1 and stays
+   negative. That slice and all later ones must not be used. */
 
 typedef struct kern_take {
     kern_real *real;
@@ -2389,8 +2407,8 @@ KERN_SHARED static void kern_take_open(kern_take *take, const kern_work *work)
     *take = all;
 }
 
-/* Takes n numbers, or indices. What does not fit leaves a count below 0, which
-   no later slice undoes. */
+/* Takes n numbers, or n indices. If they do not fit the count becomes negative,
+   and no later slice changes that. */
 static kern_real *kern_take_reals(kern_take *take, int n)
 {
     kern_real *const at = take->real;
@@ -2408,14 +2426,14 @@ static int *kern_take_ints(kern_take *take, int n)
     return at;
 }
 
-/* Takes the last n numbers of what is left. */
+/* Takes n numbers from the end of the memory that is left. */
 static kern_real *kern_take_last(kern_take *take, int n)
 {
     take->reals -= n;
     return take->real + take->reals;
 }
 
-/* Returns 1 if every slice so far fitted. */
+/* Returns 1 if every slice so far has fitted. */
 static int kern_take_fits(const kern_take *take)
 {
     return take->reals >= 0 && take->indices >= 0;
@@ -2441,7 +2459,7 @@ static void kern_work_begin(kern_work *work)
     work->units = 0;
 }
 
-/* Counts work that is about to be done. Returns 0 where the call has no more
+/* Counts work that is about to be done. Returns 0 if the call has not so much
    left: this and all further work is refused, and the call ends. */
 static int kern_spend(kern_work *work, int limit, int units)
 {
@@ -2451,8 +2469,8 @@ static int kern_spend(kern_work *work, int limit, int units)
     return units <= left;
 }
 
-/* Returns the status of a call: KERN_LIMIT where work was refused on the
-   way. */
+/* Returns the status of a call: KERN_LIMIT if work was refused, otherwise
+   `status`. */
 static kern_status kern_ended(const kern_task *task, kern_status status)
 {
     return task->work->units > kern_limit_of(task->options.limit) ? KERN_LIMIT
@@ -2491,13 +2509,13 @@ static inline kern_status kern_contact_check(const kern_contact *c, int blocks)
         return KERN_SAME_BLOCK;
     if (!kern_vec_is_moderate(c->p)
         || !(kern_abs(c->travel) <= KERN_FAR)
-        /* 0 times what is not finite is not a number */
+        /* 0 times a number that is not finite is not a number */
         || !kern_is_finite(0 * c->n.x + 0 * c->n.y + 0 * c->mu))
         return KERN_BAD_NUMBER;
     return c->mu < 0 ? KERN_BAD_FRICTION : KERN_OK;
 }
 
-/* Checks a block. Sets *loaded where it is free and something acts on it. */
+/* Checks a block. Sets *loaded if it is free and a load acts on it. */
 static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
                                     int *loaded)
 {
@@ -2522,7 +2540,7 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
              : KERN_BAD_NUMBER;
 }
 
-/* Checks what the arrays of a structure hold. */
+/* Checks the contents of the arrays of a structure. */
 static kern_status kern_structure_check(const kern_structure *s,
                                         kern_fault *fault)
 {
@@ -2552,9 +2570,9 @@ static kern_status kern_structure_check(const kern_structure *s,
     return KERN_OK;
 }
 
-/* Checks all arguments except the contents of the arrays; `out` is where the
-   answer goes; a verdict has no result, and passes the task. Clears the units
-   and the fault of the work memory; its other counters add up over calls. */
+/* Checks all arguments except the contents of the arrays. `out` is the address
+   of the result; a verdict has none, and passes the task. Clears the units and
+   the fault of the work memory. Its other counters add up over calls. */
 static kern_status kern_task_check(const kern_task *task, kern_real shrink,
                                    const void *out)
 {
@@ -2563,7 +2581,7 @@ static kern_status kern_task_check(const kern_task *task, kern_real shrink,
     if (!task || !task->work || !task->work->real || !task->work->index || !out)
         return KERN_BAD_POINTER;
     s = &task->s;
-    /* what kern_contacts() returned, and the fault that it left */
+    /* a status that kern_contacts() returned; its fault is kept */
     if (s->contacts <= (int)KERN_NO_SPACE
         && s->contacts >= (int)KERN_STATUS_LEAST)
         return (kern_status)s->contacts;
@@ -2637,30 +2655,31 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
-/* Proofs read the caller's data and nothing else. Their error is a share of
-   what is allowed: a proof with an error of at most 1 holds.
+/* Proofs read only the caller's data. Their error is a share of the allowed
+   error: a proof with an error of at most 1 holds.
 
    Forces prove "stands". Each lies in its cone. The residual of each row of
-   equilibrium is within KERN_TOL of what acts on the block, or within the
-   rounding of the forces that meet there. Their sum is at most KERN_BOUND times
-   the weight.
+   equilibrium is within KERN_TOL of the loads on the block, or within the
+   rounding of the contact forces there. The sum of all forces is at most
+   KERN_BOUND times the weight.
 
    A motion proves "falls". Its power exceeds its own rounding plus KERN_BOUND
    times the weight of the moving part times the highest speed at which it
-   closes a contact: forces of that sum could not hold it. The speed includes
-   all that rounding may have taken from it, so that the proof holds without
-   rounding as well. */
+   closes a contact: forces of that sum could not hold it. The speed includes a
+   bound of its own rounding error, so the proof also holds in exact
+   arithmetic. */
 
-/* Returns the error of equilibrium: the largest residual of free blocks, or the
-   sum `total` of all normal forces, as a share of what is allowed. `sum` is
-   what contacts exert, four numbers a block. An error above 1 is at least 2. */
+/* Returns the error of equilibrium as a share of the allowed error: the largest
+   residual of free blocks, or the sum `total` of all normal forces. `sum` has
+   the wrenches that contacts exert, four numbers a block. An error above 1 is
+   returned as at least 2. */
 static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                                  const kern_real *sum, kern_real total)
 {
     kern_real error = 0, weight = 0;
     int i;
 
-    /* The residual of each row of a free block, as a share of what acts on
+    /* The residual of each row of a free block, as a share of the loads on
        it. */
     for (i = 0; i < s->blocks; i++, sum += 4)
         if (!s->block[i].fixed && !kern_is_gone(q, i)) {
@@ -2679,7 +2698,7 @@ static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                     error, left / (KERN_TOL * size + KERN_ROUNDING * sum[3]));
         }
 
-    /* The sum of the forces, over the largest that a proof may have. */
+    /* The sum of the forces, as a share of the largest in a proof. */
     weight *= KERN_BOUND;
     if (!kern_is_finite(weight)) /* it would allow any forces */
         return KERN_INFINITY;
@@ -2700,8 +2719,8 @@ KERN_SHARED static void kern_prove_end(kern_real *sum, kern_vec arm,
 }
 
 /* Returns the error of forces as a proof that the structure stands, as a share
-   of what is allowed. Infinity: they prove nothing. `sum` is scratch, four
-   numbers a block. */
+   of the allowed error. Returns KERN_INFINITY if they prove nothing. `sum` is
+   scratch, four numbers a block. */
 static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
                                    const kern_force *force, kern_real *sum)
 {
@@ -2711,7 +2730,8 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
     KERN_ASSERT(force && sum);
     kern_zero(sum, 4 * s->blocks);
 
-    /* Each force must be in its cone. Sums what it does to its two blocks. */
+    /* Each force must be in its cone. Its wrenches are added to its two
+       blocks. */
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real f = force[i].normal, r = force[i].tangential;
@@ -2732,15 +2752,15 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
         total += f;
     }
 
-    /* What the sums leave of equilibrium. */
+    /* The residual of equilibrium that the sums leave. */
     return kern_prove_rows(s, q, sum, total);
 }
 
-/* Returns an upper bound of the speed at which a motion closes contact c: the
-   worst force of 1 there takes as much power out of the motion. The bound
+/* Returns an upper bound of the speed at which a motion closes contact c. A
+   force of 1 in the cone takes at most that power out of the motion. The bound
    includes the rounding of this sum. Each operation may lose half of KERN_EPS
-   of its result. An arm takes three operations, and its rounding error is
-   multiplied by the spin. */
+   of its result. An arm takes three operations, and the spin multiplies its
+   rounding error. */
 static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
                               const kern_query *q, const kern_motion *motion)
 {
@@ -2765,10 +2785,10 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
          + KERN_EPS / 2 * gap + KERN_POWER_LEAST;
 }
 
-/* Returns a number that is 0 only if a block rests. */
+/* Returns a norm of a motion: 0 only if the block rests. */
 static kern_real kern_speed(const kern_motion *m) { return kern_wrench_sum(m); }
 
-/* Returns the speed of a block's centre, or of its turning if that is
+/* Returns the speed of a block's centre, or its spin times its size if that is
    larger. */
 static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
 {
@@ -2776,7 +2796,7 @@ static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
                     kern_abs(v->spin) * kern_block_size(b));
 }
 
-/* Scales a motion, so that the speed of the fastest block is 1. */
+/* Scales a motion so that kern_block_speed() of the fastest block is 1. */
 static void kern_motion_scale(const kern_structure *s, kern_motion *v)
 {
     kern_real most = 0;
@@ -2794,15 +2814,15 @@ static kern_real kern_speeds(const kern_contact *c, const kern_motion *motion)
 }
 
 /* Returns the error of a motion as a proof that the structure falls, as a share
-   of what is allowed. Infinity: the motion proves nothing. */
+   of the allowed error. Returns KERN_INFINITY if the motion proves nothing. */
 static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
                                    const kern_motion *motion)
 {
     kern_real power = 0, terms = power, weight = power, closing = power;
     int i, first = -1; /* block that moves */
 
-    /* Sums the power of all that acts on the moving blocks, the terms of that
-       sum, whose rounding counts, and the weight of what moves. */
+    /* Sums the power of the loads on the moving blocks, the magnitudes of its
+       terms, by which it rounds, and the weight of the moving blocks. */
     for (i = 0; i < s->blocks; i++) {
         const kern_motion *m = motion + i;
         kern_wrench w, p;
@@ -2820,13 +2840,12 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
         terms += kern_wrench_sum(&p);
     }
 
-    /* Forces of this sum must not be able to hold the motion. Without a power
-       that is safely above 0 there is nothing to prove. */
+    /* Without a power that is safely above 0 there is nothing to prove. */
     weight *= KERN_BOUND;
     if (!(power > KERN_POWER_LEAST) || !kern_is_finite(terms + weight))
         return KERN_INFINITY;
 
-    /* a stone laid last is the first that may stop it */
+    /* Begins with the contacts of the last stone, which may stop it first. */
     for (i = s->contacts - 1; i >= 0 && weight * closing <= power; i--) {
         const kern_contact *c = s->contact + i;
         if ((c->a >= first || c->b >= first) && kern_speeds(c, motion) > 0
@@ -2837,14 +2856,14 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
         }
     }
 
-    /* What forces could take from the power, and what rounding could. */
+    /* The power that forces could take, and that rounding could, as a share. */
     return (weight * closing + KERN_ROUNDING * terms) / power;
 }
 
 /* Returns the error of forces and of the displacement that raised them, as a
-   share of what is allowed. Each contact that is loaded approaches, and slides
-   as its friction says. That is a proof for some stiffness of each contact: its
-   force over its approach. */
+   share of the allowed error. Each loaded contact approaches, and slides as its
+   friction says. The two are then a solution for some stiffness of each
+   contact: its force over its approach. */
 static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
                                    const kern_force *force,
                                    const kern_motion *motion, kern_real *sum)
@@ -2854,8 +2873,8 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
     kern_wrench w;
     int i;
 
-    /* What is fixed must rest. The least load tells which forces equilibrium
-       would not miss. */
+    /* Fixed blocks must rest. Equilibrium does not need forces that are far
+       below the least load. */
     for (i = 0; i < s->blocks; i++)
         if (!s->block[i].fixed)
             least = kern_min(least, kern_wrench_on(s, q, i, &w));
@@ -2872,8 +2891,7 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
         const kern_real mu = kern_friction(c, kern_reduction(q));
         const kern_real press = -kern_vec_dot(c->n, u);
         const kern_real slide = kern_vec_cross(c->n, u);
-        if (!(f
-              > KERN_PRESSED_LEAST * least)) /* equilibrium would not miss it */
+        if (!(f > KERN_PRESSED_LEAST * least)) /* not needed */
             continue;
         if (!(press
               > KERN_ROUNDING
@@ -2886,8 +2904,8 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
     return error;
 }
 
-/* Keeps in the set (value >= 0) only free, unloaded blocks that nothing outside
-   of it presses against gravity. Returns how many are left. */
+/* Keeps in the set (value >= 0) only free blocks without loads that no block
+   outside of the set holds up against gravity. Returns how many are left. */
 static int kern_unsupported(const kern_structure *s, kern_real *value)
 {
     const kern_real pull = kern_vec_length(s->gravity);
@@ -2949,7 +2967,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
         || kern_query_check(task, shrink, proof, &q) != KERN_OK)
         return KERN_INFINITY;
 
-    /* The sums of the proof lie in the work memory, and after them a mark for
+    /* The work memory holds the sums of the proof, and after them a mark for
        each block. */
     s = &task->s;
     kern_take_open(&take, task->work);
@@ -2961,8 +2979,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
     if (raising == KERN_RAISED)
         return kern_prove_raised(s, &q, proof->force, proof->motion, sum);
 
-    /* Otherwise the motion names the blocks that hang: nothing may hold them
-       up, and the forces must hold the others without them. */
+    /* The motion names the blocks that hang. Nothing may hold them up, and the
+       forces must hold the others without them. */
     value = sum + 4 * s->blocks;
     for (i = 0; i < s->blocks; i++) { /* every block that moves must hang */
         const int falls = kern_speed(proof->motion + i) > 0;
@@ -2976,47 +2994,48 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 }
 
 /* ---- The model ------------------------------------------------- >>model */
-/* Each free block becomes a group of three rows. Groups are numbered from top
-   to bottom, along gravity, so that the groups that a group carries have
-   smaller numbers. Blocks that are fixed or have been taken away are the
-   ground, which has the number after the last. A contact belongs to its upper
-   group, which it carries. */
+/* Each free block becomes a group of three rows. Groups are numbered along
+   gravity from top to bottom, so a group has a larger number than those that it
+   carries. Fixed blocks and blocks that have been taken away are the ground,
+   whose number follows the last group. A contact belongs to its upper group,
+   which it carries. */
 
 /* Groups and the contacts between them.
 
-   `local` says which groups are in the part that is open. It has three phases:
-   KERN_OUT for every group while no part is open; KERN_MARKED for those that
-   the next part is to have; and its number in the part for each group of the
-   open one, KERN_OUT for all others. kern_norm_open() takes the groups that are
-   not marked: what is held has any other number then. */
+   `local` tells which groups are in the open part. It has three phases. While
+   no part is open it is KERN_OUT for every group. Before a part is opened it is
+   KERN_MARKED for the groups of the next part. While a part is open it is the
+   number in the part, and KERN_OUT for all other groups. kern_norm_open() takes
+   the groups with KERN_OUT; any other number then means that the group is
+   held. */
 typedef struct kern_graph {
     int groups;
     int *group;        /* of a block                                     */
     int *block;        /* of a group                                     */
     int *ends;         /* groups of b (2 i) and a (2 i + 1), contact i   */
-    int *touch;        /* of a group: the first end of a contact there   */
-    int *after;        /* of an end: the next end at the same group      */
-    kern_real *torque; /* two an end: of n and t, as its row has them    */
-    int *local;        /* of a group: its number in the open part        */
-    int *carrier;      /* of a group: what alone bears it; or KERN_OUT   */
+    int *touch;        /* of a group: the first end of a contact there     */
+    int *after;        /* of an end: the next end at the same group        */
+    kern_real *torque; /* two an end: of n and t, as kern_row has them     */
+    int *local;        /* of a group: its number in the open part          */
+    int *carrier;      /* of a group: its only carrier, or KERN_OUT        */
 } kern_graph;
 
 /* The forces and the motion of the last verdict.
 
    `force` has two phases. Between verdicts, and in the pass, it holds contact
    forces: the pass replaces the forces from which it begins by those that it
-   finds. While a program of all groups is solved, kern_model_rays() keeps other
-   data in `force`. `sum` is scratch memory of the proofs: no function leaves
+   finds. While a program of all groups is solved, it is scratch
+   (kern_model_rays()). `sum` is scratch of the proofs: no function leaves
    anything in it for another. */
 typedef struct kern_answer {
-    const kern_known *known; /* forces that held one like it, or NULL        */
+    const kern_known *known; /* forces that held a similar structure, or NULL */
     kern_force *force;       /* one a contact                                */
     kern_motion *motion;     /* one a block                                  */
     kern_real *sum;          /* four a block                                 */
 } kern_answer;
 
-/* States of a cluster, of which it may have both: it must be balanced; its
-   groups have been balanced as one part before. */
+/* States of a cluster: it must be balanced; its groups have been balanced as
+   one part before. Both may be set. */
 enum { KERN_OPEN = 1, KERN_TRIED = 2 };
 
 /* In graph.local: the group is to be one of the next part. */
@@ -3027,33 +3046,33 @@ typedef struct kern_clusters {
     int *last;       /* of a group: the last group of its cluster    */
     int *next;       /* of a group: the next of its cluster, cyclic  */
     int *open;       /* of a last group: the state of its cluster    */
-    int front;       /* no cluster that is open ends before this one       */
-    int groups_most; /* largest number of groups of a cluster              */
-    int budget_end;  /* units of work at which the pass ends               */
-    int changed;     /* group that known forces may not balance, if they
-                                 begin the next pass, or KERN_OUT             */
+    int front;       /* no open cluster ends before this group       */
+    int groups_most; /* largest number of groups of a cluster        */
+    int budget_end;  /* units of work at which the pass ends         */
+    int changed;     /* group that known forces may not balance, if the next
+                                 pass begins from them; or KERN_OUT   */
 } kern_clusters;
 
 typedef struct kern_model {
-    const kern_task *task; /* that it is of                                */
+    const kern_task *task; /* its task                                    */
     const kern_structure *s;
     kern_graph graph;
     kern_answer answer;
     int relative;
-    kern_real mean;      /* size of the free blocks                      */
-    kern_real weight;    /* unit of force: all that acts on free blocks  */
+    kern_real mean;      /* mean size of the free blocks                 */
+    kern_real weight;    /* unit of force: all loads on free blocks      */
     kern_real *unit;     /* of a group: 1 / the unit of its torques      */
     kern_real *load;     /* three a group: what contacts must exert [N]  */
-    kern_real *size;     /* of a group: magnitude of all that acts       */
-    kern_real shrunk;    /* shrinkage that torques are of, or infinity   */
-    kern_real reduction; /* of cones of friction, of the last question   */
+    kern_real *size;     /* of a group: magnitude of its loads           */
+    kern_real shrunk;    /* shrinkage of graph.torque, or infinity       */
+    kern_real reduction; /* of friction cones, of the last query         */
     kern_clusters cluster;
     int whole;        /* nonzero: all groups are one part             */
-    kern_take common; /* work memory behind what every method needs   */
+    kern_take common; /* work memory after the arrays of every method */
     kern_take rest;   /* work memory that is left                     */
 } kern_model;
 
-/* Structs that are copied, cleared and scaled as numbers. */
+/* Structs that are copied, cleared and scaled as arrays of numbers. */
 typedef char kern_structs_are_numbers
     [sizeof(kern_force) == 2 * sizeof(kern_real)
              && sizeof(kern_motion) == 3 * sizeof(kern_real)
@@ -3105,8 +3124,8 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     return known;
 }
 
-/* Sorts the blocks of all groups along gravity, and those at one height from
-   side to side: if rounding decided, few columns of a flat arch would be own
+/* Sorts the blocks of all groups along gravity, and those of equal height from
+   side to side. If rounding decided, few columns of a flat arch would be own
    columns of their groups (>>lp). In float rounding is too large for that, and
    the index decides. Shell's sort needs neither memory nor recursion. */
 static void kern_model_order(const kern_model *m)
@@ -3142,9 +3161,8 @@ static void kern_model_unload(kern_model *m)
 }
 
 /* Returns an array of two numbers for each contact, one for each ray of its
-   cone, for programs of all groups. It lies in the place of the answer's
-   forces, which mean nothing while a program is asked, until kern_part_forces()
-   writes them. */
+   cone, for programs of all groups. It is the memory of the answer's forces,
+   which mean nothing until kern_part_forces() writes them again. */
 static kern_real *kern_model_rays(const kern_model *m)
 {
     return (kern_real *)(void *)m->answer.force;
@@ -3158,8 +3176,8 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     const kern_structure *s = m->s;
     int i, g, none = 0;
 
-    /* The groups are the free blocks. All that depends on groups begins again:
-       the torques, the forces, the groups that the pass balances. */
+    /* The groups are the free blocks. All data of groups are reset: the
+       torques, the forces, the groups that the pass balances. */
     for (i = s->blocks - 1; i >= 0; i--)
         if (!s->block[i].fixed && !kern_is_gone(q, i))
             graph->block[none++] = i;
@@ -3170,8 +3188,8 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     kern_model_unload(m);
     kern_model_order(m);
 
-    /* A block's group is its place in the order; that of the ground is the
-       number after the last. */
+    /* A block's group is its place in the order. The ground has the number
+       after the last. */
     for (i = 0; i < s->blocks; i++)
         graph->group[i] = none;
     for (g = 0; g < none; g++) {
@@ -3206,13 +3224,13 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     kern_take *const take = &m->rest;
     int i, groups = 0;
 
-    /* Room is for all free blocks: later queries may take some of them away,
-       but never add one. */
+    /* There is room for all free blocks: later queries may take some of them
+       away, but never add one. */
     for (i = 0; i < s->blocks; i++)
         groups += !s->block[i].fixed;
 
-    /* First the arrays that every method needs. A program of all groups then
-       begins at `common`. */
+    /* First the arrays that every method needs. A program of all groups begins
+       at `common`. */
     KERN_ASSERT(groups > 0);
     kern_take_open(take, task->work);
     graph->group = kern_take_ints(take, s->blocks + groups);
@@ -3227,7 +3245,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->answer.motion = (kern_motion *)(void *)(m->answer.sum + 4 * s->blocks);
     m->common = *take;
 
-    /* Behind that place lie the arrays of the pass and of parts. */
+    /* After that the arrays of the pass and of parts. */
     graph->touch = kern_take_ints(take, 6 * groups + 1);
     graph->carrier = graph->touch + groups;
     m->cluster.last = graph->carrier + groups;
@@ -3249,9 +3267,9 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
 }
 
 /* The row of a contact at one of its ends: three equations of the group there.
-   Every method that looks for forces takes from it the speed of a motion at the
-   contact, and the wrench of a force. Proofs have code of their own, so that no
-   fault is in both. */
+   It gives the speed of a motion at the contact, and the wrench of a force.
+   Every method that looks for forces uses it. Proofs have code of their own, so
+   that no fault is in both. */
 typedef struct kern_row {
     kern_real n[3]; /* wrench of a unit of normal force             */
     kern_real turn; /* along t it is (-n[1], n[0], turn)            */
@@ -3304,7 +3322,7 @@ static inline void kern_model_rows(const kern_model *m, const kern_query *q,
                          m->unit[m->graph.ends[2 * i + 1]]);
 }
 
-/* Returns the row at an end, for the query of kern_model_arms(). */
+/* Returns the row at an end, for the query last passed to kern_model_arms(). */
 static inline kern_row kern_model_row(const kern_model *m, int end)
 {
     const kern_vec n = m->s->contact[end >> 1].n;
@@ -3314,8 +3332,8 @@ static inline kern_row kern_model_row(const kern_model *m, int end)
     return row;
 }
 
-/* Sets the cones of a query, and the torques of all rows unless they are of the
-   same shrinkage already. */
+/* Sets the cones of a query, and the torques of all rows unless they are for
+   the same shrinkage already. */
 static void kern_model_arms(kern_model *m, const kern_query *q)
 {
     kern_real *to = m->graph.torque;
@@ -3334,8 +3352,8 @@ static void kern_model_arms(kern_model *m, const kern_query *q)
     }
 }
 
-/* Sets the unit of a group's torques: its block's size plus how far kerns
-   grew. */
+/* Sets the unit of a group's torques: the size of its block plus the growth of
+   kerns. */
 static inline void kern_model_unit(kern_model *m, const kern_query *q, int g)
 {
     const kern_real size = kern_block_size(m->s->block + m->graph.block[g]);
@@ -3343,13 +3361,14 @@ static inline void kern_model_unit(kern_model *m, const kern_query *q, int g)
     m->unit[g] = 1 / (q->relative ? size * (1 + grown) : size + grown);
 }
 
-/* Returns the friction of contact i for the query of kern_model_arms(). */
+/* Returns the friction of contact i for the query last passed to
+   kern_model_arms(). */
 static inline kern_real kern_model_mu(const kern_model *m, int i)
 {
     return kern_friction(m->s->contact + i, m->reduction);
 }
 
-/* Sets what contacts must exert on group g: -w of Eq. (5). */
+/* Sets the wrench that contacts must exert on group g: -w of Eq. (5). */
 static inline void kern_model_load(kern_model *m, const kern_query *q, int g)
 {
     kern_real *load = m->load + 3 * g;
@@ -3360,7 +3379,8 @@ static inline void kern_model_load(kern_model *m, const kern_query *q, int g)
     load[2] = -w.torque * m->unit[g];
 }
 
-/* Sets the loads of all groups, the unit of force, and that no part is open. */
+/* Sets the loads of all groups and the unit of force. Marks that no part is
+   open. */
 static void kern_model_weigh(kern_model *m, const kern_query *q)
 {
     kern_real weight = 0;
@@ -3376,14 +3396,14 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
     m->weight = weight > 0 ? weight : 1;
 }
 
-/* Sets all of the model for a query. */
+/* Sets the loads, cones and torques of a query. */
 static void kern_model_set(kern_model *m, const kern_query *q)
 {
     kern_model_weigh(m, q);
     kern_model_arms(m, q);
 }
 
-/* Returns 1 if a load lies on a block that is free. */
+/* Returns 1 if a free block has a load besides its weight. */
 static int kern_model_loaded(const kern_model *m)
 {
     int g;
@@ -3393,10 +3413,10 @@ static int kern_model_loaded(const kern_model *m)
     return 0;
 }
 
-/* Returns 1 if kerns are nested, as those of lines are: what a smaller one can
-   carry a larger one can. Points that move toward each other along different
-   tangents are not nested. range: the shortest of their travels, and the
-   longest, d_max. */
+/* Returns 1 if kerns are nested, as those of lines are: a larger kern carries
+   every load that a smaller one carries. Points that move toward each other
+   along different tangents are not nested. Writes the shortest travel and the
+   longest, d_max, to range. */
 static int kern_is_nested(const kern_model *m, kern_real range[2])
 {
     const int *ends = m->graph.ends, none = 2 * m->graph.groups;
@@ -3417,7 +3437,7 @@ static int kern_is_nested(const kern_model *m, kern_real range[2])
     return points == 0;
 }
 
-/* Sets what is known of a structure like this one, if anything is. */
+/* Sets the known forces of a similar structure, if there are any. */
 KERN_SHARED static void kern_model_know(kern_model *m, const kern_known *known)
 {
     m->answer.known = known->fails > 0 && known->force ? known : NULL;
@@ -3429,8 +3449,8 @@ static int kern_model_spend(const kern_model *m, int units)
     return kern_spend(m->task->work, m->task->options.limit, units);
 }
 
-/* Charges n queries. Even for a small part a proof looks at all blocks. Returns
-   0 if they are refused. */
+/* Charges n verdicts. Even for a small part a proof reads all blocks. Returns 0
+   if they are refused. */
 static int kern_model_ask(const kern_model *m, int queries)
 {
     return kern_model_spend(
@@ -3464,9 +3484,8 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
         m, kern_prove_forces(m->s, q, m->answer.force, m->answer.sum));
 }
 
-/* Replaces the forces at the ends of each line, which lie where `from` puts
-   them, by forces of the same wrench at the ends where `shrink` < `from` puts
-   them. */
+/* Moves the forces of each line from its ends at the shrinkage `from` to its
+   ends at `shrink` < `from`, with the same wrench. */
 static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
 {
     int i, k;
@@ -3507,38 +3526,41 @@ KERN_SHARED static void kern_proof_out(const kern_model *m,
 /* ==== Part IV: How forces and motions are found ========================== */
 
 /* ---- The simplex method -------------------------------------------- >>lp */
-/* minimise cost . x  where  A x = rhs,  x >= 0,  by the revised simplex method.
-   Variables are the columns, then the place (see kern_program), then a logical
-   for each row, a unit vector. Logicals must be zero.
+/* Minimises cost . x  where  A x = rhs,  x >= 0,  by the revised simplex
+   method. Variables are the columns, then the place (see kern_program), then a
+   logical for each row: a variable whose column is a unit vector. Logicals must
+   be zero.
 
    The inverse of the basis B is a product of factors:
 
        B^-1 = E_n ... E_2 E_1 B_0^-1.
 
    Rows come in groups of three. A column of a network (`ends` given) touches
-   one or two groups; it is an own column of the first of them, in the order in
+   one or two groups. It is an own column of the first of them, in the order in
    which groups carry each other. B_0 has three own columns of each group, or
-   logicals. So it is block triangular, and only two things are stored for each
-   group: its 3 x 3 inverse, and what its three columns do to other groups.
-   Without `ends` B_0 is the unit matrix.
+   logicals, so it is block triangular. For each group only its 3 x 3 inverse is
+   stored, and what its three columns exert on other groups. Without `ends` B_0
+   is the unit matrix.
 
    E_i lets one more column enter (the product form of the inverse). It is the
    unit matrix except for one column. Let alpha be the entering column in terms
    of the basis, and p the row in which it pivots: then that column is -alpha /
-   alpha_p, with 1 / alpha_p in row p. Its entries are kept in threes, from the
-   first that is not zero to the last.
+   alpha_p, with 1 / alpha_p in row p. Its entries are stored in threes, from
+   the first that is not zero to the last.
 
    Vectors over the rows have three more places at their end, the rows of the
-   ground. A column that leads to no other group leads there: reading gives 0,
-   writing has no effect, and no loop has to test for it. */
+   ground. A column that touches no other group has the ground as its other
+   group: reading gives 0 and writing has no effect, so no loop has to test for
+   it. */
 
-/* A program. It is dense, or the columns of a network, two for each contact: 2
-   i and 2 i + 1 touch the groups ends[2 i] and ends[2 i + 1]; rows / 3 is the
-   ground. Such a column has four entries (u, v, r, s): (u, v, r) in the rows of
-   the first of these groups, (-u, -v, s) in those of the second.
+/* A program. It is dense, or its columns are those of a network, two for each
+   contact. Columns 2 i and 2 i + 1 touch the groups ends[2 i] and ends[2 i +
+   1]; the number rows / 3 is the ground. Such a column has four entries (u, v,
+   r, s): (u, v, r) in the rows of the first of these groups, (-u, -v, s) in
+   those of the second.
 
-   The place is one more variable, of the column `rate`: how far rhs has grown
-   along a path. */
+   The place is one more variable. Its column is `rate`, and its value tells how
+   far rhs has moved along a path. */
 typedef struct kern_program {
     int rows, cols;
     const kern_real *a; /* dense: by columns; network: four a column   */
@@ -3546,16 +3568,16 @@ typedef struct kern_program {
     const kern_real *cost; /* NULL: all are 0                              */
     const int *ends;       /* NULL: the program is dense                   */
     const kern_real *rate; /* column of the place: minus the rate of rhs   */
-    int follow;            /* 1: the place grows from 0, 0: it is held     */
+    int follow;            /* 1: the place grows from 0; 0: it is fixed    */
     kern_real most;        /* largest value of a variable; 0: no bound     */
-    int limit;             /* of work->units                               */
+    int limit;             /* most work->units                             */
     kern_work *work;       /* of the call                                  */
 } kern_program;
 
-/* The inverse of a basis: B_0, by groups, and the factors E_i. Of each row of
-   B_0 six numbers are stored: a row of the inverse of its group, and the
-   entries of its column in the rows of the other group, the first of which is
-   `to`. */
+/* The inverse of a basis: B_0, by groups, and the factors E_i. Each row of B_0
+   has six numbers: a row of the inverse of its group, and the entries of its
+   column in the three rows of the other group. `to` is the first of these
+   rows. */
 typedef struct kern_factors {
     int size;         /* rows, rounded up to a multiple of three            */
     int groups;       /* of B_0: all of a network; 0: it is the unit matrix */
@@ -3565,24 +3587,25 @@ typedef struct kern_factors {
     int count;        /* of factors                                         */
     int *pivot;       /* of a factor: the row of its pivot                  */
     int *from;        /* of a factor: its first row with an entry           */
-    int *first;       /* of a factor: its first entry; and the next free    */
+    int *first;       /* of a factor: its first entry; then the end of all  */
     kern_real *entry; /* of factors, in threes of rows                      */
 } kern_factors;
 
 typedef enum kern_basis {
-    KERN_BASIS_NONE,  /* begins from logicals                           */
-    KERN_BASIS_STALE, /* columns are not those that were factored       */
+    KERN_BASIS_NONE,  /* none: begin with logicals                      */
+    KERN_BASIS_STALE, /* its columns have changed since it was factored */
     KERN_BASIS_READY
 } kern_basis;
 
-/* Who may solve a program: also the backend (KERN_USE_GLPK), or only this. */
+/* Solvers that may be used: also the backend (KERN_USE_GLPK), or only this
+   one. */
 typedef enum kern_solver { KERN_SOLVER_ANY, KERN_SOLVER_BUILTIN } kern_solver;
 
-/* `alpha` is the vector that is solved for: the load that is left in the crash,
-   a residual while values are refined, otherwise the entering column. `list`
-   has the first column of each group in the crash, the columns that wait while
-   a basis is factored, and the rows of a ratio test. No phase reads what
-   another left in them. */
+/* `alpha` and `list` are scratch, and no phase reads what another left in them.
+   `alpha` is the vector that is solved for: the load that is not yet carried in
+   the crash, a residual while values are refined, otherwise the entering
+   column. `list` has the first column of each group in the crash, the waiting
+   columns while a basis is factored, and the rows of a ratio test. */
 typedef struct kern_simplex {
     const kern_program *lp;
     kern_basis state;
@@ -3590,13 +3613,13 @@ typedef struct kern_simplex {
     int *base;        /* of a row: its variable                            */
     int *place;       /* of a column, and of the place: its row, or KERN_OUT;
                                  in the crash: the next column of a group  */
-    kern_real *value; /* of a row: that of its variable                    */
+    kern_real *value; /* of a row: value of its variable                   */
     kern_real *slope; /* of a row: c of its variable (see below)           */
     kern_real *price; /* of a row: y                                       */
     kern_real *alpha; /* of a row                                          */
     kern_real *ratio; /* of a row of the ratio test: the step to zero      */
     int *list;
-    int enters;      /* column                                            */
+    int enters;      /* the entering column                               */
     kern_real least; /* smallest violation that counts                    */
     kern_real gain;  /* c_j - y.A_j of the entering column                */
     int refined;     /* 1: no pivot since the values were refined         */
@@ -3625,8 +3648,8 @@ static inline kern_real kern_lp_dot(const kern_program *lp, int j,
     return kern_dot(kern_lp_dense(lp, j), y, lp->rows);
 }
 
-/* Which of the two groups of a column: the one whose own column it is, which is
-   the first of them in order, or the one that this leads to. */
+/* One of the two groups of a column: the one of which it is an own column,
+   which comes first in the order, or the other one. */
 typedef enum kern_lp_end { KERN_LP_END_OWN, KERN_LP_END_OTHER } kern_lp_end;
 
 /* Writes column j's entries in the rows of one of its groups. Returns the first
@@ -3672,8 +3695,8 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
     int e, g, k;
 
     /* Multiplies by B_0^-1 from top to bottom: solves the rows of each group
-       for its own columns, and subtracts what these exert on the group that
-       they lead to. */
+       for its own columns, and subtracts what these exert on their other
+       groups. */
     for (g = 0; g < f->groups; g++) {
         const kern_real *d = f->block + 18 * g;
         kern_real *own = v + 3 * g;
@@ -3748,7 +3771,8 @@ static int kern_basis_full(const kern_simplex *sx)
     return f->count == f->most || f->first[f->count] + f->size > f->room;
 }
 
-/* Makes column q, which is sx->alpha in terms of the basis, basic in row p. */
+/* Makes column q basic in row p. sx->alpha is the column in terms of the
+   basis. */
 static void kern_basis_enter(kern_simplex *sx, int q, int p)
 {
     kern_factors *f = &sx->factors;
@@ -3785,10 +3809,11 @@ typedef enum kern_crash {
     KERN_CRASH_ANY      /* any column, and the logical of the torque     */
 } kern_crash;
 
-/* Makes three columns of group g, a list from j, basic, and passes on what they
-   exert: those that carry its load with the largest least share. With
-   KERN_CRASH_PUSHING no column may pull more than KERN_CRASH_PULL loads.
-   Returns 0 if there are none. */
+/* Chooses three columns of group g from the list that begins with j, makes them
+   basic, and adds what they exert to the loads of other groups. They carry the
+   load of the group such that the least of their three shares is as large as
+   possible. With KERN_CRASH_PUSHING no column may pull more than
+   KERN_CRASH_PULL loads. Returns 0 if no three columns will do. */
 static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
 {
     const int logical = sx->lp->cols + 1 + 3 * g + 2;
@@ -3802,7 +3827,7 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
     int mine[KERN_CRASH_COLUMNS], n = 0, found = 0, i, k;
 
     /* Lists the columns: all, or those that push against the load within 60
-       degrees of it. Others would hardly carry it. */
+       degrees of it, since others would hardly carry it. */
     for (; j != KERN_OUT && n < KERN_CRASH_COLUMNS - 1; j = sx->place[j]) {
         const kern_real *a = part[n];
         kern_real along;
@@ -3822,8 +3847,8 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
         mine[n++] = logical;
     }
 
-    /* Tries all threes of them. Cramer's rule gives the shares; that of the
-       third is computed first, since most threes are excluded by it. */
+    /* Tries all triples of columns. Cramer's rule gives the shares. The share
+       of the third is computed first, since it excludes most triples. */
     for (i = 0; i < n; i++)
         for (j = i + 1; j < n; j++) {
             const kern_real *a = part[i], *b = part[j];
@@ -3851,16 +3876,16 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
             }
         }
 
-    /* What the three exert on other groups becomes a part of the load there.
-       What would pull counts as nothing. */
+    /* What the three exert on other groups is added to the loads there. A share
+       that would pull counts as 0. */
     for (k = 0; k < 3 && found; k++)
         kern_lp_subtract(sx->lp, base[k], kern_max(share[k], 0), sx->alpha);
     return found;
 }
 
-/* Begins from the columns that x uses, if they may be a basis, and the last
-   ones. If more are used than there are rows the next program begins without a
-   basis. */
+/* Begins with the columns that x uses, if they may be a basis, and fills it
+   with the last columns. If x uses more columns than there are rows the next
+   program begins without a basis. */
 static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
                                kern_real least)
 {
@@ -3878,8 +3903,8 @@ static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
     sx->state = KERN_BASIS_STALE;
 }
 
-/* Begins from logicals, and for a network from three columns of each group,
-   from top to bottom. */
+/* Makes the basis of logicals. For a network three columns of each group then
+   replace them, from top to bottom. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -3904,9 +3929,9 @@ static void kern_simplex_crash(kern_simplex *sx)
 
 /* ---- factors ---- */
 
-/* Lets column j take one of its own rows that still has its logical: the row
-   where its entry is largest in terms of the columns before it. Returns 0 if it
-   takes none. */
+/* Makes column j basic in one of its own rows that still has its logical: the
+   row where its entry is largest in terms of the columns before it. Returns 0
+   if there is none with a large enough entry. */
 static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
@@ -3915,8 +3940,8 @@ static int kern_own_enter(kern_simplex *sx, int j)
     if (!lp->ends || j == lp->cols)
         return 0;
 
-    /* The column in terms of its group's basis so far, and its largest entry in
-       a row that is left. */
+    /* Writes the column in terms of the columns that its group has so far, and
+       finds its largest entry in a row that still has its logical. */
     row = kern_lp_part(lp, j, KERN_LP_END_OWN, part);
     block = sx->factors.block + 6 * row;
     for (k = 0; k < 3; k++) {
@@ -3929,8 +3954,8 @@ static int kern_own_enter(kern_simplex *sx, int j)
     if (best == KERN_OUT)
         return 0;
 
-    /* Eliminates that row from the inverse of the group, and notes what the
-       column does to its other group. */
+    /* Eliminates that row from the inverse of the group, and stores what the
+       column exerts on its other group. */
     own = block + 6 * best;
     for (k = 0; k < 3; k++)
         own[k] /= alpha[best];
@@ -3944,8 +3969,8 @@ static int kern_own_enter(kern_simplex *sx, int j)
     return 1;
 }
 
-/* Lets column j enter in any row that still has its logical, unless it depends
-   on the columns before it, or there is no room. */
+/* Makes column j basic in any row that still has its logical. Does nothing if
+   the column depends on those before it, or if there is no room. */
 static void kern_left_enter(kern_simplex *sx, int j)
 {
     kern_real least;
@@ -3978,8 +4003,8 @@ static kern_real kern_basis_residual(kern_simplex *sx)
     return size > 0 ? kern_largest(sx->alpha, lp->rows) / size : KERN_INFINITY;
 }
 
-/* Computes the basic solution, and refines it until its residual is rounding:
-   the inverse grows with every course of a wall, and one solve may lose half of
+/* Computes the basic solution and refines it until its residual is rounding.
+   The inverse grows with every course of a wall, so one solve may lose half of
    the digits. Returns 0 if the residual stays too large. */
 static int kern_basis_values(kern_simplex *sx)
 {
@@ -3994,14 +4019,15 @@ static int kern_basis_values(kern_simplex *sx)
     return left <= KERN_BASIS_TOL;
 }
 
-/* Factors the basis again: three own columns of each group, then the others. */
+/* Factors the basis again: first three own columns of each group, then the
+   others. */
 static void kern_basis_refactorise(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     kern_factors *f = &sx->factors;
     int i, p, left = 0;
 
-    /* Begins from logicals, and keeps the columns of the basis in a list. */
+    /* Begins with logicals, and keeps the columns of the basis in a list. */
     for (i = 0; i <= lp->cols; i++)
         sx->place[i] = KERN_OUT;
     for (p = 0; p < lp->rows; p++) {
@@ -4018,8 +4044,8 @@ static void kern_basis_refactorise(kern_simplex *sx)
     }
     f->count = f->first[0] = 0;
 
-    /* Own columns of a group take its rows in B_0. Those that find no row there
-       enter one after the other. */
+    /* Own columns of a group take its rows in B_0. Columns that find no row
+       there enter one after the other. */
     for (p = 0; p < lp->rows; p++)
         if (sx->list[p] <= lp->cols && !kern_own_enter(sx, sx->list[p]))
             sx->list[left++] = sx->list[p];
@@ -4029,8 +4055,8 @@ static void kern_basis_refactorise(kern_simplex *sx)
     kern_basis_values(sx);
 }
 
-/* Computes the basic solution. Factors the basis again where the matrix
-   changed, or where the factors became too long or lost digits. */
+/* Computes the basic solution. Factors the basis again if the matrix has
+   changed, or if the factors are full or have lost digits. */
 static void kern_basis_renew(kern_simplex *sx)
 {
     if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
@@ -4040,32 +4066,32 @@ static void kern_basis_renew(kern_simplex *sx)
 
 /* ---- pivots ---- */
 /* Every basis gives an x with A x = rhs. A variable violates x >= 0 if it is
-   negative, or if it is a logical that is not zero. As long as one does, the
-   sum of all violations is lowered. With
+   negative, or if it is a logical that is not zero. While there are violations
+   their sum is lowered. With
 
        y = B^-T c,    c = +1 or -1 for a variable that violates, otherwise 0,
 
-   y.A_j < 0 tells how fast the sum falls when column j enters. When no column
-   lowers it and it is not zero, y is a Farkas certificate: the one that shows
-   the largest sum of violations, which a step of Newton's method needs. Where
-   nothing violates, c is minus the costs, and y minus their prices. */
+   y.A_j < 0 is the rate at which the sum falls when column j enters. If no
+   column lowers the sum and it is not zero, y is a Farkas certificate: the one
+   with the largest sum of violations, which a step of Newton's method needs. If
+   there are no violations, c is minus the costs, and y minus their prices. */
 
 /* How pivots are chosen. */
 typedef enum kern_rule {
     KERN_RULE_LARGEST, /* the column of the largest gain                   */
-    KERN_RULE_REFINED, /* the same, with refined prices                    */
+    KERN_RULE_REFINED, /* the column of the largest gain, prices refined   */
     KERN_RULE_BLAND    /* the first column of any gain, and of equal rows
                                  the least index: this cannot cycle        */
 } kern_rule;
 
-/* Returns 1 if variable j must be zero: a logical, or a place that is held. */
+/* Returns 1 if variable j must be zero: a logical, or a place that is fixed. */
 static int kern_lp_fixed(const kern_program *lp, int j)
 {
     return j >= lp->cols + lp->follow;
 }
 
-/* Returns by what the costs fall as variable j grows; 1 for a place that is
-   free. */
+/* Returns the rate at which the costs fall as variable j grows; 1 for a place
+   that grows. */
 static kern_real kern_lp_worth(const kern_program *lp, int j)
 {
     return lp->cost && j < lp->cols ? -lp->cost[j]
@@ -4094,11 +4120,11 @@ static kern_real kern_violations(kern_simplex *sx)
     return sum;
 }
 
-/* Refines y once by the residual of y.A_j = c for basic columns, and then lifts
-   it until y.A_j >= lift times its largest entry for them. A certificate needs
-   that: rounding puts y.A_j a little below zero as often as above, and the lift
-   costs little of its power. Returns 0 without a basis, where the backend has
-   answered. */
+/* Refines y once by the residual of y.A_j = c for basic columns. Then lifts y
+   until y.A_j >= lift times its largest entry for these columns. A certificate
+   needs the lift, since rounding leaves y.A_j below zero as often as above. The
+   lift costs little of its power. Returns 0 without a basis, as after an answer
+   of the backend. */
 static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 {
     const kern_program *lp = sx->lp;
@@ -4117,9 +4143,9 @@ static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
     return 1;
 }
 
-/* Computes prices and chooses the variable that enters, sx->enters, by the
-   rule: it lowers the sum of violations, or the costs, at the rate sx->gain =
-   c_j - y.A_j. A variable that would have to exceed lp->most to remove the
+/* Computes prices and chooses the entering variable, sx->enters, by the rule.
+   sx->gain = c_j - y.A_j is the rate at which it lowers the sum of violations,
+   or the costs. A variable that would have to exceed lp->most to remove the
    violations does not enter: it belongs to a jam. Returns 0 if none enters. */
 static int kern_entering(kern_simplex *sx, kern_rule rule)
 {
@@ -4129,7 +4155,7 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
     kern_real size, least;
     int j;
 
-    /* Prices y = B^-T c, refined where pivots have taken long. */
+    /* Computes prices y = B^-T c, and refines them after many pivots. */
     kern_copy(sx->price, sx->slope, lp->rows);
     if (costs && !lp->cost && !lp->follow)
         return 0;
@@ -4137,13 +4163,14 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
     if (rule > KERN_RULE_LARGEST)
         kern_prices_mend(sx, sx->price, 0);
 
-    /* The least gain that counts: above rounding, and with a bound on variables
-       enough to undo the violations within it. */
+    /* The least gain that counts is above rounding. If variables are bounded it
+       must also be able to remove the violations within their bound. */
     size = kern_largest(sx->price, lp->rows);
     least = costs || !(lp->most > 0) ? KERN_PRICE_TOL * size : sum / lp->most;
     least = kern_max(least, KERN_LP_ROUNDING * size);
 
-    /* The largest gain of all columns outside of the basis, or the first. */
+    /* Finds the largest gain of all columns that are not basic, or the first
+       gain. */
     sx->gain = 0;
     for (j = 0; j < all; j++) {
         kern_real d;
@@ -4161,9 +4188,9 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
 }
 
 /* Returns by how much the slope of the sum rises when the basic variable of row
-   p passes zero, which it approaches at the rate alpha, and in *at where that
-   is. Returns 0 if it never does. A variable that violates may move towards
-   zero only; one that must be zero leaves zero at once. */
+   p passes zero. The variable approaches zero at the rate alpha, and reaches it
+   at *at. Returns 0 if it never does. A variable that violates may only move
+   towards zero, and one that must be zero leaves zero at once. */
 static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 {
     const int fixed = kern_lp_fixed(sx->lp, sx->base[p]);
@@ -4177,19 +4204,19 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
     return fixed ? kern_abs(a) + falls : kern_abs(a);
 }
 
-/* Charges work on a program. Returns 0 if it is refused. */
+/* Charges work on a program. Returns 0 if the work is refused. */
 static int kern_lp_spend(const kern_program *lp, int units)
 {
     return kern_spend(lp->work, lp->limit, units);
 }
 
-/* Chooses the row that the entering column takes, and in *step how far it goes,
-   from those whose variables reach zero on the way. The ratio test goes past
-   each of them as long as the sum of violations still falls: a long step, which
+/* Chooses the row that the entering column takes, among rows whose variables
+   reach zero, and writes the length of the step to *step. The ratio test passes
+   such rows as long as the sum of violations still falls: a long step, which
    passes through degenerate corners. With Bland's rule, and for costs, it stops
-   at once. Of equals it takes the largest pivot, with Bland's rule the least
-   index. Returns KERN_OUT if no variable reaches zero, and leaves it to
-   kern_pivot_spend() to refuse the pivot where this work is refused. */
+   at the first. Of equals it takes the largest pivot, with Bland's rule the
+   least index. Returns KERN_OUT if no variable reaches zero. If its work is
+   refused kern_pivot_spend() refuses the pivot. */
 static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
 {
     const kern_real least = KERN_PIVOT_LEAST
@@ -4205,8 +4232,7 @@ static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
             n += kern_break(sx, i, at + n) > 0;
         }
 
-    /* Passes the nearest of them, until the slope of the sum is no longer
-       downwards. */
+    /* Passes the closest of them until the sum no longer falls. */
     for (; n > 0 && left > 2 * KERN_LP_ROUNDING * sx->gain; n--) {
         seen += n;
         next = 0;
@@ -4230,8 +4256,8 @@ static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
     return best;
 }
 
-/* Charges a pivot: a column, prices, and the factors that both pass. Returns 0
-   if it is refused. */
+/* Charges a pivot: a column and prices, each of which passes all factors.
+   Returns 0 if the work is refused. */
 static int kern_pivot_spend(const kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4245,14 +4271,15 @@ static int kern_pivot_spend(const kern_simplex *sx)
 }
 
 /* Lowers the sum of violations, then the costs, until no column does. The sum
-   falls with every step that is not of length zero, unless prices are rounding.
-   So after a budget of pivots prices are refined, and after five budgets
-   Bland's rule is used, which cannot cycle. The limit ends what rounding might
-   keep going; programs of structures take less than two budgets, except in jams.
+   falls with every step whose length is not zero, unless prices are rounding.
+   So prices are refined after a budget of pivots, and Bland's rule, which
+   cannot cycle, is used after five. The limit ends cycles that rounding causes.
+   Programs of structures take less than two budgets, except in jams, and their
+   limit is three.
 
-   Returns KERN_LP_OPTIMAL; KERN_LP_INFEASIBLE; KERN_LP_UNBOUNDED, where the
-   entering column may grow for ever; KERN_NO_SPACE or KERN_LIMIT, where there
-   is no room or no work left for a pivot; or KERN_UNDECIDED. */
+   Returns KERN_LP_OPTIMAL; KERN_LP_INFEASIBLE; KERN_LP_UNBOUNDED if the
+   entering column may grow for ever; KERN_NO_SPACE or KERN_LIMIT if there is no
+   room or no work left for a pivot; otherwise KERN_UNDECIDED. */
 static kern_status kern_simplex_run(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4266,26 +4293,28 @@ static kern_status kern_simplex_run(kern_simplex *sx)
         kern_real step = 0;
         int enters, p = KERN_OUT;
 
-        /* After a budget of pivots prices may be rounding. After five, only
+        /* After a budget of pivots prices may be rounding. After five only
            Bland's rule is sure to end. */
         if (count > budget)
             rule = count > KERN_PIVOTS_BLAND * budget ? KERN_RULE_BLAND
                                                       : KERN_RULE_REFINED;
         enters = kern_entering(sx, rule);
 
-        /* The entering column in terms of the basis, and its row. */
+        /* Writes the entering column in terms of the basis, and finds its
+           row. */
         if (enters) {
             kern_basis_column(sx, sx->enters);
             p = kern_leaving(sx, rule, &step);
         }
 
-        /* An end is only believed with refined values: then once more. */
+        /* The method may end only with refined values. If they are not, it
+           refines them and tries again. */
         if (p == KERN_OUT && !sx->refined) {
             kern_basis_renew(sx);
             continue;
         }
 
-        /* No column lowers anything: the end. A column without a row may grow
+        /* The end: no column lowers the sum or the costs, or a column may grow
            for ever. */
         if (!enters)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
@@ -4298,8 +4327,8 @@ static kern_status kern_simplex_run(kern_simplex *sx)
         if (!kern_pivot_spend(sx))
             return KERN_LIMIT;
 
-        /* The step: values change along the column, one variable leaves, and
-           the column takes its row. */
+        /* Makes the step: values change along the column, one variable leaves,
+           and the column takes its row. */
         kern_add(sx->value, -step, sx->alpha, lp->rows);
         if (sx->base[p] <= lp->cols)
             sx->place[sx->base[p]] = KERN_OUT;
@@ -4346,8 +4375,8 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->ratio = kern_take_reals(take, m);
 }
 
-/* Makes the next program begin without a basis, or from the same one, factored
-   again. */
+/* Makes the next program begin without a basis (KERN_BASIS_NONE), or factor the
+   same one again (KERN_BASIS_STALE). */
 static void kern_simplex_change(kern_simplex *sx, kern_basis to)
 {
     if (sx->state > to)
@@ -4359,7 +4388,7 @@ static void kern_simplex_change(kern_simplex *sx, kern_basis to)
 #include "kern_lp.h"
 #endif
 
-/* x := the variables, from the values v of the basis. */
+/* x := the variables, of which the basic ones have the values v */
 static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
                             kern_real *x)
 {
@@ -4370,7 +4399,7 @@ static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
             x[sx->base[i]] = v[i];
 }
 
-/* x := B^-1 v as variables; destroys v. Returns 0 without a basis. */
+/* x := B^-1 v as variables. Destroys v. Returns 0 without a basis. */
 static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
 {
     if (sx->state == KERN_BASIS_NONE)
@@ -4380,10 +4409,10 @@ static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
     return 1;
 }
 
-/* Solves a program from the last basis, or from that of kern_simplex_crash().
-   It is the only entry of the engine. Writes x for every verdict: of an
-   infeasible program x is the last basic solution, A x = rhs with negative
-   entries, from which Newton's step along a path is taken. Writes y: a
+/* Solves a program, beginning with the last basis, or with that of
+   kern_simplex_crash(). It is the only entry of the engine. Writes x for every
+   status: x of an infeasible program is the last basic solution, A x = rhs with
+   negative entries, from which Newton's step along a path is taken. Writes y: a
    certificate for KERN_LP_INFEASIBLE, minus the prices for KERN_LP_OPTIMAL. */
 static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
                                       kern_real *x, kern_real *y)
@@ -4400,7 +4429,7 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
 #endif
     (void)solver;
 
-    /* Charge the start: reading the columns for a crash basis, or solving with
+    /* Charges the start: reading the columns for a crash basis, or solving with
        the factors of the last one. */
     sx->least = KERN_VALUE_TOL * kern_largest(lp->rhs, lp->rows);
     if (sx->state != KERN_BASIS_READY
@@ -4408,7 +4437,7 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
                                        : lp->rows * (lp->cols / KERN_UNIT)))
         return KERN_LIMIT;
 
-    /* Begin with the last basis, or make one, and pivot from there. */
+    /* Begins with the last basis or makes one, and pivots from there. */
     if (sx->state == KERN_BASIS_NONE)
         kern_simplex_crash(sx);
     kern_basis_renew(sx);
@@ -4418,10 +4447,10 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
     return status;
 }
 
-/* Numbers that kern_lp_clean() keeps: of both signs, or none below zero. */
+/* Numbers that kern_lp_clean() keeps: of both signs, or only positive ones. */
 typedef enum kern_sign { KERN_SIGN_PLUS, KERN_SIGN_ANY } kern_sign;
 
-/* Sets to 0, of n numbers, those that are no larger than a share of the largest
+/* Sets to 0 those of n numbers that are no larger than a share of the largest,
    and those of a sign that is not kept. */
 KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
                                       kern_sign sign)
@@ -4433,8 +4462,9 @@ KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
             v[i] = 0;
 }
 
-/* Returns from + u.v, as a share of all terms, over n numbers, those of v
-   `apart` from each other. Returns no number where a term is none. */
+/* Returns from + u.v over n numbers, as a share of the sum of the terms'
+   magnitudes. The numbers of v lie `apart` from each other. Returns a result
+   that is not a number if a term is not finite. */
 static kern_real kern_lp_sum(kern_real from, const kern_real *u,
                              const kern_real *v, int apart, int n)
 {
@@ -4448,8 +4478,8 @@ static kern_real kern_lp_sum(kern_real from, const kern_real *u,
 }
 
 /* Returns 1 if x and y prove the status by products with the matrix alone, each
-   row and column to KERN_LP_TOL of its own terms. What is not a number proves
-   nothing.
+   row and column to KERN_LP_TOL of its own terms. A value that is not a number
+   proves nothing.
 
        optimal      A x = rhs,  cost + y A >= 0, = 0 where x > 0
        infeasible   y A >= 0,  y.rhs < 0
@@ -4480,8 +4510,8 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
 }
 
 /* Sets negative entries of x to 0. Returns 1 if x and y then prove the status.
-   If they do not, sets entries that are rounding to 0 and checks once more: a
-   row that has no other entry consists of rounding. */
+   If not, sets entries that are rounding to 0 and checks once more: a row
+   without other entries consists of rounding. */
 static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
@@ -4497,7 +4527,7 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
     return 0;
 }
 
-/* Solves a program that has been checked, for kern_lp_solve(). */
+/* Solves a checked program, for kern_lp_solve(). */
 static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
                                kern_work *work)
 {
@@ -4520,15 +4550,15 @@ static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
     if (status < 0)
         return status;
 
-    /* Along the entering column x grows for ever: that ray is the proof. */
+    /* If x may grow for ever along the entering column, that ray is the
+       proof. */
     if (status == KERN_LP_UNBOUNDED && sx.state != KERN_BASIS_NONE) {
         kern_scale(sx.alpha, p.rows, -1);
         kern_basis_read(&sx, sx.alpha, x);
         x[sx.enters] = 1;
     }
 
-    /* Nothing is returned without a proof. Prices of an optimum are y with the
-       other sign. */
+    /* Returns nothing without a proof. The prices of an optimum are -y. */
     if (!kern_lp_proven(&p, x, y, status))
         return KERN_UNDECIDED;
     for (i = 0; i < p.rows && status == KERN_LP_OPTIMAL; i++)
@@ -4549,14 +4579,12 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 
 /* ---- Contact law and skyline factor --------------------------- >>skyline */
 /* The force with which a contact answers a motion (wn, wt) along n and t is
-   linear between bends: f = nn wn + nt wt, r = nt wn + tt wt. So A x = b leads
-   to a matrix with the pattern of the groups, which is factored in their order
-   (skyline Cholesky). Minimum-norm forces, >>ipm and >>raised differ only in
-   the law. */
+   piecewise linear: f = nn wn + nt wt, r = nt wn + tt wt. So A x = b leads to a
+   matrix with the pattern of the groups. It is factored in their order (skyline
+   Cholesky). Minimum-norm forces, >>ipm and >>raised differ only in the law. */
 
-/* A symmetric matrix of 3 x 3 blocks, one row of them for each group, or its
-   factor. Of each row the blocks from its first column to the diagonal are
-   stored. */
+/* A symmetric matrix of 3 x 3 blocks, one row of blocks for each group, or its
+   factor. Each row is stored from its first nonzero block to the diagonal. */
 typedef struct kern_skyline {
     int groups;
     int *first;  /* of a row: its first block column             */
@@ -4569,9 +4597,9 @@ typedef struct kern_law {
     kern_force force; /* in the cone to the last digit                */
 } kern_law;
 
-/* Returns the law of a contact of stiffness `stiff` along n, and mu `shear`
-   times that along t until it slides. With stiff = 2 and shear = mu it is the
-   law of two rays of stiffness 1 that only press. */
+/* Returns the law of a contact that has the stiffness `stiff` along n, and mu
+   `shear` times that along t until it slides. With stiff = 2 and shear = mu it
+   is the law of two rays of stiffness 1 that cannot pull. */
 static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
                                       kern_real stiff, kern_real shear)
 {
@@ -4592,10 +4620,10 @@ static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
     return s;
 }
 
-/* Takes room for the matrix of `groups` groups, with the block that couples the
-   two groups of each of n contacts: the row of the later group reaches to the
-   column of the other. Returns the products of a factor, if there is room. They
-   are a real, since long rows have more than an int holds. */
+/* Takes room for the matrix of `groups` groups. Each of n contacts couples two
+   groups: the row of the later group reaches to the column of the other.
+   Returns the number of products of a factorisation, if there is room. It is a
+   real, since long rows have more than an int holds. */
 static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
                                    int n, kern_take *take)
 {
@@ -4631,9 +4659,9 @@ static void kern_skyline_clear(kern_skyline *a)
         kern_zero(a->entry + a->offset[g], 9 * (g - a->first[g] + 1));
 }
 
-/* Adds what a contact's law couples: the block of each of its groups, and the
-   block in the row of the later group. What is fixed has the last number and no
-   row. */
+/* Adds a contact's law to the matrix: to the diagonal block of each of its
+   groups, and to the block that couples them, in the row of the later group.
+   Held blocks have the last number and no row. */
 static void kern_skyline_law(kern_skyline *a, const int ends[2],
                              const kern_row row[2], const kern_law *s)
 {
@@ -4645,7 +4673,7 @@ static void kern_skyline_law(kern_skyline *a, const int ends[2],
             const kern_row *other = row + 1 - 2 * k;
             const int wide = 3 * (g - a->first[g] + 1);
             kern_real *to = a->entry + a->offset[g] + wide - 3;
-            kern_row_wrench(row, s->nn, s->nt, v); /* it adds n v' + t w' */
+            kern_row_wrench(row, s->nn, s->nt, v); /* adds n v' + t w' */
             kern_row_wrench(row, s->nt, s->tt, w);
             kern_row_exert(row, v[0], w[0], to);
             kern_row_exert(row, v[1], w[1], to + wide);
@@ -4679,8 +4707,9 @@ static void kern_skyline_shift(kern_skyline *a, kern_real share)
     }
 }
 
-/* Takes from the 3 x 3 block c of rows a what rows a and b have in common in n
-   columns. The rows are `wide_a` and `wide_b` apart. */
+/* c -= a b', for a 3 x 3 block c of the rows a, and n columns that rows a and
+   rows b have in common. Successive rows are wide_a and wide_b numbers
+   apart. */
 static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
                                 const kern_real *b, int wide_b, int n)
 {
@@ -4717,7 +4746,8 @@ static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
     c2[2] = s22;
 }
 
-/* Replaces the matrix by Cholesky's L. A pivot is at least rounding. */
+/* Replaces the matrix by Cholesky's L. Pivots below rounding are raised to
+   it. */
 static void kern_skyline_factor(kern_skyline *a)
 {
     int g, h, r, k;
@@ -4726,9 +4756,9 @@ static void kern_skyline_factor(kern_skyline *a)
         kern_real *row = a->entry + a->offset[g], *d = row + wide - 3;
         const kern_real was[3] = {d[0], d[wide + 1], d[2 * wide + 2]};
 
-        /* Computes the row's blocks from its first column to the diagonal.
-           From each it subtracts the products of the columns that this row has
-           in common with row h. */
+        /* Computes the row's blocks from its first column to the diagonal. From
+           each it subtracts the products of the columns that this row has in
+           common with row h. */
         for (h = a->first[g]; h <= g; h++) {
             const int from = a->first[g] > a->first[h] ? a->first[g]
                                                        : a->first[h];
@@ -4740,8 +4770,8 @@ static void kern_skyline_factor(kern_skyline *a)
                                 other + 3 * (from - a->first[h]), wide_h,
                                 3 * (h - from));
 
-            /* Then divided by the diagonal block of row h, which in its own row
-               is being made. */
+            /* Divides by the diagonal block of row h. For h = g that block is
+               computed at the same time. */
             for (r = 0; r < 3; r++, c += wide) {
                 if (h < g || r > 0)
                     c[0] /= l[0];
@@ -4763,7 +4793,7 @@ static void kern_skyline_factor(kern_skyline *a)
     KERN_AUDIT(factor, a);
 }
 
-/* out := the solution of matrix times out = b, by the factor. */
+/* out := the solution of matrix * out = b, by the factor */
 static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
                                kern_real *out)
 {
@@ -4782,8 +4812,9 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
     }
 }
 
-/* The same of a contact that answers the motion w . (wn, wt) by the force f:
-   adds an outer product, whose rows are those of f and whose columns of w. */
+/* Adds the law of a contact that answers the motion w . (wn, wt) by the force
+   f: an outer product, whose rows are those of f and whose columns are those of
+   w. */
 static void kern_skyline_outer(kern_skyline *a, const int ends[2],
                                const kern_row row[2], const kern_real f[2],
                                const kern_real w[2])
@@ -4805,9 +4836,10 @@ static void kern_skyline_outer(kern_skyline *a, const int ends[2],
     }
 }
 
-/* Factors a matrix that is not symmetric in its place: `low` has its rows up to
-   the diagonal, and `up` its columns, each stored as a row. L U = matrix, where
-   the diagonal of L is 1 and not stored. A pivot is at least rounding. */
+/* Factors a matrix that is not symmetric, in place. `low` has its rows up to
+   the diagonal. `up` has its columns, each stored as a row. The factors are L U
+   = matrix, where the diagonal of L is 1 and not stored. Pivots below rounding
+   are raised to it. */
 static void kern_skyline_split(kern_skyline *low, kern_skyline *up)
 {
     int i, j;
@@ -4833,7 +4865,7 @@ static void kern_skyline_split(kern_skyline *low, kern_skyline *up)
     }
 }
 
-/* out := the solution of L U times it = b. */
+/* out := the solution of L U * out = b */
 static void kern_skyline_split_solve(const kern_skyline *low,
                                      const kern_skyline *up, const kern_real *b,
                                      kern_real *out)
@@ -4854,36 +4886,36 @@ static void kern_skyline_split_solve(const kern_skyline *low,
 }
 
 /* ---- Parts ------------------------------------------------------ >>part */
-/* A part is some of the groups with all contacts that touch them; all other
-   blocks are held. Held blocks can exert any force, so that where a part falls
-   the whole falls: the motion of the part, with all other blocks at rest,
+/* A part is some of the groups with all contacts that touch them. All other
+   blocks are held. Held blocks can exert any force, so if a part falls the
+   whole structure falls: the motion of the part, with all other blocks at rest,
    proves it. */
 
 /* How the contacts of a part answer a motion. */
 typedef enum kern_law_of {
-    KERN_LAW_RAYS, /* two rays of stiffness 1 that only press            */
+    KERN_LAW_RAYS, /* two rays of stiffness 1 that cannot pull           */
     KERN_LAW_STIFF /* stiff along n and t, with a price: >>raised        */
 } kern_law_of;
 
-/* Where Newton's method begins: at u = 0, or at the present u. A warm start
-   does without the round of a cold one, in which all contacts press. */
+/* Where Newton's method begins: at u = 0, or at the present u. A cold start has
+   one more round, the first, in which all contacts press. */
 typedef enum kern_start { KERN_START_COLD, KERN_START_WARM } kern_start;
 
 /* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
 typedef struct kern_dual {
     kern_law_of law;            /* of the contacts                         */
     kern_skyline matrix;        /* of the contacts that carry              */
-    kern_real *u, *step, *grad; /* three a group, and three of 0           */
+    kern_real *u, *step, *grad; /* three a group, then three of 0          */
     kern_real *b;               /* loads, three a group                    */
     kern_real *way, *turn;      /* two a contact: u and step along n and t */
-    int cost;                   /* of a step, in units of work             */
+    int cost;                   /* units of work of a step                 */
     kern_real *price;           /* of a stiff contact: mu slip (>>raised)  */
     kern_real *stiff_n;         /* of a stiff contact: stiffness along n   */
-    kern_real stiff;            /* of stiff contacts along t, in stiff_n   */
+    kern_real stiff;            /* stiffness along t / (mu stiff_n)        */
 } kern_dual;
 
-/* Eq. (5) of a part as a linear program (>>verdict). Without columns, as the
-   interior point has it, only rhs, rate and shrink mean anything. */
+/* Eq. (5) of a part as a linear program (>>verdict). The interior point has no
+   columns and uses only rhs, rate and shrink. */
 typedef struct kern_equations {
     kern_real *arc;   /* columns                                      */
     kern_real *rhs;   /* loads                                        */
@@ -4894,20 +4926,20 @@ typedef struct kern_equations {
 } kern_equations;
 
 typedef struct kern_part {
-    kern_take rest; /* work memory that the part has left           */
+    kern_take rest; /* work memory after the part                   */
     kern_dual dual;
     kern_model *m;
     int groups, contacts;
-    int supports; /* contacts that carry a group of the part: the
-                                 first; by the others, groups rest on it      */
-    int *group;   /* of the part; in >>norm in an order of its own */
-    int *contact; /* of the part                                  */
-    int *ends;    /* of a contact: groups of the part, or none    */
+    int supports; /* number of contacts that carry groups of the part. They
+                                 come first; the others carry groups above    */
+    int *group;   /* groups of the part; >>norm has its own order  */
+    int *contact; /* contacts of the part                         */
+    int *ends;    /* two a contact: groups of the part, or `groups` */
     kern_real *x; /* two a contact: forces along the edges of its
-                                 cone; then how far the place grows           */
+                                 cone; then the value of the place            */
     kern_real *y; /* three a group: prices of equilibrium, a motion */
     kern_equations eq;
-    kern_status found; /* what the program said, proven or not         */
+    kern_status found; /* result of the method, proven or not          */
 } kern_part;
 
 /* Lists the groups of the part at the ends of its contacts. Returns 0 if there
@@ -4925,8 +4957,8 @@ static int kern_part_ends(kern_part *p)
     return kern_take_fits(&p->rest);
 }
 
-/* Lists the part's contacts: its supports, which carry its groups, then those
-   by which other groups rest on it. */
+/* Lists the part's contacts: first its supports, which carry its groups, then
+   the contacts that carry groups above the part. */
 static void kern_part_list(kern_part *p)
 {
     const kern_model *m = p->m;
@@ -4958,8 +4990,8 @@ static void kern_part_list(kern_part *p)
 }
 
 /* Writes the loads of a part's groups for a query, three numbers each, in units
-   of force, as a program has them. Returns the residual that equilibrium may
-   leave. */
+   of force, as a program has them. Returns the residual of equilibrium that is
+   allowed. */
 static kern_real kern_part_load(const kern_part *p, const kern_query *q,
                                 kern_real *to)
 {
@@ -4976,7 +5008,8 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
     return KERN_PART_TOL * least / m->weight;
 }
 
-/* Takes the list of a part's groups. Returns 0 if there is no room. */
+/* Takes memory for the list of a part's groups. Returns 0 if there is no
+   room. */
 static int kern_part_begin(kern_part *p, kern_model *m, int groups,
                            const kern_take *rest)
 {
@@ -4997,7 +5030,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     if (!kern_part_begin(p, m, groups, &m->rest))
         return 0;
 
-    /* Numbers the marked groups in their order, from the last up. */
+    /* Numbers the marked groups in their order, beginning with the last. */
     for (g = last; n > 0; g--)
         if (m->graph.local[g] != KERN_OUT) {
             m->graph.local[g] = --n;
@@ -5011,7 +5044,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     return 1;
 }
 
-/* Writes y as the motion of the part, and rest for all other blocks. */
+/* Writes y as the motion of the part. All other blocks rest. */
 static void kern_part_motion(kern_part *p)
 {
     kern_model *m = p->m;
@@ -5033,7 +5066,7 @@ static int kern_part_falls(kern_part *p, const kern_query *q)
     return kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion));
 }
 
-/* Writes x, of a program of all groups, as contact forces. Negative rounding
+/* Writes x of a program of all groups as contact forces. Negative rounding
    becomes 0. */
 static void kern_part_forces(kern_part *p)
 {
@@ -5061,14 +5094,15 @@ static int kern_part_stands(kern_part *p, const kern_query *q)
 
        min |x|^2 / 2,  A x = b,  x >= 0.
 
-   The dual, max b.u - |max(0, A'u)|^2 / 2, has three unknowns for each group.
-   It is concave and has a piecewise constant curvature, and x = max(0, A'u). So
-   Newton's method ends after a few steps. Its matrix is A_S A_S', of the rays S
-   that press at u. Where no forces exist the dual grows without limit. */
+   The dual, max b.u - |max(0, A'u)|^2 / 2, has three unknowns for each group,
+   and x = max(0, A'u). It is concave and its curvature is piecewise constant,
+   so that Newton's method ends after a few steps. Its matrix is A_S A_S', of
+   the rays S that press at u. If no forces exist the dual grows without
+   limit. */
 
-/* Writes the approach of contact i at which its law exerts the force of the
-   answer, and returns the friction. Newton's method begins there, and so finds
-   the least change of the forces. */
+/* Writes to `way` the approach at which the law of contact i exerts the
+   answer's force. Newton's method begins there, and so finds the least change
+   of the forces. Returns the friction. */
 static inline kern_real kern_model_prior(const kern_model *m, int i,
                                          kern_real way[2])
 {
@@ -5145,13 +5179,13 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
     kern_row_exert(row + 1, f, r, b + 3 * p->ends[2 * k + 1]);
 }
 
-/* Motions whose approach is computed: all of u, or a step that is added to
-   it. */
+/* The motion of an approach: the whole u, or a step that is added to u. */
 typedef enum kern_way_of { KERN_WAY_OF_STEP, KERN_WAY_OF_U } kern_way_of;
 
-/* Writes the approach of the supports along n and t, to `way` or `turn`. That
-   of u begins at minus the price of a stiff contact, otherwise at the force
-   that the contact has already. */
+/* Writes the approach of the supports along n and t: that of u to `way`, that
+   of the step to `turn`. The approach of u begins at minus the price of a stiff
+   contact, otherwise at the approach of the force that the contact has
+   already. */
 KERN_SHARED static void kern_norm_ways(kern_part *p, kern_way_of of)
 {
     const kern_dual *d = &p->dual;
@@ -5168,8 +5202,8 @@ KERN_SHARED static void kern_norm_ways(kern_part *p, kern_way_of of)
     }
 }
 
-/* Writes the gradient of the dual at u: b less what the forces of u exert.
-   Returns the dual's value, and in *most the largest force. */
+/* Writes the gradient of the dual at u: b less the wrenches of the forces of u.
+   Returns the dual's value, and writes the largest force to *most. */
 static kern_real kern_norm_gradient(kern_part *p, kern_real *most)
 {
     const kern_dual *d = &p->dual;
@@ -5192,7 +5226,7 @@ static kern_real kern_norm_gradient(kern_part *p, kern_real *most)
     return value;
 }
 
-/* Adds to the matrix what the part's contact k couples by a law. */
+/* Adds the law of the part's contact k to the matrix. */
 static void kern_part_add(kern_part *p, int k, const kern_law *s)
 {
     kern_row row[2];
@@ -5200,8 +5234,8 @@ static void kern_part_add(kern_part *p, int k, const kern_law *s)
     kern_skyline_law(&p->dual.matrix, p->ends + 2 * k, row, s);
 }
 
-/* Writes the matrix of the contacts that press at u, or of all, with its
-   diagonal shifted. */
+/* Writes the matrix of the contacts that press at u, or on a cold start of all
+   contacts, and shifts its diagonal. */
 static void kern_norm_matrix(kern_part *p, kern_start start)
 {
     const int all = start == KERN_START_COLD;
@@ -5213,9 +5247,8 @@ static void kern_norm_matrix(kern_part *p, kern_start start)
         kern_law s = kern_part_law(p, k, w[0], w[1]);
         if (all && (p->dual.law != KERN_LAW_RAYS || !(s.nn > 0)))
             s = kern_part_law(p, k, 1, 0);
-        if (all
-            && p->dual.law
-                   == KERN_LAW_STIFF) /* as stiff along t for every friction */
+        /* a cold start is as stiff along t for every friction */
+        if (all && p->dual.law == KERN_LAW_STIFF)
             s.tt = p->dual.stiff * s.nn;
         if (s.nn > 0)
             kern_part_add(p, k, &s);
@@ -5223,8 +5256,8 @@ static void kern_norm_matrix(kern_part *p, kern_start start)
     kern_skyline_shift(a, KERN_DUAL_SHIFT);
 }
 
-/* Returns the derivative of the dual along the step at u + share * step; `push`
-   is what the loads contribute. */
+/* Returns the derivative of the dual along the step at u + share * step. `push`
+   is the contribution of the loads. */
 static kern_real kern_norm_slope(const kern_part *p, kern_real push,
                                  kern_real share)
 {
@@ -5238,10 +5271,10 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
     return push;
 }
 
-/* Returns the share of the step at which the dual is largest: where its
-   derivative is at most an eighth of the first, or with stiff contacts a
-   thousandth, since the next price begins there. With these a place is work.
-   The dual is concave: regula falsi. */
+/* Returns the share of the step at which the dual is largest, by regula falsi,
+   since the dual is concave. It ends where the derivative is at most an eighth
+   of the first one, or with stiff contacts a thousandth, since the next prices
+   begin there. With stiff contacts each place is charged as work. */
 KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_dual *d = &p->dual;
@@ -5274,7 +5307,7 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 
         /* The end of the same sign moves. */
         if (slope > 0) {
-            at_hi /= 3; /* otherwise the other end may stay for long */
+            at_hi /= 3; /* or the upper end might stay for many rounds */
             lo = at;
             at_lo = slope;
         } else {
@@ -5286,7 +5319,7 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 }
 
 /* Finds the minimum-norm forces of a part's supports under the loads p->dual.b.
-   Returns KERN_STANDS with u; KERN_FALLS, which is no proof, where the norm
+   Returns KERN_STANDS with u; KERN_FALLS, which is no proof, if the norm
    exceeds `bound`; KERN_UNDECIDED after so many rounds; or KERN_LIMIT. */
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                   kern_real bound, kern_start start, int rounds)
@@ -5296,19 +5329,19 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     int i, round;
     KERN_ASSERT(p->supports <= p->contacts);
 
-    /* A cold start begins at rest; the three numbers of what is held are always
+    /* A cold start begins at rest. The three numbers of held blocks are always
        0. */
     for (i = start == KERN_START_COLD ? 0 : n; i < n + 3; i++)
         d->u[i] = d->step[i] = 0;
     kern_norm_ways(p, KERN_WAY_OF_U);
 
-    /* Each round balances what presses now. */
+    /* Each round balances the contacts that press now. */
     for (round = (int)start; round < rounds; round++) {
         kern_real most, share;
         const kern_real value = kern_norm_gradient(p, &most);
 
-        /* Equilibrium holds; or the dual has grown beyond what forces of the
-           bound allow, so that there are none. */
+        /* Ends in equilibrium, or where the dual exceeds its largest value for
+           forces within the bound: then there are no such forces. */
         if (kern_largest(d->grad, n) <= tolerance + KERN_RESIDUAL * most)
             return KERN_STANDS;
         if (!(value <= bound * bound / 2))
@@ -5316,8 +5349,8 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
         if (!kern_model_spend(p->m, d->cost))
             return KERN_LIMIT;
 
-        /* Newton's step; a cold one in full, since all contacts are taken to
-           press. */
+        /* Takes Newton's step. That of a cold start is taken in full, since all
+           contacts are assumed to press. */
         kern_norm_matrix(p, round == 0 ? KERN_START_COLD : KERN_START_WARM);
         kern_skyline_factor(&d->matrix);
         kern_skyline_solve(&d->matrix, d->grad, d->step);
@@ -5339,8 +5372,9 @@ static int kern_graph_degree(const kern_graph *graph, int g)
 }
 
 /* Lists the groups that contacts connect to `first`, from place n of the part
-   down: of each listed group the neighbours that are not listed yet, those with
-   fewer contacts first. Returns the place below the last. */
+   down, by breadth-first search. The new neighbours of a group are listed in
+   the order of their numbers of contacts. Returns the place below the last
+   group. */
 static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
@@ -5366,8 +5400,8 @@ static int kern_norm_layers(kern_part *p, int first, int n)
 }
 
 /* Lists the groups that are not marked, which become the part, in an order that
-   makes rows of the factor short: breadth-first layers from a group that lies
-   at an end, from the last place down (reverse Cuthill-McKee). */
+   makes rows of the factor short: breadth-first layers from a group at an end
+   of the structure, from the last place down (reverse Cuthill-McKee). */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
@@ -5422,13 +5456,13 @@ static void kern_norm_write(kern_part *p)
 
 /* ---- The top-down pass ------------------------------------------- >>pass */
 /* The pass balances the groups from top to bottom. A group passes its load, and
-   what rests on it, on to the contacts that carry it, by the least change of
-   their forces: a problem in three unknowns. A group that cannot be balanced
+   the forces from above, on to the contacts that carry it, by the least change
+   of their forces: a problem in three unknowns. A group that cannot be balanced
    alone forms a cluster with the groups that rest on it. A group whose load
    changes is balanced again. Forces that balance every group prove that the
    structure stands. If a cluster cannot be balanced, and its motion parts it
-   from all that rests on it, no forces from above could hold it: then it is a
-   part that falls.
+   from all groups that rest on it, no forces from above could hold it: then it
+   is a part that falls.
 
    A cluster, or the whole pass, has one of three outcomes. KERN_STANDS: its
    groups are balanced. KERN_FALLS: a part that seems to fall is open.
@@ -5443,8 +5477,8 @@ static void kern_pass_mark_open(kern_model *m, int g)
         m->cluster.front = last;
 }
 
-/* Writes the force of contact i. Where it changed, the cluster of group
-   `carrier` is balanced again. */
+/* Writes the force of contact i. If it changed, the cluster of group `carrier`
+   must be balanced again. */
 static void kern_pass_write(kern_model *m, int i, int carrier, kern_force f,
                             kern_real tolerance)
 {
@@ -5478,8 +5512,8 @@ static int kern_pass_three(const kern_real h[9], const kern_real b[3],
 
 typedef struct kern_ray { /* an edge of a friction cone at the group      */
     kern_real a[3];       /* wrench of a unit of x                        */
-    kern_real x;          /* its force, in units; below 0: none           */
-    int press;            /* nonzero: it is among those that carry        */
+    kern_real x;          /* its force, in units; below 0: no force       */
+    int press;            /* nonzero: it is in the matrix                 */
 } kern_ray;
 
 /* Writes the two rays of a row, with their forces at the approach `way`, in
@@ -5496,9 +5530,10 @@ static inline void kern_ray_pair(kern_ray *to, const kern_row *row,
     to[0].press = to[1].press = 1;
 }
 
-/* Returns the unit of the forces of contact i: joints that stand upright take
-   less of a load than beds. Otherwise each stone of a course would push the
-   next, and the last of a long course could not be balanced alone. */
+/* Returns the unit of the forces of contact i, which is smaller for upright
+   joints, so that they take less of a load than beds. Otherwise each stone of a
+   course would push the next, and the last of a long course could not be
+   balanced alone. */
 static kern_real kern_pass_unit(const kern_model *m, int i)
 {
     const kern_vec g = m->s->gravity;
@@ -5506,7 +5541,8 @@ static kern_real kern_pass_unit(const kern_model *m, int i)
     return 4 * up * up < kern_vec_dot(g, g) ? KERN_SIDE_SHARE : KERN_R(1);
 }
 
-/* Writes b less what the pressing rays exert, and the matrix of these. */
+/* Writes b less the wrenches of the pressing rays, and the matrix of these
+   rays. */
 static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
                          kern_real left[3], kern_real h[9])
 {
@@ -5528,17 +5564,17 @@ static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
     }
 }
 
-/* Finds the least change that makes the rays exert b, by Newton's method with
-   full steps. Returns KERN_STANDS; KERN_FALLS where the rays cannot exert b; or
-   KERN_UNDECIDED where the method does not end. */
+/* Finds the least change of the rays' forces after which they exert b, by
+   Newton's method with full steps. Returns KERN_STANDS; KERN_FALLS if the rays
+   cannot exert b; or KERN_UNDECIDED if the method does not end. */
 static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
                                    kern_real tolerance)
 {
     kern_real left[3], h[9], step[3], u[3] = {0, 0, 0}, last = KERN_INFINITY;
-    int k, round, same = 0; /* nonzero: the same rays press as before */
+    int k, round, same = 0; /* 1: the same rays press as in the last round */
     for (round = 0; round < KERN_ALONE_ROUNDS; round++) {
-        /* What is left with the rays that press now. If they are those of the
-           last round the problem was linear: it is solved, or cannot be. */
+        /* Writes the residual of the rays that press now. If they are those of
+           the last round the problem was linear: it is solved, or cannot be. */
         const kern_real before = last / KERN_ALONE_PACE;
         int good, changed = 0;
         kern_ray_sum(c, n, b, left, h);
@@ -5548,8 +5584,8 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
         if (same && last > before)
             return KERN_FALLS;
 
-        /* A full step, after which other rays may press. While a solution is
-           refined they stay. */
+        /* Takes a full step. Other rays may press after it, except while a
+           solution is refined. */
         good = kern_pass_three(h, left, step);
         kern_add(u, 1, step, 3);
         for (k = 0; k < n; k++) {
@@ -5568,9 +5604,8 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
     return KERN_UNDECIDED;
 }
 
-/* Balances group g alone. Returns KERN_FALLS where no forces of its contacts
-   do, KERN_UNDECIDED where it has too many contacts or the method does not
-   end. */
+/* Balances group g alone. Returns KERN_FALLS if no forces of its contacts do,
+   KERN_UNDECIDED if it has too many contacts or the method does not end. */
 static kern_status kern_pass_alone(kern_model *m, int g)
 {
     const kern_real tolerance = KERN_PASS_TOL * m->size[g];
@@ -5580,8 +5615,8 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     kern_status status;
     int e, k, n = 0;
 
-    /* The load is the group's own and what rests on it. The contacts that carry
-       it give two rays each, with the forces that they have. */
+    /* The load is that of the group and of the contacts above it. Each contact
+       that carries the group gives two rays, with the forces that it has. */
     kern_copy(b, m->load + 3 * g, 3);
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
         const kern_row row = kern_model_row(m, e);
@@ -5611,7 +5646,7 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     return status;
 }
 
-/* Joins two clusters. */
+/* Joins the clusters of groups g and h. */
 static void kern_pass_join(kern_model *m, int g, int h)
 {
     kern_clusters *c = &m->cluster;
@@ -5639,16 +5674,16 @@ static int kern_pass_mark(kern_model *m, int g, int mark)
     return n;
 }
 
-/* Adds the clusters that rest on that of `last`, which cannot be balanced,
-   and leaves it open. Returns 0 if there are none, or the cluster is too
-   large now. */
+/* Joins the clusters that rest on that of `last`, which cannot be balanced, to
+   it, and leaves it open. Returns 0 if there are none, or if the cluster is now
+   too large. */
 static int kern_pass_grow(kern_model *m, int last)
 {
     const kern_clusters *c = &m->cluster;
     int g = last, after, e, grown = 0;
 
-    /* Joins the cluster of every group above. A joined cluster's own upper
-       groups wait for the next time: `after` is what followed before. */
+    /* Joins the cluster of every group above. `after` is the next group before
+       the join: the groups of a joined cluster are not searched now. */
     do {
         after = c->next[g];
         for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
@@ -5665,9 +5700,9 @@ static int kern_pass_grow(kern_model *m, int last)
     return grown && kern_pass_mark(m, last, KERN_OUT) <= c->groups_most;
 }
 
-/* Writes the minimum-norm forces of a part. A group that rests on the part and
-   carries it joins it on the second attempt: otherwise the two would be
-   balanced in turns. */
+/* Writes the minimum-norm forces of a part. A group that both rests on the part
+   and carries it joins the part on the second attempt. Otherwise the two would
+   be balanced in turns. */
 static void kern_pass_keep(kern_part *p, kern_real tolerance)
 {
     kern_model *m = p->m;
@@ -5678,7 +5713,7 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
     open[last] |= KERN_TRIED;
 
     /* Writes the force of each support. A group of the part is balanced now, so
-       that only a group outside of it is balanced again. */
+       only groups outside of it are to be balanced again. */
     for (k = 0; k < p->supports; k++) {
         const int i = p->contact[k], *ends = m->graph.ends + 2 * i;
         const kern_real *w = p->dual.way + 2 * k;
@@ -5697,8 +5732,8 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
 }
 
 /* Returns 1 if u, the motion of a part that cannot be balanced, parts it from
-   all that rests on it, and its loads do work: then no force from above holds
-   it. */
+   all groups that rest on it, and its loads do work. Then no force from above
+   can hold it. */
 static int kern_pass_parts(kern_part *p)
 {
     const kern_real most = KERN_PARTS_TOL
@@ -5710,7 +5745,7 @@ static int kern_pass_parts(kern_part *p)
     for (n = 0; n < p->groups; n++)
         power += kern_dot(p->dual.u + 3 * n, p->m->load + 3 * p->group[n], 3);
 
-    /* No contact from above may be closed, not even at the edge of its cone. */
+    /* No contact from above may close, not even along the edge of its cone. */
     for (k = p->supports; k < p->contacts; k++) {
         kern_real w[2] = {0, 0};
         kern_part_speed(p, k, p->dual.u, w);
@@ -5721,7 +5756,8 @@ static int kern_pass_parts(kern_part *p)
 }
 
 /* Opens the part of a cluster, and writes its minimum-norm forces if they
-   balance it. Returns KERN_FALLS where no forces would, with all else held. */
+   balance it. Returns KERN_FALLS if no forces would balance it with all other
+   blocks held. */
 KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
                                               int last)
 {
@@ -5730,7 +5766,7 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     kern_take take;
     int n;
 
-    /* Ends where there is no room for the part, or too little of the pass'
+    /* Ends if there is no room for the part, or if the pass has too small a
        budget left for a step. */
     if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last))
         return KERN_NO_SPACE;
@@ -5739,8 +5775,8 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
         || p->dual.cost > m->cluster.budget_end - m->task->work->units)
         return KERN_NO_SPACE;
 
-    /* Its loads are those of the groups and of what rests on them. `load` is
-       their sum, and `least` tells which residual counts. */
+    /* The loads are those of the groups and of the contacts above them. `load`
+       is the sum of their magnitudes, and `least` sets the largest residual. */
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
@@ -5753,8 +5789,8 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.b[n]);
 
-    /* Where the norm grows without limit no forces exist. That the part falls
-       is proven only by a motion that parts from all that rests on it. */
+    /* If the norm grows without limit no forces exist. The part falls only if
+       its motion parts it from all groups that rest on it. */
     status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_CLUSTER_NORM * load,
                             KERN_START_COLD, KERN_NORM_ROUNDS);
     if (status == KERN_STANDS)
@@ -5765,7 +5801,7 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     return status;
 }
 
-/* Balances the cluster of `last`. Returns KERN_FALLS where a part that falls is
+/* Balances the cluster of `last`. After KERN_FALLS a part that falls is
    open. */
 static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
 {
@@ -5774,8 +5810,8 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
                            : KERN_UNDECIDED;
 
     /* A group that no forces hold falls as a part of its own if nothing rests
-       on it. What rests on it could hold it: then it is undecided, and the
-       cluster grows. */
+       on it. Otherwise the groups above could hold it: then it is undecided,
+       and the cluster grows. */
     if (status == KERN_FALLS) {
         if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last)
             || p->supports < p->contacts)
@@ -5788,8 +5824,9 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
     return status;
 }
 
-/* Makes the next pass begin with the known forces, if there are any. Where the
-   kerns are as large as then, only the last block is unbalanced. */
+/* Makes the next pass begin with the known forces, if there are any. If the
+   kerns are at least as large as those of the known forces, only the last block
+   is unbalanced. */
 static void kern_known_begin(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
@@ -5804,9 +5841,9 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
         m->cluster.changed = m->graph.group[m->s->blocks - 1];
 }
 
-/* Begins a pass from the forces of the answer, with all groups open, or only
-   the one that these may not balance. A cluster may have one `share`-th of all
-   groups. */
+/* Begins a pass with the forces of the answer. All groups are open, or only the
+   one that known forces may not balance. A cluster may have one `share`-th of
+   all groups. */
 static void kern_pass_begin(kern_model *m, int share)
 {
     kern_clusters *c = &m->cluster;
@@ -5823,8 +5860,8 @@ static void kern_pass_begin(kern_model *m, int share)
     }
 }
 
-/* Balances all groups that must be balanced, alone or in clusters, which grow
-   until they can be balanced, or fall. */
+/* Balances all open groups, alone or in clusters, which grow until they are
+   balanced or fall. */
 static kern_status kern_pass(kern_model *m, kern_part *p)
 {
     kern_clusters *c = &m->cluster;
@@ -5832,7 +5869,7 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
                   + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
 
     /* The front moves down, and back to a cluster that must be balanced again.
-       The budget ends what does not settle. */
+       The budget ends a pass that does not settle. */
     while (c->front < m->graph.groups) {
         const int g = c->front++;
         kern_status status;
@@ -5847,15 +5884,15 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
             return status;
         if (status != KERN_STANDS
             && !(status == KERN_UNDECIDED && kern_pass_grow(m, g)))
-            return KERN_UNDECIDED; /* or no room, no work */
+            return KERN_UNDECIDED; /* also without room or work */
     }
     return KERN_STANDS;
 }
 
 /* ---- Interior point ---------------------------------------------- >>ipm */
-/* The verdict on all groups at once, in about ten factorisations. The first
-   forces, x > 0, miss equilibrium by g. The program asks how much of g can be
-   made up:
+/* Gives the verdict on all groups at once, in about ten factorisations. The
+   first forces, x > 0, miss equilibrium by g. The program finds how much of g
+   can be removed:
 
        max s,  A x + s g = b,  x >= 0,  s <= 0,
 
@@ -5868,15 +5905,15 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
 
        M dy - g ds = A x~ + s g - b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
 
-   with x~ the forces that mu demands. They are solved twice with one factor
-   (Mehrotra): the predictor, with mu = 0, tells how small mu may be and what
-   the corrector has to take into account. Along a path x, y, z and s begin
-   where the last query left them. */
+   with x~ the forces for this mu. They are solved twice with one factor
+   (Mehrotra). The predictor, with mu = 0, tells how small mu may be and which
+   products dx dz the corrector has to include. Along a path the values x, y, z
+   and s of the last query are the start of the next. */
 
 typedef struct kern_ipm {
     kern_part *p; /* all groups; its x, y and eq.rhs are x, y, b  */
     kern_real s;
-    kern_real gap;     /* sum of x z: s is so near to the maximum      */
+    kern_real gap;     /* sum of x z: distance of s from the maximum   */
     kern_real *z;      /* of a ray: its opening speed                  */
     kern_real *dx;     /* of a ray: its step; z has its in dual.turn   */
     kern_real *d;      /* of a ray: D                                  */
@@ -5922,7 +5959,7 @@ static void kern_ipm_excess(kern_ipm *in)
     in->gap = kern_dot(p->x, in->z, 2 * p->contacts);
 }
 
-/* out := M^-1 b, with M of in->d, whose diagonal is shifted by a share of its
+/* out := M^-1 b, with D = in->d. The diagonal of M is shifted by a share of its
    mean. */
 static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
                             kern_real *out)
@@ -5945,7 +5982,7 @@ static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
     p->m->task->work->pivots++;
 }
 
-/* Returns how much of a step keeps v above 0; at most all of it. */
+/* Returns the largest share of a step, at most 1, that keeps v above 0. */
 static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
                                 int n)
 {
@@ -5957,7 +5994,7 @@ static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
     return share;
 }
 
-/* Lifts products x z that are near to 0 to the mean of a gap. */
+/* Raises products x z that are close to 0 to the mean of a gap. */
 static void kern_ipm_centre(kern_ipm *in, kern_real gap)
 {
     const int rays = 2 * in->p->contacts;
@@ -5995,8 +6032,8 @@ static kern_real kern_ipm_solve(kern_ipm *in)
     return ds;
 }
 
-/* Takes one step: first the predictor's, then the corrector's with what that
-   tells. Returns 0 where the limit or the digits do not reach for a step. */
+/* Takes one step: that of the predictor, then that of the corrector. Returns 0
+   if the limit of work or the digits are not enough for a step. */
 static int kern_ipm_step(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -6010,8 +6047,8 @@ static int kern_ipm_step(kern_ipm *in)
         || !kern_model_spend(p->m, p->dual.cost))
         return 0;
 
-    /* Factors M = A D A', once for both solutions. Where a row of it is all
-       rounding its diagonal is shifted. */
+    /* Factors M = A D A', once for both solutions. If M is singular its
+       diagonal is shifted. */
     for (i = 0; i < rays; i++) {
         in->d[i] = p->x[i] / in->z[i];
         dx[i] = dz[i] = 0;
@@ -6021,8 +6058,8 @@ static int kern_ipm_step(kern_ipm *in)
         kern_ipm_factor(in, KERN_IPM_SHIFT, in->g, in->gain);
     kern_ipm_ways(p, p->y, p->dual.way);
 
-    /* The predictor aims at mu = 0. The corrector aims at the mu that this
-       allows, and takes the products dx dz of the predictor into account. */
+    /* The predictor aims at mu = 0. The corrector aims at the mu that the
+       predictor allows, and includes its products dx dz. */
     for (corrects = 0;; corrects = 1) {
         for (i = 0; i < rays; i++)
             dx[i] = (mu - of_x * of_z * dx[i] * dz[i]) / in->z[i]
@@ -6039,14 +6076,14 @@ static int kern_ipm_step(kern_ipm *in)
         mu = in->gap * left * left * left / KERN_R(rays);
     }
 
-    /* Goes almost as far as x and z stay above 0; x needs no backing off where
-       the step does not reach its boundary. */
+    /* Goes almost as far as x and z stay above 0. If the whole step keeps x
+       above 0, it takes all of it. */
     left = kern_min(KERN_IPM_BACKOFF * left, KERN_IPM_BACKOFF);
     of_z -= of_z * left;
     if (of_x < 1)
         of_x -= of_x * left;
 
-    /* s is a sum that is rounded: it must not exceed 0. */
+    /* s is a rounded sum, which must not exceed 0. */
     in->s = kern_min(in->s + of_x * ds, 0);
     for (i = 0; i < rays; i++) {
         p->x[i] = kern_max(p->x[i] + of_x * dx[i], p->x[i] * KERN_IPM_KEEP);
@@ -6059,8 +6096,8 @@ static int kern_ipm_step(kern_ipm *in)
     return kern_is_finite(in->gap);
 }
 
-/* Removes A x - b by a correction of each force in proportion to it, so that M
-   is far from singular where x / z has entries of all sizes. Returns 1 if the
+/* Removes A x - b by changing each force in proportion to itself, so that M is
+   far from singular although x / z has entries of all sizes. Returns 1 if the
    forces then prove that the structure stands. */
 static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
 {
@@ -6077,8 +6114,8 @@ static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
     return kern_part_stands(p, q);
 }
 
-/* Lifts v above 0: by 1.5 times its least entry, if that is below 0, and by a
-   little of its largest. */
+/* Raises v above 0: by 1.5 times the magnitude of its least entry, if that is
+   negative, and by a small share of its largest. */
 static void kern_ipm_lift(kern_real *v, int n)
 {
     kern_real lift = 0;
@@ -6090,8 +6127,9 @@ static void kern_ipm_lift(kern_real *v, int n)
         v[i] += lift;
 }
 
-/* Begins with minimum-norm forces of both signs, and such motions, lifted above
-   0 (Mehrotra). Returns 0 where the forces miss nothing, or no work is left. */
+/* Writes a starting point: minimum-norm forces of both signs and a motion, both
+   raised above 0 (Mehrotra). Returns 0 if the forces are in equilibrium, or no
+   work is left. */
 static int kern_ipm_begin(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -6101,7 +6139,7 @@ static int kern_ipm_begin(kern_ipm *in)
     if (!kern_model_spend(p->m, p->dual.cost))
         return 0;
 
-    /* x: the least-norm solution of A x = b, all rays equally stiff, lifted. */
+    /* x: the least-norm solution of A x = b, all rays equally stiff, raised. */
     in->s = -1;
     for (i = 0; i < rays; i++) {
         in->z[i] = 0;
@@ -6112,11 +6150,11 @@ static int kern_ipm_begin(kern_ipm *in)
     kern_ipm_ways(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
 
-    /* g is what these forces miss. */
+    /* g: the residual of these forces. */
     kern_ipm_excess(in);
     kern_copy(in->g, in->excess, n);
 
-    /* y: the least motion with g.y = 1, and z its opening speeds, lifted. */
+    /* y: the least motion with g.y = 1. z: its opening speeds, raised. */
     kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
     power = kern_dot(in->g, in->gain, n);
     if (!(power > 0))
@@ -6136,8 +6174,8 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
 {
     int rays, n;
 
-    /* Makes the lists of the groups again if a program of all groups has taken
-       their memory. */
+    /* Lists the contacts of all groups again if a program of all groups has
+       taken that memory. */
     if (m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
@@ -6152,9 +6190,9 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     if (!kern_take_fits(&p->rest))
         return 0;
 
-    /* The arrays lie one after the other: four of rays, five of rows. Each
-       of the latter has three numbers more, for what is held; the last
-       needs none. */
+    /* The arrays lie one after the other: four of rays, then five of rows.
+       Those of rows have three more numbers for held blocks, except the
+       last. */
     in->z = p->x + rays;
     in->dx = in->z + rays;
     in->d = in->dx + rays;
@@ -6164,16 +6202,16 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     in->gain = in->g + n;
     p->eq.rhs = in->gain + n;
 
-    /* What the search reads of a program: no columns, and room for a rate. */
+    /* The search reads these of a program: no columns, and room for a rate. */
     p->eq.rate = p->dual.grad;
     p->eq.shrink = KERN_INFINITY; /* there are no columns */
-    kern_zero(p->y, 4 * n);       /* what is held rests */
+    kern_zero(p->y, 4 * n);       /* held blocks rest     */
     kern_zero(p->dual.step, n);
     return 1;
 }
 
-/* Takes steps until forces, where s is 0, or the motion prove a verdict, while
-   the gap is neither rounding nor above its pace. */
+/* Takes steps until forces with s = 0, or the motion, prove a verdict. Ends if
+   the gap is rounding, or if it falls more slowly than by KERN_IPM_PACE. */
 static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
                                 kern_real pace)
 {
@@ -6190,8 +6228,8 @@ static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
     return KERN_UNDECIDED;
 }
 
-/* Returns the verdict for a query: from the last one's x, y, z and s, otherwise
-   from the beginning. */
+/* Returns the verdict for a query. Starts with x, y, z and s of the last query,
+   and if that fails, from the beginning. */
 static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
 {
     kern_part *p = in->p;
@@ -6204,7 +6242,7 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
     kern_model_arms(m, q);
     kern_part_load(p, q, p->eq.rhs);
 
-    /* Starts from the solution of the last query, which is close; lifting it a
+    /* Starts with the solution of the last query, which is close. Raising it a
        little saves some rounds. */
     if (in->gap <= KERN_IPM_GAP_MOST) {
         in->s = kern_min(in->s, -KERN_IPM_S);
@@ -6225,7 +6263,7 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
     return kern_ipm_open(&in, m, p, q) ? kern_ipm_evaluate(&in, q)
                                        : KERN_UNDECIDED;
 }
-#else /* without it, nothing is decided here */
+#else /* without the interior point nothing is decided here */
 #define kern_ipm_open(in, m, p, q) 0
 #define kern_ipm_evaluate(in, q) KERN_UNDECIDED
 #define kern_ipm_verdict(m, p, q) KERN_UNDECIDED
