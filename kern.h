@@ -6272,7 +6272,7 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 /* ---- Verdicts ------------------------------------------------- >>verdict */
 
 /* Lays out the linear program of a part, with as much room for factors as there
-   is. Returns 0 if there is not even the least. */
+   is. Returns 0 if there is not even the least room. */
 static int kern_part_lay(kern_part *p)
 {
     kern_equations *const eq = &p->eq;
@@ -6284,10 +6284,10 @@ static int kern_part_lay(kern_part *p)
     /* clang-format on */
     int room = KERN_EXTRAS(n);
     eq->lp = lp;
-    eq->shrink = KERN_INFINITY; /* none */
+    eq->shrink = KERN_INFINITY; /* there are no columns */
 
-    /* Takes as much room for factors as the work memory has: the less, the more
-       often the basis is factored again. */
+    /* Takes as much room for factors as the work memory has. With less room the
+       basis is factored again more often. */
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
         eq->lp.a = eq->arc = kern_take_reals(&take,
@@ -6306,7 +6306,7 @@ static int kern_part_lay(kern_part *p)
 }
 
 /* Writes Eq. (5) for a query: two columns a contact, along the edges n + mu t
-   and n - mu t of its friction cone, and the loads on the right. */
+   and n - mu t of its friction cone, and the loads as the right-hand side. */
 static void kern_part_set(kern_part *p, const kern_query *q)
 {
     kern_equations *const eq = &p->eq;
@@ -6320,8 +6320,8 @@ static void kern_part_set(kern_part *p, const kern_query *q)
         kern_model_unit(m, q, p->group[k]);
     kern_part_load(p, q, eq->rhs);
 
-    /* Columns depend on the shrinkage alone; with others the basis must be
-       factored again. */
+    /* Columns depend on the shrinkage alone. If it has changed the basis must
+       be factored again. */
     if (eq->shrink >= q->shrink && eq->shrink <= q->shrink)
         return;
     eq->shrink = q->shrink;
@@ -6346,7 +6346,7 @@ static int kern_part_is_whole(const kern_part *p)
 }
 
 /* Returns the verdict if its proof holds, otherwise KERN_UNDECIDED. A part that
-   stands needs no proof, since that is no verdict on the whole. */
+   stands needs no proof, since it gives no verdict on the whole. */
 static kern_status kern_part_prove(kern_part *p, const kern_query *q,
                                    kern_status status)
 {
@@ -6355,21 +6355,21 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     if (status < 0 || (status == KERN_STANDS && !whole))
         return status;
 
-    /* The motion proves a fall as it is, or after its prices were refined and
-       lifted off the columns. */
+    /* The motion proves a fall as it is, or after its prices have been refined
+       and lifted off the columns. */
     for (again = 0; status == KERN_FALLS && again < 2; again++)
         if ((!again || kern_prices_mend(&p->eq.simplex, p->y, KERN_LIFT))
             && kern_part_falls(p, q))
             return status;
 
-    /* Forces may hold it within the tolerance, also where the simplex method
-       found that none exist. */
+    /* Forces may hold the structure within the tolerance even if the simplex
+       method found that none exist. */
     return whole && kern_part_stands(p, q) ? KERN_STANDS : KERN_UNDECIDED;
 }
 
-/* Bounds the forces. Where their sum exceeds KERN_BOUND, finds the forces of
-   the least sum, by costs of 1. If even that is too large, their prices are a
-   motion that proves it, and KERN_FALLS is returned; otherwise KERN_STANDS. */
+/* Bounds the forces. If their sum exceeds KERN_BOUND, finds the forces of the
+   least sum, by costs of 1. If even that sum is too large, the prices are a
+   motion that proves it. Returns KERN_FALLS then, otherwise KERN_STANDS. */
 static kern_status kern_part_norm(kern_part *p, kern_solver solver)
 {
     kern_equations *const eq = &p->eq;
@@ -6389,7 +6389,7 @@ static kern_status kern_part_norm(kern_part *p, kern_solver solver)
                                                          : KERN_STANDS;
 }
 
-/* Returns how far rhs can grow at the rate -eq.rate; infinity: for ever. */
+/* Returns how far rhs can move at the rate -eq.rate, or infinity. */
 static kern_real kern_part_follow(kern_part *p)
 {
     kern_status status;
@@ -6401,7 +6401,7 @@ static kern_real kern_part_follow(kern_part *p)
     return status == KERN_LP_OPTIMAL ? p->x[p->eq.lp.cols] : KERN_INFINITY;
 }
 
-/* Returns what the simplex method says of a part, without a proof. */
+/* Returns the result of the simplex method for a part, without a proof. */
 static kern_status kern_part_ask(kern_part *p, const kern_query *q,
                                  kern_solver solver)
 {
@@ -6417,9 +6417,9 @@ static kern_status kern_part_ask(kern_part *p, const kern_query *q,
     return p->found = status;
 }
 
-/* Returns the verdict of the simplex method with its proof. A second solve,
-   from no basis and without the backend, follows if the first ended but had
-   none: a long series of pivots may have lost digits. */
+/* Returns the verdict of the simplex method with its proof. If the first solve
+   ends without a proof, a second follows without a basis and without the
+   backend, since a long series of pivots may have lost digits. */
 static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
 {
     kern_status status = kern_part_prove(p, q,
@@ -6432,14 +6432,15 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
     return status;
 }
 
-/* Passes the loads down for a query that is set, in clusters of at most one
-   `share`-th of all groups. Returns KERN_STANDS with a proof; KERN_FALLS with
-   an open part that seems to fall; KERN_UNDECIDED; or KERN_LIMIT. */
+/* Runs the top-down pass for a query that has been set, with clusters of at
+   most one `share`-th of all groups. Returns KERN_STANDS with a proof;
+   KERN_FALLS with an open part that seems to fall; KERN_UNDECIDED; or
+   KERN_LIMIT. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
     kern_status found;
-    for (;; m->answer.known = NULL) { /* the second round knows nothing */
+    for (;; m->answer.known = NULL) { /* the second round: no known forces */
         if (!kern_model_ask(m, 1))
             return KERN_LIMIT;
         m->task->work->solves++;
@@ -6450,9 +6451,9 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
             || (found == KERN_STANDS && kern_answer_holds(m, q)))
             return found;
 
-        /* Every group is balanced, and yet the forces prove nothing: the known
-           forces, of groups that were not balanced again, are of other loads.
-           Once more without them. */
+        /* Every group is balanced, but the forces prove nothing: the known
+           forces of groups that were not balanced again belong to other loads.
+           The pass is repeated without known forces. */
         if (found != KERN_STANDS || !m->answer.known)
             return KERN_UNDECIDED;
         kern_model_unload(m);
@@ -6460,7 +6461,7 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
 }
 
 /* Opens one linear program of all groups, which answers all later queries, each
-   from the last basis. It takes the place of all that the pass needs. */
+   beginning with the last basis. It overwrites the arrays of the pass. */
 static kern_status kern_model_whole(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
@@ -6482,8 +6483,8 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
     return m->whole ? KERN_OK : KERN_NO_SPACE;
 }
 
-/* Returns the verdict for a query, with a proof or KERN_UNDECIDED without one,
-   by the methods that >>method lists. After KERN_FALLS the part that falls is
+/* Returns the verdict for a query with a proof, or KERN_UNDECIDED without one,
+   by the methods listed in >>method. After KERN_FALLS the falling part is
    open. */
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q)
@@ -6494,20 +6495,20 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     if (!m->whole) {
         kern_model_set(m, q);
 
-        /* First the pass: forces for every group prove that the structure
-           stands. */
+        /* First the pass: if it balances every group the structure stands. */
         status = kern_model_pass(m, p, q, KERN_CLUSTER);
         if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
 
-        /* A part that seems to fall is small: its own program gives the motion
+        /* A part that seems to fall is small. Its own program gives the motion
            that proves it. If that fails the part proves nothing. */
         if (status == KERN_FALLS && kern_part_lay(p)
             && kern_part_evaluate(p, q) == KERN_FALLS)
             return KERN_FALLS;
 
-        /* All groups at once: many by the interior point, few, or what that
-           leaves undecided, by one program that stays for later queries. */
+        /* Then all groups at once. Many groups are solved by the interior
+           point. Few groups, or those that it leaves undecided, are solved by
+           one program, which is kept for later queries. */
         status = m->graph.groups > KERN_SMALL ? kern_ipm_verdict(m, p, q)
                                               : KERN_UNDECIDED;
         if (status != KERN_UNDECIDED)
@@ -6525,7 +6526,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
             || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
         status = kern_ipm_verdict(m, p, q);
-        p->found = KERN_UNDECIDED; /* y predicts less exactly than a basis */
+        p->found = KERN_UNDECIDED; /* its y predicts worse than a basis */
     }
     return status;
 }
@@ -6533,14 +6534,14 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 /* ==== Part V: What is measured =========================================== */
 
 /* ---- The kern -------------------------------------------------- >>kern */
-/* A path leads from a structure that stands to ones that fall: kerns shrink, a
-   load grows or gravity turns. s is the place on it. A mechanism y that falls
-   at s has the power
+/* A path leads from a structure that stands to structures that fall: kerns
+   shrink, a load grows or gravity turns. s is the place on it. A mechanism y
+   that falls at s has the power
 
-       P(s) = -y.rhs(s) > 0,   which changes by   P' = -y.(rhs' - A' x),
+       P(s) = -y.rhs(s) > 0,   whose derivative is   P' = -y.(rhs' - A' x),
 
    so it stops falling at s - P / P' (Newton's method). The steps converge
-   quadratically and from the side that falls. */
+   quadratically and from the falling side. */
 
 typedef enum kern_path_kind {
     KERN_PATH_SHRINK,
@@ -6548,56 +6549,57 @@ typedef enum kern_path_kind {
     KERN_PATH_TILT
 } kern_path_kind;
 
-/* What is evaluated: the whole; a part alone, all other blocks held; the whole by
-   its program, until the interior point takes over. */
+/* What a search evaluates: the whole; one part, with all other blocks held; or
+   the whole by its program, until the interior point takes over. */
 typedef enum kern_asked {
     KERN_ASKED_WHOLE,
     KERN_ASKED_PART,
     KERN_ASKED_PROGRAM
 } kern_asked;
 
-/* Farthest place where the whole is proven to stand, nearest where it is proven
-   to fall; -1, infinity: none. */
+/* The farthest place at which the whole is proven to stand, and the closest at
+   which it is proven to fall. Without a proof they are -1 and infinity. */
 typedef struct kern_range {
     kern_real low, high;
 } kern_range;
 
 typedef struct kern_path {
     kern_path_kind kind;
-    kern_query q;            /* at s = 0; the place replaces what it changes */
+    kern_query q;            /* at s = 0; kern_path_at() changes it for s    */
     kern_real unit;          /* of s: the mean block size, or 1              */
     kern_real start, end;    /* of the search                                */
     kern_real holds, fails;  /* the bracket: >>search                        */
-    kern_real critical;      /* value of the mechanism; none: <= holds       */
-    kern_real predicted;     /* value of the mechanism after that one        */
-    kern_range proven;       /* of the whole                                 */
+    kern_real critical;      /* value of the mechanism; <= holds: none       */
+    kern_real predicted;     /* predicted value of the next mechanism        */
+    kern_range proven;       /* for the whole                                */
     int never;               /* nonzero: it stands to the end                */
-    kern_part *part;         /* that fell last                               */
-    const kern_known *known; /* of a structure like it, or NULL              */
+    kern_part *part;         /* the part that fell last                      */
+    const kern_known *known; /* of a similar structure, or NULL              */
     kern_asked asked;        /* what is evaluated                            */
     struct kern_ipm *ipm;    /* evaluates the whole, or NULL                 */
-    const kern_proof *proof; /* the caller's: of the last verdict each way   */
+    const kern_proof *proof; /* the caller's: last proof of each verdict     */
 } kern_path;
 
-/* Returns the width that a bracket should have. */
+/* Returns the width to which a bracket is narrowed. */
 KERN_SHARED static kern_real kern_width(const kern_path *path)
 {
     return KERN_WIDTH * path->unit;
 }
 
-/* Returns the distance from the critical value to the places beside it. */
+/* Returns the distance between the critical value and the proofs on both
+   sides. */
 KERN_SHARED static kern_real kern_half_width(const kern_path *path)
 {
     return kern_width(path) / 2;
 }
 
-/* Returns the distance from the critical value at which aiming at it ends. */
+/* Returns the width of a bracket above which it is cut. */
 KERN_SHARED static kern_real kern_widest(const kern_path *path)
 {
     return kern_width(path) * KERN_WIDEST;
 }
 
-/* Returns the place at that distance before the critical value, or the
+/* Returns the place at a distance before the critical value, but not before the
    start. */
 KERN_SHARED static kern_real kern_before(const kern_path *path,
                                          kern_real distance)
@@ -6606,8 +6608,8 @@ KERN_SHARED static kern_real kern_before(const kern_path *path,
     return kern_max(path->critical - distance, path->start);
 }
 
-/* Returns the query at place s. Gravity turns by 4 atan(s), so that s in [0, 1]
-   turns it through half a circle by arithmetic alone. */
+/* Returns the query at place s. Gravity turns by 4 atan(s): s in [0, 1] then
+   turns it through half a circle without trigonometric functions. */
 static kern_query kern_path_at(const kern_path *path, kern_real s)
 {
     kern_query q = path->q;
@@ -6641,38 +6643,39 @@ static kern_real kern_halved(kern_real t)
                  prove that it          prove that it
                      stands                 falls
 
-   Each verdict moves an end. A mechanism predicts where it stops falling, so
-   the next place lies just beyond that value; when nothing falls there any
-   more, the last one lies just before it. Four to eight verdicts suffice.
+   Each verdict moves an end. A mechanism predicts the value at which it stops
+   falling, so the next place lies just beyond that value. When nothing falls
+   there any more, the last place lies just before it. Four to eight verdicts
+   suffice.
 
-   Two ends may lack a proof. The start of a search where kerns are nested is
-   asked only when the critical value is near it. And a part that is evaluated
-   alone, all other blocks held, proves that the whole falls, never that it
-   stands: its lower end is forgotten afterwards.
+   Two ends may lack a proof. If kerns are nested, the start of a search is
+   evaluated only if the critical value is close to it. A part that is evaluated
+   alone, with all other blocks held, proves that the whole falls, never that it
+   stands. Its lower end is discarded afterwards.
 
-   A search asks the cheapest question first:
+   A search tries the cheapest method first:
 
-       known       the motion that failed a structure like it
+       known       the motion by which a similar structure fell
        bodies      the value of a block with what rests on it alone
-       parts       the pass just before that value: what it cannot hold falls
-       whole       one program, or the interior point, when the pass finds none
+       parts       the pass just before that value: a part that it finds falls
+       whole       one program, or the interior point, if the pass finds none
 
-   Each of them gives an upper bound, since holding other blocks never makes a
-   structure fall. Where kerns are not nested, verdicts may change many times:
-   a walk in even steps then finds the first place that falls. */
+   Each of them gives an upper bound, since fixing blocks never makes a
+   structure fall. Where kerns are not nested, verdicts may change many times. A
+   walk in even steps then finds the first place that falls. */
 
 /* ---- the value of a mechanism ---- */
 
-/* Returns the array that keeps how the forces of the basis change from where it
-   fell to the predicted value. It lies in the answer's forces, which only a
-   verdict that stands writes. */
+/* Returns the array that keeps the change of the forces of a basis from the
+   place where it fell to the predicted value. It is the memory of the answer's
+   forces, which only the verdict KERN_STANDS writes. */
 static kern_real *kern_path_change(const kern_model *m)
 {
     return (kern_real *)(void *)m->answer.force;
 }
 
-/* Adds to *power and *rate what the narrower friction of contact k changes, its
-   cone at q being set; x: forces along the two edges of the cone. */
+/* Adds the effect of the narrower friction of contact k to *power and *rate.
+   The cone at q must be set. x: forces along the two edges of the cone. */
 static void kern_shrink_narrow(const kern_part *p, const kern_query *q, int k,
                                kern_real to, const kern_real *x,
                                kern_real *power, kern_real *rate)
@@ -6695,10 +6698,10 @@ static void kern_shrink_narrow(const kern_part *p, const kern_query *q, int k,
         *rate += speed[1] * q->narrow * (1 + narrow * narrow) / (1 + by * by);
 }
 
-/* Returns how y.rhs changes when kerns, shrunk as in q, are shrunk by `to`, if y
-   stays: y.v with v = -(A(to) - A(q)) x. It is straight but where a kern
-   closes; a kern that was closed opens to the side that helps.
-   *rate: its slope at `to`; p->eq.rate: v. */
+/* Returns the change of y.rhs if y stays and kerns shrink from q to `to`: y.v
+   with v = -(A(to) - A(q)) x. It is piecewise linear in `to`, with a kink where
+   a kern closes. For a kern that is closed at q the sign is the favourable one.
+   Writes the slope at `to` to *rate, and v to p->eq.rate. */
 static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
                                    kern_real to, const kern_real *x,
                                    kern_real *rate)
@@ -6737,10 +6740,11 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
     return sum;
 }
 
-/* Returns the shrinkage at which the mechanism y that falls at q stops falling,
-   at least path->holds. power: y.rhs < 0. Its power is straight but for bends
-   where kerns close. Predicts where the next mechanism does, since the basis
-   turns y on the way (Halley's method). */
+/* Returns the shrinkage at which the mechanism y, which falls at q, stops
+   falling. It is at least path->holds. power: y.rhs < 0. The power of y is
+   piecewise linear, with kinks where kerns close. Writes the value of the next
+   mechanism to path->predicted, since the basis turns y on the way (Halley's
+   method). */
 static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
                                       kern_real power)
 {
@@ -6750,7 +6754,7 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     kern_real lo = path->holds, hi = q->shrink, at = hi, rate, step;
     int round;
 
-    /* Newton's method from bend to bend, kept in [lo, hi] */
+    /* Newton's method from kink to kink, kept in [lo, hi] */
     for (round = 0;; round++) {
         const kern_real left = power + kern_shrink_power(p, q, at, p->x, &rate);
         step = left / rate;
@@ -6763,7 +6767,7 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     }
     at = round < KERN_BENDS ? at - step : path->holds;
 
-    /* the step grows by the power that the change of the forces takes */
+    /* the step is longer by the power that the change of the forces takes */
     path->predicted = at;
     if (p->eq.shrink <= q->shrink
         && kern_simplex_along(&p->eq.simplex, p->eq.rate, change)) {
@@ -6776,8 +6780,8 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     return at;
 }
 
-/* Writes the rate at which rhs falls when the load, or the tangent of the angle
-   by which gravity turns, grows: to[0..3 groups). */
+/* Writes the rate at which rhs falls when the load grows, or the tangent of the
+   angle of gravity: to[0..3 groups). */
 static void kern_path_rate(const kern_part *p, const kern_query *q,
                            kern_real *to)
 {
@@ -6792,8 +6796,8 @@ static void kern_path_rate(const kern_part *p, const kern_query *q,
     kern_scale(to, 3 * n, 1 / m->weight);
 }
 
-/* Returns the place beyond s where a load has grown by t, or gravity has turned
-   by atan(t). */
+/* Returns the place beyond s at which a load has grown by t, or gravity has
+   turned further by atan(t). */
 static kern_real kern_path_pushed(const kern_path *path, kern_real s,
                                   kern_real t)
 {
@@ -6803,9 +6807,9 @@ static kern_real kern_path_pushed(const kern_path *path, kern_real s,
     return (s + t) / (1 - s * t);
 }
 
-/* Returns the place where the mechanism p->y that falls at s stops falling, by
-   one step of Newton's method: exact but for bends, and for loads that stay
-   when gravity turns. */
+/* Returns the place at which the mechanism p->y, which falls at s, stops
+   falling, by one step of Newton's method. It is exact except for kinks, and
+   for loads that stay when gravity turns. */
 static kern_real kern_path_newton(kern_path *path, const kern_query *q,
                                   kern_real s)
 {
@@ -6821,8 +6825,9 @@ static kern_real kern_path_newton(kern_path *path, const kern_query *q,
 
 /* ---- verdicts, which move the ends ---- */
 
-/* Returns 1 if the answer's motion proves that the whole falls at s. Points
-   that the path leaves out may stop it: then it proves the path's end alone. */
+/* Returns 1 if the answer's motion proves that the whole falls at s. If the
+   path leaves out points that would stop the motion, it proves only a fall
+   without them. */
 static int kern_path_falls_whole(const kern_model *m, const kern_path *path,
                                  kern_real s)
 {
@@ -6833,9 +6838,9 @@ static int kern_path_falls_whole(const kern_model *m, const kern_path *path,
     return kern_model_proven(m, kern_prove_motion(m->s, &q, m->answer.motion));
 }
 
-/* Records the verdict at s as an end of the bracket, and hands its proof to the
-   caller if it is one of the whole. The caller's motion stays that of the
-   nearest place that falls. */
+/* Records the verdict at s as an end of the bracket. If it is a verdict on the
+   whole its proof goes to the caller. The caller's motion is always that of the
+   closest place that falls. */
 static void kern_path_note(const kern_model *m, kern_path *path,
                            kern_status status, kern_real s)
 {
@@ -6853,9 +6858,9 @@ static void kern_path_note(const kern_model *m, kern_path *path,
     kern_proof_out(m, path->proof, status);
 }
 
-/* Returns the verdict at s, an end of the bracket if it has a proof. The value
-   of a mechanism becomes the path's even without one, since near that value
-   rounding spoils proofs first. */
+/* Returns the verdict at s, and records it if it has a proof. The value of its
+   mechanism becomes the path's even without a proof, since rounding spoils
+   proofs near that value first. */
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s)
 {
@@ -6872,8 +6877,8 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 }
 
 /* Returns 1 if the forces of the basis that fell just beyond the critical value
-   prove that it stands at s, just before it. There they differ by the change
-   that kern_shrink_critical() left, and kerns are larger. */
+   prove that the structure stands at s, just before it. At s they differ by the
+   change that kern_shrink_critical() wrote, and kerns are larger. */
 static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 {
     kern_part *p = path->part;
@@ -6895,9 +6900,9 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 
 /* ---- the bracket ---- */
 
-/* Returns the place that halves the wider end of the bracket outside of the
-   places that were undecided; infinity if these are most of it. The first place
-   is near the lower end, where forces are small. */
+/* Returns the place that halves the wider of the two ends of the bracket below
+   and above the undecided places, or infinity if these are most of it. The
+   first place is close to the lower end, where forces are small. */
 static kern_real kern_path_cut(const kern_path *path, const kern_range *dark)
 {
     const kern_real lo = path->holds, hi = path->fails;
@@ -6912,8 +6917,8 @@ static kern_real kern_path_cut(const kern_path *path, const kern_range *dark)
 }
 
 /* Returns the place of the next verdict, or infinity if the bracket is done.
-   offset: from the critical value to the places beside it; dark: first and last
-   place in the bracket that was undecided. */
+   offset: distance from the critical value to the places beside it. dark: first
+   and last undecided place in the bracket. */
 KERN_SHARED static kern_real kern_path_next(const kern_path *path,
                                             kern_real offset,
                                             const kern_range *dark)
@@ -6922,7 +6927,7 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     const kern_real critical = path->critical, predicted = path->predicted;
     kern_real aim;
 
-    /* 1. The start has no proof yet, and the critical value is near it. */
+    /* 1. The start has no proof yet, and the critical value is close to it. */
     if (path->asked != KERN_ASKED_PART && path->proven.low < lo
         && kern_min(critical, hi) < lo + 2 * offset)
         return lo;
@@ -6931,26 +6936,28 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     if (hi - lo <= offset / 8)
         return KERN_INFINITY;
 
-    /* 3. No mechanism has its value in it, or none that proofs come near. */
+    /* 3. The bracket has no value of a mechanism, or proofs fail too far around
+       it. */
     if (!(critical > lo && critical <= hi) || 2 * offset > kern_widest(path))
         return kern_path_cut(path, dark);
 
-    /* 4. The upper end is far: go just beyond the value that is predicted. */
+    /* 4. The upper end is far away: go just beyond the predicted value. */
     aim = predicted > lo && hi - predicted > 2 * offset ? predicted : critical;
     if (hi - aim > 2 * offset)
         return aim + offset;
 
-    /* 5. It is near: prove that the whole stands just before the value. */
+    /* 5. The upper end is close: prove that the whole stands just before the
+       value. */
     if (path->asked != KERN_ASKED_PART && critical - lo > KERN_R(1.05) * offset)
         return kern_before(path, offset);
     return KERN_INFINITY;
 }
 
 /* Narrows [holds, fails] to the tolerance around path->critical. Returns
-   KERN_STANDS then; KERN_FALLS if the structure falls at the start, which had
-   no proof. In a jam no proof comes near the value: each place without one
-   doubles the distance. From then on the least value is kept, since mechanisms
-   of places farther away predict it less well. */
+   KERN_STANDS then, or KERN_FALLS if the structure falls at the start, which
+   had no proof. In a jam there are no proofs close to the value. Each place
+   without a proof doubles the distance. From then on the least value is kept,
+   since mechanisms of places farther away predict it less well. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
     kern_real offset = kern_half_width(path);
@@ -6963,7 +6970,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         if (!(at < KERN_INFINITY))
             break;
 
-        /* Just before the value the forces of its basis may prove it. */
+        /* Just before the value the forces of the last basis may be a proof. */
         if (!(at < value && kern_path_forces(m, path, at)))
             status = kern_path_evaluate(m, path, at);
         if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
@@ -6975,7 +6982,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         if (path->asked == KERN_ASKED_PROGRAM && !m->whole)
             return KERN_UNDECIDED;
 
-        /* No proof here: go farther away, and remember what stays dark. */
+        /* No proof here: go farther away, and record the undecided places. */
         if (status == KERN_UNDECIDED) {
             offset *= 2;
             dark.low = kern_min(dark.low, at);
@@ -6983,7 +6990,8 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         }
     }
 
-    /* A bracket that stayed wide is no answer; the value lies inside it. */
+    /* A bracket that stayed wide is no answer. The value lies inside of the
+       bracket. */
     if (path->fails - path->holds > KERN_ANSWER * kern_width(path)
         && path->asked != KERN_ASKED_PART)
         return KERN_UNDECIDED;
@@ -7002,9 +7010,10 @@ static kern_status kern_path_saturate(kern_path *path)
     return KERN_STANDS;
 }
 
-/* Returns 1 if gravity that turns under loads that stay is held from `at` to the
-   end of a step. The gravities that are held are a convex set, and the arc lies
-   in the triangle of its ends and of the corner where their tangents meet. */
+/* Returns 1 if the structure stands at every place from `at` to path->holds
+   while gravity turns under loads that stay. The gravities under which it
+   stands are a convex set. The arc lies in the triangle of its ends and of the
+   point where their tangents intersect. */
 static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
 {
     kern_query q = kern_path_at(path, path->holds);
@@ -7015,10 +7024,10 @@ static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
     return kern_model_evaluate(m, path->part, &q) == KERN_STANDS;
 }
 
-/* Climbs from a place that stands until the whole falls; then finds the critical
-   value. Steps begin with `first`, grow from `step`, and are halved where
-   nothing can be proven. even: the least step where verdicts may change more
-   than once, or 0. */
+/* Climbs from a place that stands until the whole falls, and then finds the
+   critical value. The first step is `first`, later ones grow from `step`, and a
+   step without a proof is halved. even: the least step if verdicts may change
+   more than once, or 0. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step,
                                    kern_real even)
@@ -7042,13 +7051,14 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
             continue;
         }
 
-        /* the verdict changes between them, once */
+        /* the verdict changes once between them */
         if (status == KERN_FALLS && sure)
             return kern_path_critical(m, path);
         if (status < KERN_UNDECIDED || small)
             return status;
 
-        /* unknown: a smaller step from the same place, with its proof */
+        /* unknown: a smaller step from the same place, with the proof of that
+           place */
         step = first /= 2;
         path->holds = at;
         if (status == KERN_STANDS)
@@ -7058,13 +7068,14 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
 }
 
 /* ---- bodies ---- */
-/* A body is a block with all that rests on it alone, moved as one. On a single
-   line it tips where its load leaves the kern, with all others held, and then
-   the whole falls. The critical value of most structures is that of a body. */
+/* A body is a block with all blocks that rest on it alone, moved as one. If a
+   single line carries it, it tips where its load leaves the kern, with all
+   other blocks held, and then the whole falls. Most structures have the
+   critical value of a body. */
 
-/* Returns the first contact of the line that carries body g, as an end; KERN_OUT
-   if other contacts carry it. Sets graph.carrier: the group that carries it
-   alone. */
+/* Returns the end at body g of the first contact of the line that carries it,
+   or KERN_OUT if other contacts carry it. Sets graph.carrier to the group that
+   alone carries the body. */
 KERN_SHARED static int kern_body_line(kern_model *m, int g)
 {
     int e, n = 0, first = KERN_OUT, on = KERN_OUT;
@@ -7082,9 +7093,10 @@ KERN_SHARED static int kern_body_line(kern_model *m, int g)
              : KERN_OUT;
 }
 
-/* Returns the place where body g tips under load b on the line that begins with
-   end *e, and sets *e to the end about which it tips. Infinity: it is not
-   pressed, or stands on a closed kern. */
+/* Returns the place at which body g tips under load b on the line that begins
+   with end *e, and sets *e to the end about which it tips. Returns infinity if
+   the body is not pressed to the line, or still stands when its kern is
+   closed. */
 static kern_real kern_body_critical(const kern_model *m, int g, int *e,
                                     const kern_real *b, kern_real offset)
 {
@@ -7103,8 +7115,8 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
     if (!(normal > 0))
         return KERN_INFINITY;
 
-    /* Each end moves toward the load at its rate; the one that meets it first
-       is the hinge. */
+    /* Each end moves toward the load at its rate. The end that meets the load
+       first is the hinge. */
     place = (b[2] - along * row.turn) / normal; /* of the load, as an arm */
     crit = (place - row.n[2]) / rate;
     other = (last.n[2] - place) / rate;
@@ -7113,13 +7125,13 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
         *e += 2;
     }
 
-    /* The kern closes at `most`. If no end has met the load by then, none
+    /* The kern closes at `most`. If no end has met the load before, none
        does. */
     return crit + offset <= most ? crit : KERN_INFINITY;
 }
 
-/* Writes the motion of a body about the end e of its line at s; its largest
-   speed is 1. */
+/* Writes the motion of a body about end e of its line at s, scaled so that its
+   largest speed is 1. */
 static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
 {
     const kern_contact *c = m->s->contact + (e >> 1);
@@ -7158,21 +7170,22 @@ static void kern_body_load(const kern_model *m, int g, int on, kern_real *load)
            * m->unit[on];
 }
 
-/* Finds the body with the least critical value: its value, the places beside it
-   and its motion, in the answer. out->margin is infinity if none tips. */
+/* Finds the body with the least critical value. Writes its value, the places
+   beside it, and its motion, which is the answer's. out->margin is infinity if
+   no body tips. */
 static void kern_body_first(kern_model *m, const kern_path *path,
                             kern_known *out)
 {
     const kern_real offset = kern_half_width(path);
-    kern_real *load = m->answer.sum; /* of a body: three, in its units */
+    kern_real *load = m->answer.sum; /* three a body, in its units */
     int g, first = KERN_OUT, about = 0;
     out->margin = KERN_INFINITY;
     out->motion = m->answer.motion;
     if (!kern_model_ask(m, 1))
         return;
 
-    /* From top to bottom, so that the load of a body is complete when its turn
-       comes; then it is added to the body that carries it. */
+    /* The order is from top to bottom, so that the load of a body is complete
+       before it is added to the body that carries it. */
     kern_copy(load, m->load, 3 * m->graph.groups);
     for (g = 0; g < m->graph.groups; g++) {
         int end = kern_body_line(m, g);
@@ -7190,7 +7203,8 @@ static void kern_body_first(kern_model *m, const kern_path *path,
             kern_body_load(m, g, on, load);
     }
 
-    /* The least value, the places beside it, and the motion at the upper. */
+    /* The least value, the places beside it, and the motion at the upper
+       one. */
     out->holds = out->margin - offset;
     out->fails = out->margin + offset;
     if (first != KERN_OUT)
@@ -7199,8 +7213,8 @@ static void kern_body_first(kern_model *m, const kern_path *path,
 
 /* ---- parts, and where a search begins ---- */
 
-/* Returns 1 if the known motion proves that it falls, which becomes the
-   answer's. */
+/* Returns 1 if the known motion proves that the structure falls, and copies it
+   to the answer. */
 static int kern_known_falls(kern_model *m, const kern_query *q,
                             const kern_known *known)
 {
@@ -7210,8 +7224,9 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
     return 1;
 }
 
-/* Returns 1 if the motion proves that the structure falls at the place after its
-   value: that is the upper end, and the value the critical one. */
+/* Returns 1 if the motion of `value` proves that the structure falls at
+   value->fails. Then that is the upper end, and value->margin the critical
+   value. */
 static int kern_start_falls(kern_model *m, kern_path *path,
                             const kern_known *value)
 {
@@ -7223,9 +7238,10 @@ static int kern_start_falls(kern_model *m, kern_path *path,
     return 1;
 }
 
-/* Returns the verdict on the open part alone at s, all other blocks held; after
-   KERN_FALLS path->critical is its critical value. That the part stands proves
-   nothing about the whole: then returns KERN_UNDECIDED and leaves `holds`. */
+/* Returns the verdict on the open part alone at s, with all other blocks held.
+   After KERN_FALLS path->critical is the critical value of the part. A part
+   that stands proves nothing about the whole: then it returns KERN_UNDECIDED.
+   `holds` is unchanged. */
 static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_real holds = path->holds;
@@ -7241,12 +7257,13 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
         status = kern_path_critical(m, path) == KERN_STANDS ? KERN_FALLS
                                                             : KERN_UNDECIDED;
     path->asked = KERN_ASKED_WHOLE;
-    path->predicted = path->holds = holds; /* predicts nothing */
+    path->predicted = path->holds = holds; /* nothing is predicted */
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
-/* Returns 1 if what moved in the known structure, if it is a small part, falls
-   with the last block at s; its critical value is the path's. */
+/* Returns 1 if the blocks that moved in the known structure, together with the
+   last block, are a small part that falls at s. Its critical value becomes the
+   path's. */
 static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_motion *motion = m->answer.known->motion;
@@ -7263,7 +7280,8 @@ static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
         && kern_path_part(m, path, s) == KERN_FALLS;
 }
 
-/* Returns 1 if the known bracket is one of this path, narrow and in order. */
+/* Returns 1 if the known bracket belongs to this path, is narrow and in
+   order. */
 static int kern_known_fits(const kern_path *path)
 {
     const kern_known *known = path->known;
@@ -7272,7 +7290,8 @@ static int kern_known_fits(const kern_path *path)
         && known->holds <= known->margin && known->margin <= known->fails;
 }
 
-/* Returns the place where a search begins, with an upper end if it has one. */
+/* Returns the place where a search begins. Sets an upper end if there is
+   one. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
@@ -7288,8 +7307,7 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     if (known && kern_start_falls(m, path, known))
         return at;
 
-    /* 2. A body tips: just before its value. The start itself if the value
-       does not lie beyond it. */
+    /* 2. A body tips: just before its value, but not before the start. */
     kern_body_first(m, path, &body);
     if (body.margin < most) {
         if (body.holds > path->start)
@@ -7297,20 +7315,22 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
         return kern_max(path->start, body.holds);
     }
 
-    /* 3. What moved in the known structure falls with the new block. */
+    /* 3. The blocks that moved in the known structure fall with the new
+       block. */
     if (m->answer.known && kern_known_part(m, path, most))
         return kern_before(path, kern_half_width(path));
 
-    /* 4. Nothing is known to fall: where it held, or a step away. */
+    /* 4. Nothing is known to fall: where it stood, or a step from the start. */
     path->fails = KERN_INFINITY;
     return at;
 }
 
 /* ---- the search: which method is asked when ---- */
 
-/* Finds the critical value of the whole where a load grows or gravity turns by
-   one program: the largest place, or the tangent of the largest angle, that rhs
-   can reach. Its prices are the mechanism. KERN_UNDECIDED where there is none. */
+/* Finds the critical value of the whole where a load grows or gravity turns, by
+   one program: the largest place, or the largest tangent of an angle, that rhs
+   can reach. The prices are the mechanism. Returns KERN_UNDECIDED if the path
+   ends first. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path)
 {
     kern_part *p = path->part;
@@ -7332,7 +7352,8 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     return kern_path_critical(m, path);
 }
 
-/* Finds the critical value in the bracket, if there is one, or by a climb. */
+/* Finds the critical value in the bracket, or by a climb if there is no
+   bracket. */
 static kern_status kern_path_narrow(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
@@ -7345,7 +7366,7 @@ static kern_status kern_path_narrow(kern_model *m, kern_path *path,
     return kern_path_climb(m, path, first, step, KERN_R(0));
 }
 
-/* Begins a program of all groups with the known forces. */
+/* Makes a basis for the program of all groups from the known forces. */
 static void kern_known_start(kern_model *m, kern_part *p)
 {
     int k;
@@ -7359,8 +7380,8 @@ static void kern_known_start(kern_model *m, kern_part *p)
     kern_simplex_start(&p->eq.simplex, p->x, KERN_BASIS_NOISE * m->weight);
 }
 
-/* Finds the critical value of the whole beyond path->holds, at q, by the
-   interior point. */
+/* Finds the critical value of the whole beyond path->holds by the interior
+   point. q is the query there. */
 static kern_status kern_path_interior(kern_model *m, kern_path *path,
                                       const kern_query *q, kern_real first,
                                       kern_real step)
@@ -7375,9 +7396,9 @@ static kern_status kern_path_interior(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Finds the critical value of the whole beyond path->holds, at q, by its linear
-   program. Returns KERN_UNDECIDED at the first place that the program cannot
-   decide if the interior point can continue from there. */
+/* Finds the critical value of the whole beyond path->holds by its linear
+   program. q is the query there. Returns KERN_UNDECIDED at the first place that
+   the program cannot decide if the interior point can continue from there. */
 static kern_status kern_path_program(kern_model *m, kern_path *path,
                                      const kern_query *q, kern_real first,
                                      kern_real step)
@@ -7386,7 +7407,7 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
                                   : kern_model_whole(m, path->part, q);
     if (status != KERN_OK)
         return status;
-    /* a basis that is filled up may not have the columns of points left out */
+    /* without the points that are left out the basis may lack columns */
     if (m->answer.known && path->q.carry == KERN_CARRY_ALL)
         kern_known_start(m, path->part);
     if (path->kind != KERN_PATH_SHRINK)
@@ -7396,10 +7417,11 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Finds the critical value of the whole beyond path->holds. Many groups: by the
-   interior point, which shrinks half as far first, where fewer mechanisms fall;
-   by the program where that finds none. Few: by the program; once that cannot
-   decide a place, as in a jam, the interior point narrows what is left. */
+/* Finds the critical value of the whole beyond path->holds. Many groups are
+   solved by the interior point, whose first step is half as long, since fewer
+   mechanisms fall there. If it finds nothing the program follows. Few groups
+   are solved by the program. If it cannot decide a place, as in a jam, the
+   interior point narrows the remaining bracket. */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
@@ -7415,8 +7437,8 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     if (status != KERN_UNDECIDED)
         return status;
 
-    /* The program; of few groups, in double, the interior point takes over where
-       a place stays without a proof. */
+    /* The program. For few groups, in double, the interior point continues
+       where a place has no proof. */
     if (!many && KERN_PICK(1, 0) > 0)
         path->asked = KERN_ASKED_PROGRAM;
     status = kern_path_program(m, path, &q, first, step);
@@ -7426,9 +7448,9 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
              : status;
 }
 
-/* Finds the critical value from a place `at` where all blocks are passed: each
-   part that falls lowers it, and the pass is asked again just before, until no
-   part falls. Then the whole is asked. */
+/* Finds the critical value by the pass, beginning at a place `at`. Each part
+   that falls lowers the value, and the next pass is just before it, until no
+   part falls. Then the whole is solved. */
 static kern_status kern_path_parts(kern_model *m, kern_path *path,
                                    kern_real step)
 {
@@ -7447,7 +7469,7 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
         else if (status == KERN_FALLS)
             status = kern_path_part(m, path, at);
 
-        /* a part falls: again before its value */
+        /* a part falls: the next pass is before its value */
         if (status == KERN_FALLS && path->fails > path->start) {
             at = kern_before(path, kern_half_width(path));
             kern_model_unload(m);
@@ -7456,7 +7478,7 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
             continue;
         }
 
-        /* it stands before the value, or the pass cannot tell, or it falls at
+        /* it stands before the value, or the pass cannot decide, or it falls at
            the start */
         if (status != KERN_STANDS || path->fails < KERN_INFINITY)
             break;
@@ -7472,9 +7494,9 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
              : kern_path_whole(m, path, at - path->holds, step);
 }
 
-/* Finds the critical value of a path from path->holds, which stands, or is
-   asked if kerns are nested. even: the width of a walk's steps where verdicts
-   may change more than once, or 0. */
+/* Finds the critical value of a path beyond path->holds. There the structure
+   stands, or is evaluated if kerns are nested. even: the width of a walk's
+   steps if verdicts may change more than once, or 0. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real even)
 {
@@ -7484,12 +7506,12 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     kern_status status;
     path->start = path->critical = path->predicted = path->holds;
     path->fails = path->proven.high = KERN_INFINITY;
-    if (even > 0) { /* gravity turns in larger steps, if the arc is held */
+    if (even > 0) { /* gravity may turn in larger steps if the arc is held */
         const kern_real turn = step * KERN_R(path->kind == KERN_PATH_TILT);
         status = kern_path_climb(m, path, turn, turn, even);
     } else if (m->whole || !shrinks)
         status = kern_path_whole(m, path, step, step);
-    else /* of few groups a part that falls ends a longer step soon */
+    else /* with few groups a falling part ends a longer step soon */
         status = kern_path_parts(
             m, path,
             m->graph.groups <= KERN_SMALL ? step * KERN_CLIMB_GROWS : step);
@@ -7506,18 +7528,18 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 }
 
 /* ---- nested first ---- */
-/* A lone point that travels makes kerns not nested, but few structures need
-   it. Without these points kerns are nested, and a search takes a walk's place:
+/* Points that travel make kerns not nested, but few structures need them.
+   Without these points kerns are nested, and a search replaces the walk:
 
-       forces without the points    are forces of the whole, at every smaller
-                                    place too: the whole stands up to there
-       a motion without the points  may close one of them: if it passes with all,
-                                    the whole falls there
+       forces without the points    also hold the whole, at every smaller place
+                                    too: the whole stands up to there
+       a motion without the points  may close one of them. If it is a proof with
+                                    all points, the whole falls there
 
-   If it does not pass, a walk goes on from the place that is proven. */
+   If it is not, a walk continues from the place that is proven. */
 
-/* Leaves points that travel out of the path, or takes them in again. Known
-   forces that load such a point are no help without it. */
+/* Leaves points that travel out of the path, or includes them again. Known
+   forces that load such a point are no use without it. */
 static void kern_path_carry(kern_model *m, kern_path *path, kern_carry carry)
 {
     int i;
@@ -7529,8 +7551,8 @@ static void kern_path_carry(kern_model *m, kern_path *path, kern_carry carry)
             m->answer.known = NULL;
 }
 
-/* Finds the critical value where kerns are not nested, first without the points
-   that travel. even: width of the walk's steps, from 0. */
+/* Finds the critical value if kerns are not nested, first without the points
+   that travel. even: width of the walk's steps, which begin at 0. */
 static kern_status kern_path_scan(kern_model *m, kern_path *path,
                                   kern_real even)
 {
@@ -7547,7 +7569,7 @@ static kern_status kern_path_scan(kern_model *m, kern_path *path,
         || (status == KERN_FALLS && path->proven.high <= 0))
         return status;
 
-    /* the places of a walk from 0, from the last that is proven */
+    /* the walk has steps from 0 and begins with the last one that is proven */
     path->never = 0;
     path->holds = KERN_R(0);
     if (path->proven.low < 0)
@@ -7572,7 +7594,7 @@ KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
     path->unit = 1;
 }
 
-/* What a call works on. */
+/* The state of a call. */
 typedef struct kern_call {
     kern_model m;
     kern_part part;
@@ -7580,7 +7602,7 @@ typedef struct kern_call {
 } kern_call;
 
 /* Checks the task, charges for that, and opens its path, on which kerns shrink.
-   `out` is where the answer goes. */
+   `out` is the address of the result. */
 static kern_status kern_call_open(kern_call *c, const kern_task *task,
                                   kern_real shrink, const void *out)
 {
@@ -7597,7 +7619,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* A path without a bracket, a proof or anything known. */
+    /* A path without a bracket, a proof or known forces. */
     path->kind = KERN_PATH_SHRINK;
     path->part = &c->part;
     path->proof = NULL;
@@ -7613,7 +7635,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     return kern_model_open(&c->m, task, &path->q);
 }
 
-/* Opens a call whose answer is a number, which is -1 where the limit ends the
+/* Opens a call whose result is a number. The number is -1 if the limit ends the
    call before the task is read. */
 KERN_SHARED static kern_status kern_number_open(kern_call *c,
                                                 const kern_task *task,
@@ -7634,16 +7656,16 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     if (status != KERN_OK)
         return status;
 
-    /* Answers the path's first query, which is the task at `shrink`. */
+    /* The path's first query is the task at `shrink`. */
     status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
     kern_proof_out(&c.m, proof, status);
     return kern_ended(task, status);
 }
 
 /* Finds the level by Algorithm 1 of the paper: the first k at which kerns
-   shrunk by k steps no longer hold; last + 1 if they always do, -1 if a verdict
-   is undecided. Up to path->holds all hold. Where kerns are nested, none holds
-   from path->fails on. */
+   shrunk by k steps do not hold; last + 1 if there is none, -1 if a verdict is
+   undecided. All steps up to path->holds hold. If kerns are nested no step from
+   path->fails on does. */
 static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                             int last, kern_margin *out)
 {
@@ -7662,8 +7684,9 @@ static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                                        : -1;
 }
 
-/* Computes the measure of an open task, with what is known of a structure like
-   it. Where kerns are not nested, all levels are among the even steps. */
+/* Computes the margin of an open task, from what is known of a similar
+   structure. If kerns are not nested every level is at one of the even
+   steps. */
 static kern_status kern_measure_task(kern_call *c, const kern_known *known,
                                      kern_margin *out, const kern_proof *proof)
 {
@@ -7680,7 +7703,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     kern_model_know(&c->m, known);
     path->end = r.most;
 
-    /* The steps of the level; the last is the one at which every kern is
+    /* The number of steps of the level. At the last step every kern is
        closed. */
     if (!(r.epsilon > 0))
         r.epsilon = path->q.relative ? KERN_LEVEL_SHARE
@@ -7689,12 +7712,12 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     if (!(steps <= KERN_POINTS_MOST))
         return KERN_BAD_STEP;
     last = (int)steps;
-    last += KERN_R(last) < steps; /* until every kern is closed */
+    last += KERN_R(last) < steps; /* rounded up */
     first = kern_min(r.epsilon, r.most);
 
-    /* Where kerns are nested the search begins where a body falls, and asks the
-       start only if the value is near it. Where they are not, it may walk in even steps, a whole number to a
-       step of the level. */
+    /* If kerns are nested the search begins where a body falls, and evaluates
+       the start only if the value is close to it. Otherwise it may walk in even
+       steps, of which a whole number is a step of the level. */
     status = nested ? kern_path_search(&c->m, path, 0)
                     : kern_path_scan(
                         &c->m, path,
@@ -7709,8 +7732,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
         kern_level_scan(&c->m, path, nested, last, &r);
     }
 
-    /* Where the limit ended the call, what has a proof by then is the
-       answer. */
+    /* If the limit ended the call, the result is what has a proof so far. */
     status = kern_ended(task, status);
     if (status == KERN_LIMIT) {
         r.fails = kern_min(path->proven.high, r.most);
@@ -7724,7 +7746,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     return status;
 }
 
-/* Computes the measure of a task that is not open yet. */
+/* Opens a task and computes its margin. */
 static kern_status kern_measure_anew(const kern_task *task,
                                      const kern_known *known, kern_margin *out,
                                      const kern_proof *proof)
@@ -7751,16 +7773,16 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     if (!task)
         return KERN_BAD_POINTER;
 
-    /* Without arrays for it nothing is remembered. */
+    /* Without the two arrays nothing is remembered. */
     known = task->known;
     if (!known.motion || !known.force) {
         known.fails = 0;
         return kern_measure_anew(task, &known, out, proof);
     }
 
-    /* The arrays of what is known take the new proof. So the old forces are
-       lost on the way and cannot begin the search; the old motion, which is
-       read first, can. */
+    /* The arrays of the known forces and motion take the new proof. The old
+       forces are overwritten before they could be used, so they do not begin
+       the search. The old motion, which is read first, does. */
     kept.force = known.force;
     kept.motion = known.motion;
     known.force = NULL;
@@ -7769,13 +7791,13 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
         task->known.fails = 0;
 
-    /* The caller's proof is a copy of it. */
+    /* The caller's proof is a copy. */
     if (status >= 0 && proof && proof->force)
         kern_copy(proof->force, kept.force, 2 * task->s.contacts);
     if (status >= 0 && !out->saturated && proof && proof->motion)
         kern_copy(proof->motion, kept.motion, 3 * task->s.blocks);
 
-    /* The bracket is remembered with its proof. */
+    /* Remembers the bracket. Its proof is in the arrays already. */
     if (status == KERN_STANDS) {
         if (out->saturated)
             kern_zero(kept.motion, 3 * task->s.blocks);
@@ -7786,9 +7808,10 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     return status;
 }
 
-/* Grows the kerns of a structure that falls until it stands, at most to the
-   bound in >>rules, and finds the critical value in between. Returns KERN_FALLS
-   with path->critical, -infinity where it falls even at the bound. */
+/* Grows the kerns of a structure that falls until it stands, up to the bound in
+   >>rules, and finds the critical value in between. Returns KERN_FALLS with
+   path->critical, which is -infinity if the structure falls even at the
+   bound. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     kern_real range[2], grown = path->unit * KERN_GROW_FIRST, limit;
@@ -7799,8 +7822,8 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     kern_status status;
     int i;
 
-    /* The bound is a multiple of the structure's extent, or of that over the
-       shortest travel. */
+    /* The bound is a multiple of the structure's extent, with relative kerns of
+       the extent over the shortest travel. */
     for (i = 0; i < 2 * m->graph.groups; i++) {
         const kern_block *b = m->s->block + m->graph.block[i / 2];
         const kern_real way = kern_block_size(b) * KERN_R(i & 1 ? 0.5 : -0.5);
@@ -7814,7 +7837,8 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     if (path->q.relative)
         limit = range[0] < KERN_INFINITY ? limit / range[0] : 1;
 
-    /* Grows by a factor, small where a range that stands may be narrow. */
+    /* Grows by a factor, which is small if a range that stands may be
+       narrow. */
     path->start = -limit;
     for (;; grown = kern_min(grown * growth, limit)) {
         status = kern_path_evaluate(m, path, -grown);
@@ -7849,7 +7873,7 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
 }
 
 /* Returns the contact length between lo and hi that is next above their
-   logarithmic middle; 0 if there is none. */
+   logarithmic middle, or 0 if there is none. */
 static kern_real kern_length_between(const kern_structure *s, kern_real mean,
                                      kern_real lo, kern_real hi)
 {
@@ -7880,16 +7904,16 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
     if (status != KERN_OK)
         return status;
 
-    /* Round 0 asks with all contacts, round 1 without those that have a length.
-       Further rounds halve the lengths in between, on a logarithmic scale. */
+    /* Round 0 has all contacts, round 1 only those without a length. Further
+       rounds halve the range of lengths in between, on a logarithmic scale. */
     for (round = 0; round < 2 || at > 0; round++) {
         c.path.q.shortest = at;
         kern_model_group(&c.m, &c.path.q);
         status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
         kern_proof_out(&c.m, proof, status);
 
-        /* An end of [lo, hi). That not even all contacts hold it ends the
-           search. */
+        /* Each verdict is an end of [lo, hi). If the structure falls with all
+           contacts the search ends. */
         if (status == KERN_STANDS)
             lo = at;
         else if (lo < 0 || status < KERN_UNDECIDED)
@@ -7897,7 +7921,7 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
         else
             hi = at;
 
-        /* No motion has a proof then. */
+        /* An undecided verdict has no motion. */
         if (status == KERN_UNDECIDED && proof && proof->motion)
             kern_zero(proof->motion, 3 * task->s.blocks);
 
@@ -7912,15 +7936,15 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
     return status;
 }
 
-/* Returns 1 if there is gravity and a side to turn it to. */
+/* Returns 1 if there is gravity and the side is left or right. */
 static int kern_has_side(const kern_structure *s, kern_side side)
 {
     return (side == KERN_RIGHT || side == KERN_LEFT)
         && kern_vec_largest(s->gravity) > 0;
 }
 
-/* Returns the angle whose tangent is s >= 0: halves it three times, then takes
-   the series. */
+/* Returns the angle whose tangent is s >= 0: halves the angle three times, then
+   sums its series. */
 static kern_real kern_angle_of(kern_real s)
 {
     kern_real sum = 0, t2;
@@ -7932,7 +7956,7 @@ static kern_real kern_angle_of(kern_real s)
     return 8 * s * sum;
 }
 
-/* Opens a call whose answer is how far a pattern grows, or where that is NULL a
+/* Opens a call whose result is the growth of a pattern, or if that is NULL of a
    load or tilt to a side. */
 KERN_SHARED static kern_status kern_growth_open(kern_call *c,
                                                 const kern_task *task,
@@ -7969,7 +7993,7 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* under loads that stay a tilt may stand again after it fell */
+    /* under loads that stay a structure may stand again at a larger tilt */
     loaded = tilt && kern_model_loaded(&c->m);
     kern_path_push(path, kind, pattern, side);
     path->proof = proof;
@@ -8014,8 +8038,8 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                    : KERN_BAD_POINTER;
 }
 
-/* Returns the factor of the pattern up to which the motion of the answer makes
-   the structure fall, as it does at q; infinity if at every larger one. */
+/* Returns the factor of the pattern below which the answer's motion makes the
+   structure fall, or infinity if the pattern does not resist the motion. */
 static kern_real kern_least_of(const kern_model *m, const kern_query *q)
 {
     kern_query unloaded = *q;
@@ -8035,8 +8059,8 @@ static kern_real kern_least_of(const kern_model *m, const kern_query *q)
     return held > 0 ? power / held : KERN_INFINITY;
 }
 
-/* Uses Newton's method from below: each mechanism tells how much load holds it,
-   and just beyond that load the next one falls, or all stand. */
+/* Uses Newton's method from below: each mechanism gives the load that holds it.
+   Just beyond that load another mechanism falls, or the structure stands. */
 KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         const kern_wrench *pattern,
                                         kern_real *factor,
@@ -8052,7 +8076,7 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
     if (status != KERN_OK)
         return status;
 
-    /* Where a place has no proof the next lies twice as far beyond. */
+    /* After a place without a proof the next lies twice as far beyond. */
     kern_path_push(&c.path, KERN_PATH_LOAD, pattern, KERN_SHRINK);
     for (round = 0; round < KERN_LEAST_ROUNDS && falls < KERN_FACTOR_MOST;
          round++) {
@@ -8067,7 +8091,7 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
         q->factor = falls + beyond * (1 + falls);
     }
 
-    /* It falls at every factor only if no load up to the largest holds it. */
+    /* It falls at every factor only if that is proven up to the largest. */
     if (status == KERN_FALLS && falls < KERN_FACTOR_MOST)
         status = KERN_UNDECIDED;
     status = kern_ended(task, status);
@@ -8099,7 +8123,7 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                                     KERN_BOUND, KERN_START_COLD,
                                     KERN_NORM_ROUNDS)
                    : KERN_NO_SPACE;
-        if (status == KERN_FALLS) /* unproven */
+        if (status == KERN_FALLS) /* without a proof */
             status = KERN_UNDECIDED;
         if (status == KERN_STANDS) {
             kern_norm_write(p);
@@ -8114,22 +8138,22 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
 
 /* ---- The profile --------------------------------------------- >>profile */
 /* Progressive collapse: the path continues past its critical value, without the
-   blocks that move there. A model of fewer blocks is the same model with fewer
-   groups. */
+   blocks that move there. Without blocks the model has fewer groups and is
+   otherwise the same. */
 
 typedef struct kern_fall {
-    int weak;         /* places in the weaker half that are not taken */
+    int weak;         /* values of the weaker half that are missing   */
     kern_real sum;    /* of the values of that half                   */
-    kern_real *value; /* of each block, -1 as long as it stands       */
+    kern_real *value; /* of a block, -1 while it stands               */
 } kern_fall;
 
-/* Which of the blocks that are left fall. */
+/* The blocks that fall, among those that are left. */
 typedef enum kern_fall_which {
     KERN_FALL_MOVING, /* those that move in the mechanism                 */
     KERN_FALL_ALL
 } kern_fall_which;
 
-/* Records `at` as the value of the blocks that are left and fall there. */
+/* Records `at` as the value of every remaining block that falls there. */
 static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
                           kern_fall_which which)
 {
@@ -8146,8 +8170,8 @@ static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
         }
 }
 
-/* Evaluates the place where the structure fell last, and places beyond it while
-   the verdict is undecided. */
+/* Evaluates the place where the structure fell last, then places beyond it
+   while the verdict is undecided. */
 static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 {
     kern_real beyond = path->fails;
@@ -8160,10 +8184,11 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
     return status;
 }
 
-/* Follows the whole collapse along a path, from one critical value to the next,
-   and to the mechanism there: the last verdict of a search may be of another
-   place. Rounds that take nothing away, where both verdicts have a proof at one
-   place, are bounded. */
+/* Follows the whole collapse along a path: from one critical value to the
+   mechanism there, and on to the next value. The mechanism needs a verdict of
+   its own, since the last verdict of a search may be at another place. Rounds
+   that remove no block are bounded; they occur if both verdicts have a proof at
+   one place. */
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
@@ -8177,14 +8202,14 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
 
         /* Removes the blocks that move in the mechanism. The verdict on the
            others is just beyond the proof. */
-        if (status == KERN_FALLS) { /* the rest, just beyond the proof */
+        if (status == KERN_FALLS) {
             kern_fall_add(m, fall, at, KERN_FALL_MOVING);
             kern_model_group(m, &path->q);
             if (m->graph.groups > 0)
                 status = kern_fall_beyond(m, path);
 
         } else if (status == KERN_STANDS) {
-            /* They stand: the search continues to their critical value and to
+            /* They stand: the search continues to their critical value, and to
                the mechanism just beyond it. */
             status = kern_path_search(m, path,
                                       path->kind != KERN_PATH_SHRINK
@@ -8198,14 +8223,14 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
             return status;
     }
 
-    /* What is left stands to the end. */
+    /* The blocks that are left stand to the end. */
     kern_fall_add(m, fall, path->end, KERN_FALL_ALL);
     return KERN_OK;
 }
 
-/* Returns e^-x for x >= 0, by the first terms of the series of e^x squared ten
-   times, since libm differs from machine to machine. The error is within 2e-4
-   of the value for x up to 10. */
+/* Returns e^-x for x >= 0, by the first terms of the series of e^t, t = x /
+   1024, squared ten times, since libm differs between machines. The error is
+   within 2e-4 of the value for x up to 10. */
 static kern_real kern_decay(kern_real x)
 {
     const kern_real t = x / KERN_R(1024);
@@ -8248,15 +8273,15 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     int i, free_blocks, half;
     kern_status status = kern_call_open(&c, task, 0, value ? out : NULL);
 
-    /* Every value is -1 until its block falls; also where the call ends
-       early. */
+    /* Every value is -1 until its block falls, also if the call ends early. */
     for (i = 0;
          (status == KERN_OK || status == KERN_LIMIT) && i < task->s.blocks; i++)
         value[i] = -1;
     if (status != KERN_OK)
         return status;
 
-    /* Chooses the path: kerns shrink to the longest travel, or a load grows. */
+    /* Chooses the path: kerns shrink up to the longest travel, or a load
+       grows. */
     kern_is_nested(&c.m, range);
     if (side != KERN_SHRINK && !kern_has_side(&task->s, side))
         return KERN_BAD_OPTION;
@@ -8264,7 +8289,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
         kern_path_push(&c.path, KERN_PATH_LOAD, NULL, side);
     c.path.end = side ? KERN_PROFILE_MOST : range[1];
 
-    /* The query reads the values, so that a block with one counts as gone. */
+    /* The query reads the values: a block that has one counts as gone. */
     c.path.q.fallen = value;
     free_blocks = c.m.graph.groups;
     fall.weak = half = (free_blocks + 1) / 2;
@@ -8272,7 +8297,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     fall.value = value;
     status = kern_ended(task, kern_fall_follow(&c.m, &c.path, &fall));
 
-    /* Least and sum of the values of free blocks. */
+    /* Computes the least value and the sum of the values of free blocks. */
     for (i = 0; i < task->s.blocks; i++) {
         if (task->s.block[i].fixed)
             value[i] = KERN_INFINITY;
@@ -8293,7 +8318,8 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 
 /* ---- What is critical ---------------------------------------- >>critical */
 
-/* Returns how a contact meets: opens, slides, hinges or rests. */
+/* Returns what a contact does in a motion: it opens, slides, hinges or
+   rests. */
 static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
                                     kern_vec u, kern_real turn)
 {
@@ -8305,19 +8331,19 @@ static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
     return kern_abs(turn) > KERN_REST ? KERN_HINGES : KERN_RESTS;
 }
 
-/* Writes how contacts meet in the mechanism and how much each limits, and finds
-   the first that limits most. The measure is the first of these that is above 0
-   for any contact: (0) the power f w that moving inward with a force f costs
-   while the blocks turn at w, unless its kern is closed; (1) the rate of a
-   hinge; (2) the speed of a slide. */
+/* Writes what contacts do in the mechanism and how much each limits, and finds
+   the first that limits most. The measure of limiting is the first of these
+   that is above 0 for any contact: (0) the power f w that moving the force f
+   inward costs while the blocks turn at w, unless the kern is closed; (1) the
+   rate at which a hinge turns; (2) the speed at which a contact slides. */
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
     kern_real most = 0, narrow = kern_reduction(q), rate;
     int measure, i;
 
-    /* Without forces measure 0 is left out. Measures 1 and 2 are tried where no
-       contact has been found so far. */
+    /* Without forces measure 0 is left out. Measures 1 and 2 are used only if
+       no contact has been found before. */
     for (measure = !proof->force; measure < 3 && out->contact < 0; measure++)
         for (i = 0; i < s->contacts; i++) {
             const kern_contact *c = s->contact + i;
@@ -8346,7 +8372,7 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
             }
         }
 
-    /* The largest becomes 1. */
+    /* Scales the limits so that the largest is 1. */
     for (i = 0; i < s->contacts && out->limit && most > 0; i++)
         out->limit[i] /= most;
 }
@@ -8364,8 +8390,8 @@ static int kern_as_one(const kern_structure *s, const kern_motion *motion,
     return kern_block_speed(s->block + j, &apart) < KERN_REST;
 }
 
-/* Numbers the groups of blocks that move as one, each begun by the fastest
-   block that is in none; -1 for blocks that rest. */
+/* Numbers the groups of blocks that move as one. Each group begins with the
+   fastest block that is in none. Blocks that rest have -1. */
 static void kern_critical_blocks(const kern_structure *s,
                                  const kern_motion *motion, kern_critical *out)
 {
@@ -8416,12 +8442,12 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 }
 
 /* ---- Sensitivity ------------------------------------------- >>sensitivity */
-/* At the margin d* the power G of forces and loads on the mechanism is 0, and
-   it stays 0 when a datum q changes: d*' = -G_q / G_d, with the forces and the
+/* At the margin d* the power G of forces and loads on the mechanism is 0. It
+   stays 0 when a datum q changes, so d*' = -G_q / G_d, with the forces and the
    motion of the proof. */
 
-/* Writes G_q for the data of contact i. Returns its share of G_d. Both are 0
-   without a force or a motion. */
+/* Writes G_q for the data of contact i. Returns the contact's term of G_d. Both
+   are 0 without a force or a motion. */
 static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
                                    int i, const kern_proof *proof,
                                    kern_contact_rate *out)
@@ -8449,11 +8475,11 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
     return -rate * spin * f;
 }
 
-/* Adds what the poses of the blocks of contact i do to it, as the contact
-   search would find it. `pair` is the other end of its line, or i. A line:
-   corners take ends along, the ends stay midway between the edges, and normal
-   and middle take half of what an end does. A point: a corner takes it along,
-   an edge turns the normal. */
+/* Adds the effect on contact i of the poses of its blocks, as the contact
+   search would find it, to the rates of the blocks. `pair` is the other end of
+   its line, or i. In a line, a corner moves its end along, the ends stay midway
+   between the edges, and each end gives half to the normal and the middle. In a
+   point, a corner moves the point and an edge turns the normal. */
 KERN_SHARED static void kern_pose_gain(const kern_task *task,
                                        const kern_contact_rate *rate, int i,
                                        int pair, kern_block_rate *out)
@@ -8469,8 +8495,8 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
     if (!(kern_abs(along) + kern_abs(across) + kern_abs(rate[i].turn) > 0))
         return;
 
-    /* Which block's corner is the end of the contact: the distance along it to
-       the nearest vertex near its line. */
+    /* Finds whose corner is the end of the contact: the distance along the
+       contact to the nearest vertex that is close to its line. */
     for (end = 0; end < 2; end++) {
         const kern_block *b = task->s.block + (end ? c->b : c->a);
         off[end] = KERN_INFINITY;
@@ -8485,9 +8511,9 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
         }
     }
 
-    /* The block of the corner moves the end along the contact, and either block
-       its part across. What the turn of the normal does is left to the other
-       part. */
+    /* The block of the corner moves the end along the contact. Across it each
+       block of a line moves it by half, and of a point only that block. The
+       turn of the normal is left to the remaining share. */
     for (end = 0; end < 2; end++) {
         const int on = end ? c->b : c->a;
         const kern_block *b = task->s.block + on;
@@ -8525,7 +8551,8 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* Rates by the contacts' own data, and G_d as the sum of their shares. */
+    /* Writes the rates of the contacts' own data, and sums their terms of
+       G_d. */
     for (i = 0; i < task->s.contacts; i++) {
         const kern_real g = kern_contact_gain(&task->s, &q, i, proof,
                                               contact + i);
@@ -8533,12 +8560,12 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         most += kern_abs(g);
     }
 
-    /* Without a change of the power along the path there is no margin to
-       change. */
+    /* If the power does not change along the path the margin does not
+       either. */
     if (margin->saturated || !(kern_abs(gain) > KERN_RATE_LEAST * most))
         return KERN_UNDECIDED;
 
-    /* Rates by loads, masses and centres of mass: the power of what acts. */
+    /* Rates of loads, masses and centres of mass: the power of the loads. */
     for (i = 0; i < task->s.blocks; i++) {
         const kern_block *b = task->s.block + i;
         const kern_real mass = b->fixed ? 0 : b->mass;
@@ -8551,82 +8578,86 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         block[i].mass = g.x * v->vx + g.y * v->vy;
     }
 
-    /* Rates by the poses of the blocks, from those of the contacts. A line's
-       two ends belong together. */
+    /* Rates of the poses of blocks, from those of contacts. The two ends of a
+       line are treated together. */
     for (i = 0; i < task->s.contacts; i += 1 + line) {
         line = kern_line_begins(task->s.contact, task->s.contacts, i);
         for (end = 0; end <= line; end++)
             kern_pose_gain(task, contact, i + end, i + line - end, block);
     }
 
-    /* All were G_q; the rates of the margin are -G_q / G_d. */
+    /* So far all rates are G_q; those of the margin are -G_q / G_d. */
     kern_scale(contact, 5 * task->s.contacts, -1 / gain);
     kern_scale(block, 9 * task->s.blocks, -1 / gain);
     return KERN_OK;
 }
 
 /* ---- Raised ----------------------------------------------------- >>raised */
-/* Forces that a load puts on unstressed contacts of some stiffness. Groups are
-   displaced by u under loads b; a contact approaches by wn along n and shears
-   by wt along t, w = A' u. Coulomb's law for a stiffness k, and along t c mu k:
+/* Finds forces that a load raises on unstressed contacts of some stiffness. The
+   displacement u of the groups is caused by loads b. Let wn be the approach of
+   a contact along n and wt its shear along t, w = A' u. Coulomb's law with a
+   stiffness k, and c mu k along t, is
 
-       f = k max(0, wn),   r = c mu k wt, but within -mu f and mu f      (law)
+       f = k max(0, wn),   r = c mu k wt, cut off at -mu f and mu f      (law)
        A (f, r) = b                                                  (balance)
 
-   No linear or convex program has this law: in theirs, that of limit analysis,
-   sliding blocks also part. A price p on a contact takes the parting away. For
-   given prices >>norm finds the u at which the forces of that law, with wn - p
-   for wn, balance b. A contact that slides there by s beyond its elastic shear
-   parts by mu s, so that (law) and (balance) hold where
+   No linear or convex program has this law: in the law of limit analysis
+   sliding blocks also part. A price p on a contact removes this parting. For
+   given prices >>norm finds the u at which the forces of limit analysis, with
+   wn - p instead of wn, balance b. A contact that slides by s beyond its
+   elastic shear then parts by mu s, so (law) and (balance) hold where
 
        p = F(p) = max(0, mu s(p))                               (fixed point)
 
-   (Acary, Cadoux, Lemarechal and Malick). A search repeats rounds: balance for
-   the prices, then new prices. Once few contacts change between sticking,
-   sliding and open, Newton's method on (law) and (balance) ends it. Prices need
-   not be exact: the proof is a check of forces and u (kern_prove_raised()).
+   (Acary, Cadoux, Lemarechal and Malick). A search repeats rounds: forces that
+   balance for the present prices, then new prices. Once few contacts change
+   between sticking, sliding and open, Newton's method on (law) and (balance)
+   finishes it. Prices need not be exact, since the proof is a check of forces
+   and u (kern_prove_raised()).
 
-   A search ends where it is lost: u runs away, or nothing gains
+   A search is given up if u runs away, or if prices no longer settle
    (kern_settling). */
 
 typedef struct kern_raise {
-    kern_part *p;            /* all groups, or those near a block            */
-    int around;              /* the block asked about, or KERN_OUT           */
-    const kern_proof *proof; /* that each step along a load writes, or NULL  */
+    kern_part *p;            /* all groups, or those around a block          */
+    int around;              /* the block of kern_stays(), or KERN_OUT       */
+    const kern_proof *proof; /* where each shown step writes it, or NULL     */
     kern_end end;            /* why the last search ended                    */
-    int size;                /* numbers of u and prices, one after the other */
-    kern_real *held;         /* u and prices of the last place that was shown */
-    kern_real *earlier; /* those of a place before it, to go on from          */
-    kern_real *last;    /* two a contact: last F(p), and its change           */
-    kern_real *kept;    /* u before Newton's method                           */
+    int size;                /* count of the numbers of u, then of prices    */
+    kern_real *held;         /* u and prices of the last load that was shown */
+    kern_real *earlier; /* u and prices of a load shown before that          */
+    kern_real *last;    /* two a contact: last F(p), and its change          */
+    kern_real *kept;    /* u before Newton's method                          */
     kern_skyline up;    /* columns of its matrix; p->dual.matrix has the rows */
-    int *state;         /* of a contact: open, sticks, slides one way, other  */
+    int *state;         /* of a contact: 0 open, 1 sticks, 2 and 3 slides    */
 } kern_raise;
 
-/* How a search begins: unloaded, or from u and prices as they are. */
+/* How a search begins: unloaded, or with the present u and prices. */
 typedef enum kern_begin { KERN_BEGIN_UNLOADED, KERN_BEGIN_HERE } kern_begin;
 
-/* A search, and what tells that it is lost. */
+/* A search, and the numbers that tell when to give it up. */
 typedef struct kern_settling {
-    kern_real tolerance; /* what equilibrium may miss                         */
-    int warm;            /* nonzero: u and prices are near                    */
+    kern_real tolerance; /* residual of equilibrium that is allowed          */
+    int warm;            /* nonzero: u and prices are close already          */
     int round;
-    int units;       /* of work, before it                                    */
-    kern_real first; /* how far groups go in its first round                  */
-    kern_real held;  /* how far they go where it was shown last; 0: never     */
-    kern_real least; /* least change of prices of a round, squared            */
-    int since;       /* rounds since then                                     */
+    int units;       /* of work, before the search                           */
+    kern_real first; /* largest displacement of a group in the first round   */
+    kern_real held;  /* the same in the last load that was shown; 0: none    */
+    kern_real least; /* least change of prices in a round, squared           */
+    int since;       /* rounds since that one                                */
 } kern_settling;
 
-/* Leaves the n groups within KERN_STAYS_NEAR contacts of block i unmarked, for
-   kern_norm_open(); marks all others, and the ground, with n: they are held. */
+/* Marks the groups that are held: all but the n groups within KERN_STAYS_NEAR
+   contacts of block i. These stay unmarked, for kern_norm_open(). The mark is
+   n, also for the ground. */
 static void kern_raise_near(kern_model *m, int i)
 {
     const int *ends = m->graph.ends, groups = m->graph.groups;
     int *local = m->graph.local, g, e, at, n = 1;
 
-    /* Number the groups by their distance from the block, from 1 on; 0: not
-       reached yet. Paths do not lead through the ground: it counts as reached. */
+    /* Numbers the groups by their distance from the block, from 1 on; 0: not
+       reached so far. Paths do not lead through the ground, which counts as
+       reached. */
     for (g = 0; g < groups; g++)
         local[g] = 0;
     local[groups] = local[m->graph.group[i]] = 1;
@@ -8639,15 +8670,16 @@ static void kern_raise_near(kern_model *m, int i)
                     n++;
                 }
 
-    /* Turn the numbers into marks. */
+    /* Turns the numbers into marks. */
     for (g = 0; g < groups; g++)
         local[g] = local[g] > 0 ? KERN_OUT : n;
     local[groups] = n;
 }
 
-/* Opens the groups as one part, without prices. Returns 0 if there is no room.
-   Stiffness is a tenth plus the length in mean sizes: of the laws tried nearest
-   to a simulator. */
+/* Opens the groups as one part, with prices of 0. Returns 0 if there is no
+   room. The stiffness of a contact point is a tenth plus, at the end of a line,
+   its travel in mean sizes. Of the laws that were tried this is the closest to
+   a simulator. */
 static int kern_raise_open(kern_raise *r, kern_model *m)
 {
     kern_part *p = r->p;
@@ -8657,15 +8689,15 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     if (!kern_norm_open(p, m))
         return 0;
 
-    /* A proof asks that contacts stick within KERN_STICKS; the law of a chance
-       to stay asks for no proof. */
-    p->y = p->dual.step; /* no program is open: y is where a motion goes */
-    p->dual.stiff = r->around < 0 ? KERN_R(1.1) / KERN_STICKS /* it proves */
+    /* A proof requires that contacts stick within KERN_STICKS. kern_stays()
+       needs no proof. */
+    p->y = p->dual.step; /* no program is open: y is the room for a motion */
+    p->dual.stiff = r->around < 0 ? KERN_R(1.1) / KERN_STICKS
                                   : KERN_STAYS_STIFF;
 
-    /* Newton's matrix is not symmetric: its upper half has a room of its own.
-       The vectors of a search follow. Prices lie behind u in one array, so that
-       a search copies both at once. */
+    /* Newton's matrix is not symmetric, so its upper half has memory of its
+       own. The vectors of a search follow. Prices come after u in one array, so
+       that both are copied at once. */
     for (g = 0; g < p->groups; g++)
         entries += 9 * (g - p->dual.matrix.first[g] + 1);
     r->up = p->dual.matrix;
@@ -8683,7 +8715,7 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     if (!kern_take_fits(&p->rest))
         return 0;
 
-    /* no prices yet; longer contacts are stiffer */
+    /* no prices yet; the ends of longer lines are stiffer */
     kern_zero(p->dual.price, p->contacts);
     for (k = 0; k < p->contacts; k++) {
         const kern_contact *c = m->s->contact + p->contact[k];
@@ -8697,20 +8729,21 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
 
 /* ---- a round of prices ---- */
 
-/* Returns how far contact k slides beyond its elastic shear; below 0 it sticks
-   or does not press. */
+/* Returns how far contact k slides beyond its elastic shear. A negative value
+   means that it sticks or does not press. */
 static kern_real kern_raise_slip(const kern_part *p, int k, kern_real approach)
 {
     return kern_abs(p->dual.way[2 * k + 1])
          - kern_max(approach, 0) / p->dual.stiff;
 }
 
-/* Writes the forces, and to dual.turn F(p) and its change. Returns 1 if they
-   may be a proof: every loaded contact approaches, and none slides as far as a
-   stone that falls into a jam. Prices fall slowly, since those of joints that
-   lean on each other alternate. Where forces were `found`, a contact that
-   parts keeps its price, and one that should part and presses gets twice what
-   is missing: otherwise a joint that no longer presses stays loaded. */
+/* Writes the forces, and F(p) and its change to dual.turn. Returns 1 if the
+   forces may be a proof: every loaded contact approaches, and none slides as
+   far as a stone that falls into a jam. Prices fall slowly, since prices of
+   joints that lean on each other alternate. `found` means that the forces
+   balance. Then a contact that parts keeps its price, and one that should part
+   but presses gets twice the missing price. Otherwise a joint that no longer
+   presses would stay loaded. */
 static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
 {
     kern_part *p = r->p;
@@ -8724,16 +8757,16 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
         const kern_real slip = kern_raise_slip(p, k, approach);
         kern_real to = kern_model_mu(p->m, p->contact[k]) * kern_max(slip, 0);
 
-        /* A loaded contact must approach; how far it slides is compared with how
-           far the softest of them approaches. */
+        /* A loaded contact must approach. The longest slide is compared with
+           the largest approach. */
         if (p->m->answer.force[p->contact[k]].normal > least) {
             pressed &= approach > 0;
             slid = kern_max(slid, slip);
             most = kern_max(most, approach);
         }
 
-        /* A contact that parts keeps its price, and gets more where it presses;
-           other prices fall by a share of the way. */
+        /* A contact that parts keeps its price, or gets a higher one where it
+           presses. Other prices fall by a share of the way. */
         if (found && !(approach > 0))
             to = kern_max(to, price)
                + 2 * kern_max(wn + kern_max(to, price), 0);
@@ -8745,10 +8778,11 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
     return pressed && slid <= KERN_SLIDE_MOST * most;
 }
 
-/* Makes new prices of the last two rounds. Where F is linear the change is
+/* Computes new prices from the last two rounds. If F is linear, the change is
    least if a share `back` of the last difference is taken back (Anderson's
-   method). A change that grows and keeps its direction is a slide that has
-   only begun: then prices go forward. Returns their change, squared. */
+   method). If a change grows and keeps its direction a slide has only begun:
+   then prices are extrapolated forward. Returns the square of the change of
+   prices. */
 static kern_real kern_raise_extrapolate(kern_raise *r, int round)
 {
     const kern_part *p = r->p;
@@ -8775,8 +8809,8 @@ static kern_real kern_raise_extrapolate(kern_raise *r, int round)
     return is;
 }
 
-/* Returns how many contacts have changed between open, sticking, sliding one
-   way and the other since it was called last. */
+/* Returns how many contacts have changed their state since the last call: open,
+   sticking, or sliding one way or the other. */
 static int kern_raise_changes(kern_raise *r)
 {
     const kern_part *p = r->p;
@@ -8795,8 +8829,9 @@ static int kern_raise_changes(kern_raise *r)
 
 /* ---- Newton's method ---- */
 
-/* Takes what contact k exerts by Coulomb's law from grad, and adds its change
-   with u to the matrix, whose columns are those of `up`. Returns its force. */
+/* Subtracts the wrenches of contact k by Coulomb's law from grad, and adds
+   their derivatives by u to the matrix, whose columns are in `up`. Returns the
+   normal force. */
 static kern_real kern_raise_contact(kern_raise *r, int k)
 {
     static const kern_real approach[2] = {1, 0}, shear[2] = {0, 1};
@@ -8824,8 +8859,8 @@ static kern_real kern_raise_contact(kern_raise *r, int k)
     return stiff * w[0];
 }
 
-/* grad := b less what the contacts exert by Coulomb's law; the matrix and `up`
-   := its change with u. Returns the largest force. */
+/* grad := b less the wrenches of the contacts by Coulomb's law. The matrix and
+   `up` := its derivative by u. Returns the largest normal force. */
 static kern_real kern_raise_linearise(kern_raise *r)
 {
     kern_part *p = r->p;
@@ -8843,9 +8878,9 @@ static kern_real kern_raise_linearise(kern_raise *r)
     return most;
 }
 
-/* Newton's method on (law) and (balance) from u, in whole steps, as long as
-   they come nearer to balance. Returns 1 if it balances, with the prices of
-   its slips; otherwise u is as it was. */
+/* Runs Newton's method on (law) and (balance) from u, in whole steps, as long
+   as they come closer to balance. Returns 1 if they reach it, with the prices
+   of the slips. Otherwise u is as it was. */
 static int kern_raise_newton(kern_raise *r, kern_real tolerance)
 {
     kern_part *p = r->p;
@@ -8853,7 +8888,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
     kern_real *way = p->dual.way, last = KERN_INFINITY;
     int k, round;
 
-    /* Coulomb's law knows no prices: approaches are those of u alone. */
+    /* Coulomb's law has no prices: approaches are those of u alone. */
     kern_copy(r->kept, p->dual.u, n + 3);
     for (k = 0; k < p->contacts; k++)
         way[2 * k] += p->dual.price[k];
@@ -8861,7 +8896,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
         const kern_real most = kern_raise_linearise(r);
         const kern_real left = kern_dot(p->dual.grad, p->dual.grad, n);
 
-        /* It balances: the slips are the prices of the fixed point. */
+        /* Balance is reached: the slips give the prices of the fixed point. */
         if (kern_largest(p->dual.grad, n) <= tolerance + 4 * KERN_EPS * most) {
             for (k = 0; k < p->contacts; k++) {
                 const kern_real slip = kern_raise_slip(p, k, way[2 * k]);
@@ -8872,7 +8907,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
             return 1;
         }
 
-        /* A whole step, unless the last one led away from balance. */
+        /* Takes a whole step, unless the last one led away from balance. */
         if (!(left < last) || !kern_model_spend(p->m, 3 * p->dual.cost))
             break;
         last = left;
@@ -8884,7 +8919,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
         kern_add(way, KERN_R(1), p->dual.turn, 2 * p->contacts);
     }
 
-    /* no balance: back to where it began */
+    /* no balance: restores u */
     kern_copy(p->dual.u, r->kept, n + 3);
     kern_norm_ways(p, KERN_WAY_OF_U);
     return 0;
@@ -8892,8 +8927,8 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
 
 /* ---- a search ---- */
 
-/* Returns how far any group of u is from where it is in `from`, or from its
-   unloaded place (NULL); a turn counts by half the size. */
+/* Returns the largest displacement of a group from its place in `from`, or from
+   its unloaded place (NULL). A turn counts by half the size. */
 static kern_real kern_raise_far(const kern_raise *r, const kern_real *u,
                                 const kern_real *from)
 {
@@ -8910,9 +8945,9 @@ static kern_real kern_raise_far(const kern_raise *r, const kern_real *u,
     return KERN_SQRT(reach);
 }
 
-/* Returns 1 if u runs away: it goes much farther than in the first round, or
-   from the last place that was shown by more than that is from the unloaded
-   one. */
+/* Returns 1 if u runs away: it is much larger than in the first round, or its
+   distance from the last load that was shown is more than KERN_JUMPS times the
+   displacement there. */
 static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
 {
     const kern_real *u = r->p->dual.u, groups = KERN_R(r->p->groups);
@@ -8924,9 +8959,9 @@ static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
             && kern_raise_far(r, u, r->held) > KERN_JUMPS * settling->held);
 }
 
-/* Returns 1 if prices stopped to settle: their change has not become less for
-   many rounds. What slides at one end of a row reaches the other in as many
-   rounds as there are groups between them. */
+/* Returns 1 if prices have stopped settling: their change has not become
+   smaller for many rounds. A slide at one end of a row takes as many rounds to
+   reach the other end as there are groups between them. */
 static int kern_raise_stalls(const kern_raise *r, kern_settling *settling,
                              kern_real change)
 {
@@ -8937,7 +8972,7 @@ static int kern_raise_stalls(const kern_raise *r, kern_settling *settling,
     return settling->since++ > KERN_PATIENCE + r->p->groups / 2;
 }
 
-/* Returns 1 if forces and u prove it. Near a block no proof is asked for. */
+/* Returns 1 if forces and u are a proof. For kern_stays() none is needed. */
 static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 {
     kern_part *p = r->p;
@@ -8958,7 +8993,7 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 }
 
 /* Makes one round of a search. Returns how the search ends, or KERN_END_NONE if
-   it goes on. */
+   it continues. */
 static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                                  kern_settling *settling)
 {
@@ -8971,7 +9006,7 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
     kern_real change;
     int pressed;
 
-    /* The search ends where work is spent, or where blocks run away. */
+    /* Ends the search if its work is used up, or if blocks run away. */
     if (found == KERN_LIMIT || !kern_model_spend(p->m, 1 + p->contacts / 10)
         || p->m->task->work->units - settling->units
                > KERN_SEARCH_COSTS * p->dual.cost)
@@ -8979,8 +9014,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
     if (found == KERN_FALLS || kern_raise_runs_away(r, settling))
         return KERN_END_LOST;
 
-    /* Few contacts change between sticking, sliding and open: Newton's method
-       on Coulomb's law may end it at once. */
+    /* If few contacts change between sticking, sliding and open, Newton's
+       method on Coulomb's law may end the search at once. */
     if (kern_raise_changes(r) <= KERN_FEW_CHANGES
         && kern_raise_newton(r, settling->tolerance))
         return kern_raise_price(r, settling->tolerance, 1)
@@ -8988,7 +9023,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                  ? KERN_END_SHOWN
                  : KERN_END_LOST;
 
-    /* Otherwise new prices, which go on in the direction of their change. */
+    /* Otherwise computes new prices, extrapolated in the direction of their
+       change. */
     pressed = kern_raise_price(r, settling->tolerance, found == KERN_STANDS);
     change = kern_raise_extrapolate(r, settling->round);
     if (pressed && kern_raise_proves(r, q))
@@ -8997,7 +9033,7 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                                                   : KERN_END_NONE;
 }
 
-/* Searches for the fixed point under the loads of q. Returns 1 if it is shown;
+/* Searches for the fixed point under the loads of q. Returns 1 if it is shown.
    r->end tells why the search ended. */
 static int kern_raise_settle(kern_raise *r, const kern_query *q,
                              kern_begin begin)
@@ -9018,12 +9054,13 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q,
 
 /* ---- questions ---- */
 
-/* Returns the largest of a sequence of shares of gravity that pushes it to
-   either side, as kerns shrink by the same share of the mean size, and leaves it
-   raised. Where kerns are not nested, the push without the shrinkage must leave
-   it raised too. That is the worst that errors of places, and of angles over
-   that size, do. No share above `most` is asked, unless most is 0. Each search
-   begins at the last that was shown. */
+/* Returns the largest share of gravity, of a fixed list, such that a push of
+   that share to either side leaves the structure raised while kerns shrink by
+   the same share of the mean size. If kerns are not nested, it must also be
+   raised under the push without the shrinkage. This is the worst effect of
+   errors of places, and of angles times that size. No share above `most` is
+   tried, unless most is 0. Each search begins with the last load that was
+   shown. */
 KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
                                                 const kern_query *asked,
                                                 kern_real most)
@@ -9037,15 +9074,15 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     kern_query q = *asked;
     int low = (int)(sizeof share / sizeof share[0]) - 1, at, high;
 
-    /* The largest share that is asked, first to the right. What holds there is
-       asked to the left. */
+    /* Finds the largest share to the right. Only shares up to that one are
+       tried to the left. */
     while (most > 0 && KERN_R(share[low]) / 10000 > most)
         low--;
     kern_copy(r->earlier, r->p->dual.u, r->size);
     for (q.side = 1; q.side >= -1; q.side -= 2) {
         kern_copy(r->held, r->earlier, r->size);
 
-        /* Halve the sequence, from its end. */
+        /* Bisects the list, beginning at its end. */
         for (at = low, high = low + 1, low = 0; high - low > 1;
              at = (low + high) / 2) {
             int k, good = 1;
@@ -9067,8 +9104,8 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     return KERN_R(share[low]) / 10000;
 }
 
-/* Opens the question. *out becomes KERN_HANGS, with a proof, where blocks hang
-   that nothing holds up and the others stand without them. Otherwise it is
+/* Opens the question. *out becomes KERN_HANGS, with a proof, if some blocks
+   hang that nothing holds up and the others stand without them. Otherwise it is
    KERN_NOT_SHOWN, and the part of all groups is open for prices. */
 static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
                                     kern_raising *out)
@@ -9081,12 +9118,12 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     r->p = &c->part;
     *out = KERN_NOT_SHOWN;
     value = kern_take_last(&m->rest, m->s->blocks);
-    kern_take_last(&m->common, m->s->blocks); /* both end at one place */
+    kern_take_last(&m->common, m->s->blocks); /* both have the same end */
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
 
-    /* Which blocks hang? A verdict is asked only where that, or the chance of
-       one block to stay, needs it. */
+    /* Finds the blocks that hang. A verdict is needed only if there are any, or
+       for kern_stays(). */
     for (i = 0; i < m->s->blocks; i++)
         value[i] = KERN_R(1);
     left = kern_unsupported(m->s, value);
@@ -9095,7 +9132,8 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
         status = kern_model_evaluate(m, r->p, q);
     }
 
-    /* They hang if the others stand without them; they fall freely. */
+    /* They hang if the others stand without them. Their motion is a free
+       fall. */
     if (left > 0 && status == KERN_STANDS && kern_model_ask(m, 1)) {
         const kern_vec way = kern_vec_unit(m->s->gravity);
         q->fallen = value;
@@ -9111,16 +9149,17 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
 
-    /* all groups again, without a program that may be open */
+    /* all groups again, and no program that may be open */
     if (left > 0 || m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
     return kern_raise_open(r, m) ? KERN_STANDS : KERN_NO_SPACE;
 }
 
-/* Raises the load of q, by *share of it, from 0 to `most` in steps, each from
-   the last two in the same direction, finer once one fails, to a share of what
-   was shown. The end doubles if unknown. Returns the last share proven, below 0 if none. */
+/* Raises the load of q, by *share, from 0 to `most` in steps. Each step begins
+   in the direction of the last two. A step that fails is made finer, down to a
+   share of the load that was shown. If `most` is not known the end doubles.
+   Returns the largest share proven, or a negative number if there is none. */
 static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                                   kern_real *share, kern_real most)
 {
@@ -9137,7 +9176,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
            && step >= KERN_LOAD_NARROW * kern_max(stood, end / 100)) {
         *share = kern_min(stood + step, end);
 
-        /* begin where the last two places lead; prices are not negative */
+        /* extrapolates from the last two loads; prices are not negative */
         for (i = 0; i < r->size; i++) {
             if (good) {
                 r->earlier[i] = r->held[i];
@@ -9149,9 +9188,9 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                 u[i] = kern_max(u[i], 0);
         }
 
-        /* a step that fails is tried again, finer */
+        /* a step that fails is repeated with a smaller one */
         good = kern_raise_settle(r, q, KERN_BEGIN_HERE)
-            || (!(stood > 0) /* from rest nothing leads there */
+            || (!(stood > 0) /* no load to begin with but 0 */
                 && kern_raise_settle(r, q, KERN_BEGIN_UNLOADED));
         if (good) {
             taken = *share - stood;
@@ -9159,7 +9198,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
         } else
             step /= KERN_LOAD_FINER;
 
-        /* an end that was a guess */
+        /* an end that was only a guess */
         if (!(stood < end) && end < most) {
             end = kern_min(2 * end, most);
             step = end / KERN_LOAD_STEPS;
@@ -9169,9 +9208,9 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
 }
 
 /* Writes to *out whether the load raises forces: at once, or as the blocks'
-   loads grow from 0. Unless sag is NULL it becomes how far the block goes until
-   then, for a stiffness and a mean weight of 1; a turn counts by half the way of
-   a point that is one size away. */
+   loads grow from 0. If sag is not NULL, writes the block's displacement to it,
+   for a stiffness of 1 and a mean weight of 1. A turn counts by half the
+   size. */
 static kern_status kern_raise_show(kern_raise *r, kern_call *c,
                                    kern_raising *out, kern_real *sag)
 {
@@ -9196,8 +9235,8 @@ static kern_status kern_raise_show(kern_raise *r, kern_call *c,
              : kern_model_evaluate(&c->m, r->p, &c->path.q);
 }
 
-/* Answers kern_raised(), and with a sag, of the blocks near block i,
-   kern_stays(). */
+/* Answers kern_raised(). With a sag it answers kern_stays(), for the blocks
+   around block i. */
 static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
                                    kern_raising *out, kern_real *reserve,
                                    const kern_proof *proof, int i,
@@ -9216,7 +9255,8 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         && ((unsigned)i >= (unsigned)task->s.blocks || task->s.block[i].fixed))
         return KERN_BAD_BLOCK;
 
-    /* the search, and its proof: forces, and a motion where it is shown */
+    /* runs the search, and writes its proof: forces, and a motion if it is
+       shown */
     r.around = i;
     r.proof = NULL;
     r.end = KERN_END_NONE;
@@ -9228,7 +9268,7 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         kern_proof_out(&c.m, proof, KERN_FALLS);
     task->work->end = raising == KERN_NOT_SHOWN ? r.end : KERN_END_SHOWN;
 
-    /* how hard it may be pushed on top */
+    /* finds the largest push on top of the load */
     if (raising == KERN_RAISED && reserve)
         share = kern_raise_reserve(
             &r, &c.path.q, sag ? KERN_STAYS_MOST : task->options.reserve);
@@ -9291,10 +9331,10 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
     kern_status status = kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
                                   side, factor ? &most : NULL, proof);
 
-    /* The load factor bounds it; its proof in the caller's arrays is overwritten
-       by that of the raised load. Then the load grows from 0, in a model that is
-       opened again, since the search left a part open. That cannot fail: it has
-       the same memory. */
+    /* The load factor is an upper bound. Its proof in the caller's arrays is
+       overwritten by that of the raised load. Then the load grows from 0, in a
+       model that is opened again, since the search left a part open. That
+       cannot fail, since the memory is the same. */
     if (status == KERN_STANDS) {
         kern_query *q = &c.path.q;
         kern_raising hung;
@@ -9306,7 +9346,7 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
         if (hung == KERN_HANGS)
             status = KERN_UNDECIDED;
         q->factor = most = kern_min(most, KERN_FACTOR_MOST);
-        kern_model_set(&c.m, q); /* the unit of force is what acts at the end */
+        kern_model_set(&c.m, q); /* the unit of force is the load at the end */
         if (status == KERN_STANDS)
             stood = kern_raise_climb(&r, q, &q->factor, most);
         task->work->end = r.end;
