@@ -179,10 +179,10 @@
    one pixel, so simplify raw outlines first (kern_outline_simplify()).
      line      Two edges, one of each block, antiparallel within `angle`, and
                within the gap over a length of more than the gap or 1e-3 of the
-               size, whichever is less. Where both edges are shorter than that,
-               half of the longer edge is enough. The contact points are the
-               ends of that stretch, midway between the edges. n is the mean of
-               the edges' normals.
+               size, whichever is less. Half of the longer edge is enough if
+               that is still less. The contact points are the ends of that
+               stretch, midway between the edges. n is the mean of the edges'
+               normals.
      point     A convex vertex within the gap of an edge. Its foot is more than
                1e-6 of the size from both ends of the edge, and both edges of
                the vertex are on the outer side of that edge within `angle`. The
@@ -995,13 +995,14 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work);
 
-/* Finds the stretches of the contacts, of which kern_bearing() tells how long
-   those are that it needs: as kern_contacts(), but no hollow wider than the gap
-   divides a line, and contacts with any fixed block are given as contacts with
-   the first of these. Where a fixed block is cut in two nothing changes. A block
-   on two feet has one contact, as wide as the feet are apart, and two stretches.
-   Margins are those of kern_contacts(). Time: also O(C) for each interface of
-   points and, with several fixed blocks, for each contact. */
+/* Finds the stretches of the contacts, from which kern_bearing() tells which
+   lengths of contact the structure needs. It works as kern_contacts() with two
+   differences. A hollow wider than the gap divides a line: a block on two feet
+   has one contact, as wide as the feet are apart, but two stretches. Contacts
+   with any fixed block are written as contacts with the first of these, so that
+   cutting a fixed block in two changes nothing. Compute margins with
+   kern_contacts(). Time: also O(C) for each interface of points and, with
+   several fixed blocks, for each contact. */
 KERN_API int kern_stretches(const kern_block *block, int blocks,
                             const kern_options *options, kern_contact *out,
                             int room, kern_work *work);
@@ -1060,40 +1061,43 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 
 /* Writes the interval of the margin of a measured structure, from the error e
    and the angle theta in its options. Returns the verdict that is certain:
-   KERN_STANDS, KERN_FALLS (it falls with all that high allows), or KERN_OK:
-   neither. `margin` is that of kern_measure(), 0 where it falls.
-     low      The smallest of `margin` and of the margins on the contact points
-              that are closed once the blocks have settled: with every other
-              stretch open by 3 e, then with the others. Over 1 + 200 e / size
-              or, where e is below 0.005 mean sizes, 1 + 40,000 (e / size)^2.
-              0 where it may fall. The true margin is above it
-              in about 94 of 100 cases. It tends to `margin` as e tends to 0.
+   KERN_STANDS, KERN_FALLS (it falls with all contacts and friction that `high`
+   allows), or KERN_OK if neither is certain. `margin` is that of
+   kern_measure(), 0 where it falls.
+     low      The least of `margin` and of two margins on the contact points
+              that are closed after the blocks have settled: with every other
+              stretch open by 3 e, then with the other half. It is divided by
+              1 + 200 e / size, or if e is below 0.005 mean sizes by
+              1 + 40,000 (e / size)^2. It is 0 if the structure may fall. The
+              true margin is above it in about 94 of 100 cases. It tends to
+              `margin` as e tends to 0.
      high     The margin with kerns that are longer by 3.5 e and friction angles
-              that are larger by 3 theta, at least `margin`. Where `margin` is 0
+              that are larger by 3 theta, at least `margin`. If `margin` is 0,
               edges and corners within gaps and angles of twice the error carry
               as well.
-     settles  Where it stands for certain: how far its blocks may move [m].
-              Stretches (kern_stretches()) are at least 5 e long, or so far
-              inside their edge. Their kerns are shorter by 3.5 e, friction
-              angles less by 3 theta. On these it stands. It comes to rest where
-              every third of them is open by the gap of the options and 1.75
-              theta sizes more than was measured, each third in turn: 1.5 times
-              the way, at most 0.45 mean sizes, and nothing slides by half of
-              the contact it presses on. KERN_INFINITY: it does not.
-   KERN_STANDS: low is above 0, and settles below infinity. What stands by forces
-   on the contacts of the task never falls for certain. Settling is without
-   inertia, and of blocks of the shape they were measured in: one that rocks from
-   one support to another is not seen. Nothing depends on the order of blocks
-   and contacts, but for contacts of exactly the same height and place. Errors
-   are absolute in relative mode too.
-   contact[0..room) receives the contacts for `high`; work memory is for `room`
-   contact points. Below 0: what kern_contacts() or kern_measure() returns,
-   KERN_BAD_OPTION also where the options are not those of
-   kern_measured_options(). *out then means nothing, but with KERN_LIMIT, of the
-   whole call, what is proven by then.
-   Time: a search for contacts, four margins or verdicts, and five settlings of
-   at most 1,600 visits of every contact point. Settled structures that stand
-   take 14 to 50 times as long as kern_measure(), more at smaller errors. */
+     settles  If it certainly stands: how far its blocks may move [m]. Two tests
+              must pass. It stands on stretches (kern_stretches()) at least 5 e
+              long, or that far inside their edge, with kerns shorter by 3.5 e
+              and friction angles smaller by 3 theta. And it comes to rest with
+              every third stretch, each third in turn, open by the gap of the
+              options and 1.75 theta sizes more than was measured. `settles` is
+              then 1.5 times the motion found, at most 0.45 mean sizes, and no
+              block slides by half of the contact on which it presses.
+              KERN_INFINITY: it does not pass.
+   KERN_STANDS: low is above 0, and settles below infinity. A structure that
+   stands by forces on the contacts of the task never falls for certain.
+   Settling is computed without inertia, for blocks of the measured shape: it
+   does not see a block that rocks from one support to another. The order of
+   blocks and contacts does not matter, except for contacts of exactly the same
+   height and place. Errors are absolute in relative mode too.
+   contact[0..room) receives the contacts for `high`; the work memory is for
+   `room` contact points. Errors: those of kern_contacts() and kern_measure(),
+   KERN_BAD_OPTION also if the options are not those of kern_measured_options().
+   *out then means nothing; after KERN_LIMIT, which counts the whole call, it
+   has what is proven so far. Time: a search for contacts, four margins or
+   verdicts, and five settlings of at most 1,600 visits of every contact point.
+   Settled structures that stand take 14 to 50 times as long as kern_measure(),
+   and more with smaller errors. */
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
                                   int room);
@@ -1401,17 +1405,18 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
 /* Compares two places for a stone. Returns 1 if a is better, -1 if b is, 0 if
    no number differs. NULL is worse than any place. `alone` is the margin of the
    structure without the stone, which most places leave as it is. The first of
-   these that differs decides:
-       stays   from 0.9 on all are one class; below, the larger chance
-       margin  the larger; within 1e-5 of `alone` all are one class
-       own     the larger
-       load    the larger
-       x turn  the smaller, so that any order of places gives the same best
-   In 46 states of walls with places of which some stay in all six runs of a
-   simulator and some do not, the best place stays in 40 and moves in some runs
-   in 6. The place of the largest margin stays in 35. In 124 other states, with
-   eight places of kern_rest() each and the simulator of examples/laboratory, the
-   best place stays in 120, and that of the largest margin in 110. */
+   these numbers that differs decides:
+     stays   the larger chance; all from 0.9 on count as equal
+     margin  the larger; all within 1e-5 of `alone` count as equal
+     own     the larger
+     load    the larger
+     x turn  the smaller, so that any order of places gives the same best
+   In 46 states of walls some places stay in all six runs of a simulator and
+   some do not. The best place stays in 40 of these states and moves in some
+   runs in 6. The place of the largest margin stays in 35. In 124 other states,
+   with eight places of kern_rest() each and the simulator of
+   examples/laboratory, the best place stays in 120, and that of the largest
+   margin in 110. */
 KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
                                 kern_real alone);
 
@@ -9361,99 +9366,111 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* ==== Part VI: Geometry and planning ===================================== */
 
 /* ---- Tolerances of the geometry ----------------------------------- >>tol */
-/* Shares of a length of the user's: a gap, a block's size, a coordinate. */
+/* Shares of a length of the caller's: a gap, a block's size, a coordinate. */
 
-/* Most runs of edges with a box of an outline that has more vertices. A run has
-   half as many edges at least. More runs take stack, fewer time. */
+/* Most runs of an outline (kern_outline). A run has at least half as many
+   edges. More runs take stack, fewer runs take time. */
 #define KERN_RUNS 16
 /* The default gap, as a share of the size of a pair's smaller free block. */
 #define KERN_GAP_SHARE KERN_R(1e-3)
 /* Length of the shortest line, as a share of that size. */
 #define KERN_LINE_LEAST KERN_R(1e-3)
-/* How much an area may differ, by rounding at large coordinates, from what the
-   block says; more, and its vertices have moved. */
+/* Largest change of a block's area, as a share, that rounding at large
+   coordinates may cause. With more, its vertices have moved. */
 #define KERN_AREA_TOL KERN_R(1e-3)
-/* Turn [rad] below which a vertex is no corner, and within which of a half turn
-   it is a spike: with much more round stones would lose their shape. */
+/* A vertex that turns by less [rad] is no corner, and one that turns by nearly
+   half a circle, within this, is a spike. With much more, round stones would
+   lose their shape. */
 #define KERN_TURN_LEAST KERN_R(1e-6)
-/* How far a foot must lie inside its edge, as a share of the size, so that
-   rounding makes no contacts between diagonal neighbours. */
+/* Least distance of a foot from the ends of its edge, as a share of the size:
+   rounding then makes no contacts between diagonal neighbours. */
 #define KERN_FOOT_INSET KERN_R(1e-6)
-/* Slope against gravity below which a lone point carries nothing. */
+/* A single point whose normal has a smaller slope against gravity carries
+   nothing. */
 #define KERN_LEVEL_LEAST KERN_R(1e-6)
 /* The default angle [rad]. */
 #define KERN_ANGLE KERN_R(0.0174533)
-/* Least denominator where a cone is widened: its friction stays finite. */
+/* Least denominator of the friction of a widened cone, which keeps it
+   finite. */
 #define KERN_CONE_LEAST KERN_R(0.0174533)
 /* Gap, as a share of the mean size, and angle [rad] of contacts that a little
-   rocking closes: 0.03 to 0.1 and 0.1 to 0.2 predict shaking tests as well. */
+   rocking closes. Values of 0.03 to 0.1 and of 0.1 to 0.2 predict shaking tests
+   as well. */
 #define KERN_NEAR_GAP KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
-/* Errors of place and angle that a contact of a measured structure bears. With
-   3.5 standard deviations none of 30 contacts is missed in 98 % of them. */
+/* Number of standard errors of place and angle that a contact of a measured
+   structure may be off. With 3.5, none of 30 contacts is missed in 98 % of the
+   cases. */
 #define KERN_ERRORS KERN_R(3.5)
-/* The gap in KERN_ERRORS. That of a corner and an edge of two stones varies by
-   2 e^2 for their places and 3/8 e^2 for their vertices: 1.5 times e. */
+/* The gap, in errors of place times KERN_ERRORS. The gap between a corner and
+   an edge has a variance of 2 e^2 for the places of two stones and 3/8 e^2 for
+   their vertices: a standard error of 1.5 e. */
 #define KERN_ERROR_GAP KERN_R(1.5)
-/* The angle in KERN_ERRORS. That of two edges, 0.7 sizes long, varies by
-   2 theta^2, and as much for their ends: twice theta. */
+/* The angle, in errors of angle times KERN_ERRORS. The angle between two edges,
+   0.7 sizes long, has a variance of 2 theta^2, and as much for their ends: a
+   standard error of 2 theta. */
 #define KERN_ERROR_ANGLE KERN_R(2)
 /* Deepest overlap, in errors of place. */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
 /* How far a corner may stand beyond the end of an edge, in errors of place. */
 #define KERN_ERROR_EDGE KERN_R(3.0)
-/* How long a line, and how far inside an edge a foot is that no error along
-   them takes away, in errors of place. */
+/* kern_certain(): least length of a line, and least distance of a foot from the
+   ends of its edge, that no error along the edge takes away, in errors of
+   place. */
 #define KERN_ERROR_SURE KERN_R(5.0)
-/* By how many errors of angle kern_certain() narrows or widens cones. */
+/* kern_certain(): errors of angle by which it narrows or widens cones. */
 #define KERN_ERROR_CONE KERN_R(3.0)
-/* Of a settling. FALL: how far a block that nothing holds falls in a step, in
-   errors of place. There are at most STEPS. SWEEPS: most over all contacts in a
-   step. They end where none moves more than the share STILL of the fall, and
-   are over-relaxed by RELAX. REST: share of the fall below which it is rest. */
+/* A settling. FALL: fall of an unsupported block in a step, in errors of place.
+   STEPS: most steps. SWEEPS: most sweeps over all contacts in a step. They end
+   when no contact moves by more than the share STILL of the fall, and are
+   over-relaxed by RELAX. REST: a motion of less than this share of the fall is
+   rest. */
 #define KERN_SETTLE_FALL KERN_R(10.0)
 #define KERN_SETTLE_STEPS 40
 #define KERN_SETTLE_SWEEPS 40
 #define KERN_SETTLE_STILL KERN_R(0.02)
 #define KERN_SETTLE_RELAX KERN_R(1.5)
 #define KERN_SETTLE_REST KERN_R(0.05)
-/* Contact points that are held for a unit of work. */
+/* Contact points that are corrected in one unit of work. */
 #define KERN_SETTLE_UNIT 20
-/* Area over the square of the radius of gyration of a square. */
+/* Area of a square over the square of its radius of gyration. */
 #define KERN_SETTLE_SPIN KERN_R(6.0)
-/* Contact points at one height are in order of their arms, then from side to
+/* Contact points of equal height are ordered by their arms, then from side to
    side: the share of each that is added to the height. */
 #define KERN_SETTLE_TIE KERN_PICK(1e-7, 1e-5)
-/* Of the lower end: every so many-th stretch is open by OPEN errors of place at
-   a time. A contact is closed up to CLOSED errors. */
+/* The lower end: every PARTS-th stretch is open by OPEN errors of place at a
+   time. A contact is closed if its gap is at most CLOSED errors. */
 #define KERN_LOW_PARTS 2
 #define KERN_LOW_OPEN KERN_R(3.0)
 #define KERN_LOW_CLOSED KERN_R(0.5)
-/* What an error takes of the margin, for each share of the mean size. Errors
-   below the share WIDE take less, in proportion. */
+/* The lower end is divided by 1 + LOSS e / mean size. For errors e below WIDE
+   mean sizes LOSS is smaller in proportion to e. */
 #define KERN_LOW_LOSS KERN_R(200.0)
 #define KERN_LOW_WIDE KERN_R(0.005)
-/* Of doubt: every so many-th stretch is open at a time. Blocks may settle by so
-   many times what was found, at most by that share of their mean size. */
+/* Doubt: every PARTS-th stretch is open at a time. Blocks may settle by TELLS
+   times the motion that was found, at most by the share MOST of their mean
+   size. */
 #define KERN_DOUBT_PARTS 3
 #define KERN_DOUBT_TELLS KERN_R(1.5)
 #define KERN_DOUBT_MOST KERN_R(0.45)
-/* Share of KERN_ANGLE_MOST up to which a measured angle is raised. */
+/* Largest angle of measured options, as a share of KERN_ANGLE_MOST. */
 #define KERN_ANGLE_SHARE KERN_R(0.99)
 /* Sine of 10 degrees: the normals of a line contact and of a vertex that
    belongs to it differ by less, those at a corner by more. */
 #define KERN_SAME_FACE KERN_R(0.17364817766693036)
-/* Strides of the search for overlap to a gap, and of a stride to its growth.
-   The depth that is found may be too low by a stride. More strides take more
-   time. */
+/* The search for overlap takes strides of a gap over STRIDES, each longer than
+   the last by one STRIDES-th. The depth that it finds may be too small by a
+   stride. More strides take more time. */
 #define KERN_STRIDES 32
-/* Most triangles of a size that are tried for an inner point of a block. */
+/* Most triangles of one size that are tried to find an inner point of a
+   block. */
 #define KERN_TRIANGLES 32
-/* Share of a squared distance by which two vertices are equally far from an
-   edge: on a grid of pixels many are, but for rounding. */
+/* Two vertices are equally far from an edge if their squared distances differ
+   by less than this share. On a grid of pixels many are, except for
+   rounding. */
 #define KERN_EQUALLY_FAR KERN_PICK(1e-6, 1e-5)
-/* How often the tolerance of a simplified outline is halved where its edges
-   cross. After that it is 0. */
+/* Most halvings of the tolerance of a simplified outline while its edges cross.
+   After them the tolerance is 0. */
 #define KERN_HALVINGS 8
 
 /* ---- coming to rest ---- */
@@ -9477,16 +9494,16 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_PLACE_SAME KERN_R(1e-5)
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
-/* Vertices are counted as written, which may be clockwise: the area is below 0
-   then. Those that hardly turn are no corners. */
+/* The order of vertices is the caller's. It may be clockwise, and the area is
+   then negative. Vertices that hardly turn are no corners. */
 
-/* Returns the vertex after i in the order in which they are written. */
+/* Returns the vertex after i in the caller's order. */
 static int kern_polygon_next(const kern_block *block, int i)
 {
     return i + 1 < block->vertices ? i + 1 : 0;
 }
 
-/* Returns the vertex before i in the order in which they are written. */
+/* Returns the vertex before i in the caller's order. */
 static int kern_polygon_before(const kern_block *block, int i)
 {
     return (i > 0 ? i : block->vertices) - 1;
@@ -9508,8 +9525,8 @@ static inline int kern_polygon_turn(const kern_block *block, int i)
     return (turn > 0) == (block->area >= 0) ? 1 : -1;
 }
 
-/* Returns 1 if two boxes are no farther apart than the gap. A gap below 0 is an
-   overlap that they must have. */
+/* Returns 1 if two boxes are no farther apart than the gap. A negative gap is
+   an overlap that they must have. */
 static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
 {
     return b->low.y - gap <= a->high.y && a->low.y - gap <= b->high.y
@@ -9524,16 +9541,16 @@ static kern_real kern_box_largest(const kern_box *box)
 
 /* ---- outlines ---- */
 
-/* A block's outline in runs of `each` vertices with a box around the edges that
-   start there, from corner to corner. A short outline is one run. */
+/* A block's outline in runs of `each` vertices. Each run has a box around the
+   edges that start in it, from corner to corner. A short outline is one run. */
 typedef struct kern_outline {
     const kern_block *block;
-    int straight, reflex; /* are there such vertices, or spikes?   */
-    int each;             /* vertices of a run                     */
+    int straight, reflex; /* nonzero: it has such vertices, or spikes   */
+    int each;             /* vertices of a run                          */
     kern_box box[KERN_RUNS];
 } kern_outline;
 
-/* Returns the corner after vertex i. A closed outline has corners. */
+/* Returns the corner after vertex i. A closed outline always has corners. */
 static int kern_outline_corner(const kern_outline *o, int i)
 {
     do
@@ -9542,7 +9559,8 @@ static int kern_outline_corner(const kern_outline *o, int i)
     return i;
 }
 
-/* Finds out what turns a block's outline has, and the boxes of its runs. */
+/* Finds the kinds of vertices of a block's outline, and the boxes of its
+   runs. */
 static void kern_outline_set(kern_outline *o, const kern_block *block)
 {
     const int n = block->vertices;
@@ -9569,16 +9587,17 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
 
 /* ---- edges ---- */
 
-/* The way from one corner to another, counter-clockwise: an edge or a chord. */
+/* The segment from one corner to another, counter-clockwise: an edge or a
+   chord. */
 typedef struct kern_edge {
-    int at;           /* its first corner as written           */
+    int at;           /* first corner in the caller's order    */
     int start, end;   /* its corners, counter-clockwise        */
     kern_vec p, q, d; /* their places; unit direction          */
     kern_real length;
     kern_box box; /* of an edge                            */
 } kern_edge;
 
-/* Makes an edge of the vertices `at` and `to`, which follow as written. */
+/* Makes an edge from `at` to `to`, which follows in the caller's order. */
 static inline void kern_edge_set(kern_edge *e, const kern_block *block, int at,
                                  int to)
 {
@@ -9592,14 +9611,15 @@ static inline void kern_edge_set(kern_edge *e, const kern_block *block, int at,
     e->d = kern_vec_scale(e->d, 1 / e->length);
 }
 
-/* Returns how far from the start of e the foot of p on its line is. */
+/* Returns the distance from the start of e to the foot of p on the line of
+   e. */
 static kern_real kern_edge_foot(const kern_edge *e, kern_vec p)
 {
     return kern_vec_dot(kern_vec_sub(p, e->p), e->d);
 }
 
-/* Finds the next edge that is within the gap of the box and starts after vertex
-   e->at, which is -1 at first. Returns 0 if there is none. */
+/* Finds the next edge within the gap of the box, among those that start after
+   vertex e->at, which is -1 at first. Returns 0 if there is none. */
 static int kern_edge_next(kern_edge *e, const kern_outline *o,
                           const kern_box *box, kern_real gap)
 {
@@ -9624,7 +9644,7 @@ static int kern_edge_next(kern_edge *e, const kern_outline *o,
 
 /* ---- places ---- */
 
-/* Returns the squared distance of the origin from the edge u, v, which may be a
+/* Returns the squared distance of the origin from the edge u, v. It may be a
    point. */
 static kern_real kern_edge_square(kern_vec u, kern_vec v)
 {
@@ -9637,9 +9657,9 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
     return kern_vec_dot(r, r);
 }
 
-/* Returns the distance of p from the boundary, below 0 where p is outside, and
-   writes the vertex at which the nearest edge starts. The vertex in *nearest
-   before is a guess, which saves time. */
+/* Returns the distance of p from the boundary, negative if p is outside. Writes
+   the first vertex of the nearest edge to *nearest. The old value of *nearest
+   is a guess, which saves time. */
 static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
                                     int *nearest)
 {
@@ -9653,8 +9673,8 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
 
     u = kern_vec_sub(vertex[0], p);
     for (start = 0; start < n; start = end) {
-        /* a run that is farther away than the nearest edge so far crosses the
-           level of p as its ends say, and all of it to one side of p */
+        /* a run farther away than the nearest edge so far is not searched: it
+           crosses the level of p if its ends do, on one side of p */
         const kern_box *box = &o->box[start / o->each];
         const kern_real x = kern_min(kern_max(p.x, box->low.x), box->high.x);
         const kern_real y = kern_min(kern_max(p.y, box->low.y), box->high.y);
@@ -9684,8 +9704,8 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
     return inside ? least : -least;
 }
 
-/* Returns 1 if f lies to one side of the line of e. The unit direction of e
-   would be rounded. */
+/* Returns 1 if f lies on one side of the line of e. It does not use the unit
+   direction of e, which is rounded. */
 static int kern_one_side(const kern_edge *e, const kern_edge *f)
 {
     const kern_vec d = kern_vec_sub(e->q, e->p);
@@ -9696,10 +9716,10 @@ static int kern_one_side(const kern_edge *e, const kern_edge *f)
 
 /* ---- what a polygon must be ---- */
 
-/* Returns the first edge that turns back or touches another but its neighbours,
-   or -1 if none does. A convex polygon has none: it turns one way only and has
-   one lowest place. Edges whose boxes meet touch unless one lies on one side of
-   the other. */
+/* Returns the first edge that turns back or touches an edge that is no
+   neighbour, or -1 if there is none. A convex polygon has none: it turns one
+   way only and has one lowest place. Edges whose boxes meet touch unless one of
+   them lies on one side of the line of the other. */
 static int kern_polygon_crossing(const kern_block *block)
 {
     const kern_vec *v = block->vertex;
@@ -9712,7 +9732,7 @@ static int kern_polygon_crossing(const kern_block *block)
     kern_outline_set(&o, block);
     if (!o.reflex && lowest < 2)
         return -1;
-    o.straight = 0; /* from vertex to vertex, which costs less */
+    o.straight = 0; /* edges from vertex to vertex cost less */
     e.at = -1;
     while (kern_edge_next(&e, &o, &block->box, 0)) {
         int touch = kern_polygon_turn(block, e.at) == -2;
@@ -9726,9 +9746,9 @@ static int kern_polygon_crossing(const kern_block *block)
     return -1;
 }
 
-/* Writes area, centre and box of a block. Sums over the triangles between
-   vertex 0 and the edges lose no digits far from the origin. Returns the sum of
-   their unsigned areas. */
+/* Writes area, centre and box of a block. The sums are over the triangles
+   between vertex 0 and the edges, so that no digits are lost far from the
+   origin. Returns the sum of the triangles' unsigned areas. */
 static inline kern_real kern_polygon_area(kern_block *block)
 {
     const kern_vec o = block->vertex[0];
@@ -9751,7 +9771,7 @@ static inline kern_real kern_polygon_area(kern_block *block)
     return spread;
 }
 
-/* Writes area, centre and box. Returns what is wrong with the polygon. */
+/* Writes area, centre and box. Returns KERN_OK or the fault of the polygon. */
 static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 {
     kern_real spread, least;
@@ -9762,14 +9782,15 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     least = 2 * KERN_ROUNDING * kern_box_largest(&block->box)
           * kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
     least = kern_max(least, 1 / (KERN_FAR * KERN_FAR));
-    /* or all vertices are on one line */
+    /* otherwise all vertices are on one line */
     fault->index = spread > least ? kern_polygon_crossing(block) : -1;
     return fault->index >= 0             ? KERN_CROSSING
          : kern_abs(block->area) > least ? KERN_OK
                                          : KERN_NO_AREA;
 }
 
-/* Returns what is wrong with an array of n vertices, but for the vertices. */
+/* Returns KERN_OK or the fault of an array of n vertices, except for the
+   vertices. */
 KERN_SHARED static kern_status kern_vertices_check(const kern_vec *v, int n)
 {
     return n < 0 || n > KERN_POINTS_MOST ? KERN_BAD_COUNT
@@ -9786,7 +9807,7 @@ static kern_block kern_ground_of(const kern_vec *vertex, int vertices)
     return made;
 }
 
-/* Leaves a block that every call refuses where the polygon is none. */
+/* Leaves a block that every call refuses if the polygon has a fault. */
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
                                       int vertices, kern_fault *fault)
 {
@@ -9844,10 +9865,10 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
 /* ---- simplified outlines ---- */
 
 /* Returns the vertex after start and up to end that is farthest from the
-   segment p q, or -1 if none is farther away than the tolerance. Where start is
+   segment p q, or -1 if none is farther away than the tolerance. If start is
    end all vertices count. Of vertices that are equally far it is the lowest,
-   and of these the leftmost: so it does not depend on where the outline begins.
-   */
+   and of these the leftmost, so that it does not depend on where the outline
+   begins. */
 KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
                                              int end, kern_vec p, kern_vec q,
                                              kern_real tolerance)
@@ -9873,10 +9894,10 @@ KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
 }
 
 /* Writes the vertices that stay to out[0..room) and their indices to kept.
-   Returns how many there are, or KERN_NO_SPACE, or KERN_NO_AREA where all
-   vertices are at one place. Vertices that stay but come after `end` wait at
-   the end of kept, the next one first: with those that are written they are
-   never more than stay. */
+   Returns how many there are; KERN_NO_SPACE; or KERN_NO_AREA if all vertices
+   are at one place. Vertices that stay but come after `end` wait at the end of
+   kept, the next one first. There is room for them, since all of them will be
+   written. */
 static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
                                kern_vec *out, int *kept, int room)
 {
@@ -9891,13 +9912,13 @@ static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
         const int split = kern_outline_farthest(block, at, end, v[at], v[end],
                                                 tolerance);
 
-        /* an edge to `end` would leave out a vertex too far away */
+        /* an edge to `end` would leave out a vertex that is too far away */
         if (split >= 0) {
             kept[--waiting] = split;
             continue;
         }
 
-        /* it would not: the vertex stays, and `end` begins the next edge */
+        /* it would not: vertex `at` stays, and the next edge begins at `end` */
         kept[count] = at;
         out[count++] = v[at];
         if (waiting++ == room)
@@ -9926,7 +9947,8 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
         || kern_box_largest(&raw.box) > KERN_FAR)
         return (int)KERN_BAD_NUMBER;
 
-    /* where edges that remain cross, or hardly any do, leave out fewer */
+    /* while the remaining edges cross, or have no area, leaves out fewer
+       vertices */
     for (tries = KERN_HALVINGS; tries >= 0; tries--, tolerance /= 2) {
         count = kern_outline_reduce(&raw, tries ? tolerance : KERN_R(0), out,
                                     kept, room);
@@ -9946,20 +9968,21 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
     ___o___________o___      _____\ /_____        a  |  two normals
        |     a         |       a   o              ___|  at one place
 
-   Steps for each two blocks whose boxes are within the gap, by >>rules (see
+   Steps for each pair of blocks whose boxes are within the gap, by >>rules (see
    kern_search_pair()):
    1. Overlap: the search fails (kern_overlap_depth()).
    2. Edges make lines (kern_pair_line()) and points (kern_pair_point()).
-   3. Faces: what lies on one line is merged (kern_pair_face()).
+   3. Faces: contacts on one line are merged (kern_pair_face()).
    4. Travels: kern_point_travels().
    At the end each line becomes two contact points. */
 
 /* ---- overlap ---- */
-/* The search goes along the edges of one block. The depth in the other changes
-   by no more than the way, so each depth gives a step that is safe. */
+/* The search goes along the edges of one block. The depth in the other block
+   changes by no more than the distance covered, so each depth gives a safe
+   step. */
 
-/* Returns 1 if no vertex of b is farther than `most` to a side of an edge: its
-   left where side is 1, its right where it is -1. */
+/* Returns 1 if no vertex of b is farther than `most` on one side of an edge: on
+   its left if side is 1, on its right if it is -1. */
 static int kern_overlap_side(const kern_edge *e, const kern_block *b,
                              kern_real side, kern_real most)
 {
@@ -9971,9 +9994,9 @@ static int kern_overlap_side(const kern_edge *e, const kern_block *b,
     return 1;
 }
 
-/* Raises *deep to the depth in b of the boundary of a. An overlap may be a
-   stride deeper. Stops at one beyond `enough`. Strides grow, since a gap of few
-   roundings would take too many. */
+/* Raises *deep to the depth in b of the boundary of a. The true depth may be
+   larger by a stride. Stops at a depth beyond `enough`. Strides grow, since a
+   gap of a few roundings would take too many. */
 static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
                                   kern_real enough, kern_real *deep)
 {
@@ -9988,7 +10011,8 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
             *deep = kern_max(*deep, depth);
             if (*deep > enough)
                 return;
-            /* as far as the edge stays no deeper than that at the nearest */
+            /* goes on while the depth under the nearest edge stays below
+               *deep */
             kern_edge_set(&f, b->block, nearest,
                           kern_polygon_next(b->block, nearest));
             low = KERN_R(0);
@@ -10003,10 +10027,10 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
     }
 }
 
-/* Raises *deep to the depth in b of inner points of a. These are the middles of
-   triangles of vertices, first of vertices far apart, which lie inside where
-   the outline turns left. Where no boundary is deep, one inner point decides
-   for all around it. */
+/* Raises *deep to the depth in b of inner points of a. The points are the
+   middles of triangles of vertices, first of vertices far apart. They lie
+   inside where the outline turns left. If no boundary is deep, one inner point
+   decides for all points around it. */
 static void kern_overlap_middles(const kern_outline *a, const kern_outline *b,
                                  kern_real *deep)
 {
@@ -10029,9 +10053,9 @@ static void kern_overlap_middles(const kern_outline *a, const kern_outline *b,
 }
 
 /* Returns the depth of the overlap of a and b, or a depth beyond `enough`, or 0
-   if none is deeper than the gap. A stride of depth may be missed. Usually the
-   line of an edge parts a convex pair, but for half a gap. Two blocks at one
-   place have no deep boundary. */
+   if it is no deeper than the gap. The depth may be too small by a stride.
+   Usually the line of an edge separates a convex pair, to within half a gap.
+   Two blocks at the same place have no deep boundary, but deep inner points. */
 KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
                                                 const kern_outline *b,
                                                 kern_real gap, kern_real enough)
@@ -10060,23 +10084,25 @@ KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
 
 /* ---- the pair ---- */
 
-/* Two blocks, and the contacts of all pairs so far in the caller's array. A
-   line is one contact here: p is its middle, travel half its length. */
+/* Two blocks, and the contacts of all pairs so far in the caller's array. In
+   that array a line is one contact: p is its middle and travel half its
+   length. */
 typedef struct kern_pair {
-    int a, b;        /* indices of the blocks, a before b           */
-    kern_real gap;   /* widest [m], at the blocks' centres          */
-    kern_real swing; /* what its errors of angle add, per distance  */
-    kern_real deep;  /* deepest overlap [m]                         */
-    kern_real reach; /* no gap or overlap is wider [m]              */
-    kern_real least; /* a line is longer [m]                        */
-    kern_real foot;  /* a foot on an edge is so far inside [m]      */
-    kern_real sure;  /* a line is as long, a foot as far inside [m] */
-    kern_real apart; /* widest hollow of a face [m]                 */
-    kern_real sine;  /* of the angle of the options                 */
+    int a, b;        /* indices of the blocks, a before b             */
+    kern_real gap;   /* widest gap [m], without errors of angle       */
+    kern_real swing; /* gap per distance that errors of angle add     */
+    kern_real deep;  /* deepest overlap [m]                           */
+    kern_real reach; /* no gap or overlap is wider [m]                */
+    kern_real least; /* least length of a line [m]                    */
+    kern_real foot;  /* least distance of a foot from an edge's ends [m] */
+    kern_real sure;  /* that distance for measured structures, and least
+                              length of a line; below 0: beyond the ends */
+    kern_real apart; /* widest hollow of a face [m]                   */
+    kern_real sine;  /* of the angle of the options                   */
     const kern_options *options;
     kern_contact *out;
-    int room, count;         /* count may exceed the room: no more is stored */
-    int first;               /* of the contacts of this pair                */
+    int room, count;         /* count may exceed room: no more is stored    */
+    int first;               /* first contact of this pair                  */
     kern_outline outline[2]; /* a and b                                     */
 } kern_pair;
 
@@ -10086,7 +10112,8 @@ static kern_vec kern_line_end(const kern_contact *line, kern_real side)
     return kern_vec_step(line->p, side * line->travel, kern_vec_turn(line->n));
 }
 
-/* Adds a contact after those as long or longer. Without room it is counted. */
+/* Adds a contact after those that are as long or longer. If there is no room it
+   is only counted. */
 static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
                           kern_real half)
 {
@@ -10101,7 +10128,7 @@ static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
     at[i] = made;
 }
 
-/* Returns 1 if two edges run against each other within the angle. */
+/* Returns 1 if two edges are antiparallel within the angle. */
 static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
                              const kern_edge *f)
 {
@@ -10111,8 +10138,8 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
 
 /* ---- lines and points ---- */
 
-/* Returns the widest gap at p. Errors of angle count by the distance from the
-   blocks' centres. */
+/* Returns the widest gap at p. The effect of errors of angle grows with the
+   distance from the blocks' centres. */
 static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 {
     const kern_vec u = kern_vec_sub(p, pair->outline[0].block->centre);
@@ -10124,20 +10151,20 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
                                * (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
 }
 
-/* Adds the line contact of an edge of each block, where they run against each
-   other and are near. In the frame of their mean tangent t and normal n both
-   are heights over s: e rises as f falls, and the gap opens at twice that
-   slope. */
+/* Adds the line contact of one edge of each block, if they are antiparallel and
+   close. s is the place along their mean tangent t, and both edges are heights
+   along the mean normal n. e rises at a slope and f falls at the same slope, so
+   the gap changes at twice that slope. */
 static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 {
     const kern_edge *e = edge, *f = edge + 1;
-    const kern_vec r = kern_vec_sub(f->q, e->p); /* against round-off */
+    const kern_vec r = kern_vec_sub(f->q, e->p); /* small: less rounding */
     kern_real at, cosine, slope, low, high, gap, wide, least;
     kern_vec t, n, p;
     if (!kern_pair_opposed(pair, e, f))
         return;
 
-    /* where both edges are, as s from the start of e */
+    /* the stretch where both edges are, as s from the start of e */
     t = kern_vec_unit(kern_vec_sub(e->d, f->d));
     n = kern_vec_scale(kern_vec_turn(t), -1); /* outward */
     cosine = kern_vec_dot(e->d, t);           /* and of f the opposite */
@@ -10146,12 +10173,12 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     low = kern_max(KERN_R(0), at);
     high = kern_min(e->length * cosine, at + f->length * cosine);
 
-    /* the part of it where the gap is small */
+    /* the part of it where the gap is small enough */
     gap = kern_vec_dot(r, n) + slope * at; /* at s = 0 */
     wide = kern_pair_gap(pair, kern_vec_step(e->p, (low + high) / 2, t));
     kern_clip(&low, &high, gap, -2 * slope, -kern_max(wide, pair->deep), wide);
 
-    /* short edges that match are a contact as well; it lies midway */
+    /* short edges that match are a contact, too; it lies midway */
     least = kern_min(pair->least, kern_max(e->length, f->length) / 2);
     if (!(high - low > kern_max(least, kern_max(pair->foot, pair->sure))))
         return;
@@ -10159,8 +10186,8 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     kern_pair_put(pair, p, n, (high - low) / 2);
 }
 
-/* Returns 1 if the foot of p is inside edge e, or e ends at p in a reflex
-   corner. e is of block a (on 0) or b (1). */
+/* Returns 1 if the foot of p is inside edge e, or if e has a reflex end within
+   the gap of p. e is of block a (on = 0) or b (1). */
 static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
                            kern_vec p, kern_real gap)
 {
@@ -10177,10 +10204,10 @@ static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
     return bears;
 }
 
-/* Adds the point contact of edge e, of block a (on 0) or b (1), with the corner
-   where edge f of the other block starts. f leads away from e. The corner must
-   be convex and within the gap, with its foot on e, and its other edge must
-   lead away from e. */
+/* Adds the point contact of edge e, of block a (on = 0) or b (1), with the
+   corner of the other block at which its edge f starts. f leads away from e.
+   The corner must be convex and within the gap, its foot must be on e, and its
+   other edge must lead away from e. */
 static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
 {
     const kern_edge *e = &edge[on], *f = &edge[!on];
@@ -10203,7 +10230,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
     kern_pair_put(pair, p, kern_vec_scale(kern_vec_turn(e->d), on ? 1 : -1), 0);
 }
 
-/* Finds lines and points of each two edges that are near each other. */
+/* Finds lines and points of each pair of edges that are close to each other. */
 static void kern_pair_edges(kern_pair *pair)
 {
     const kern_outline *a = &pair->outline[0], *b = &pair->outline[1];
@@ -10223,26 +10250,26 @@ static void kern_pair_edges(kern_pair *pair)
 }
 
 /* ---- faces ---- */
-/* Contacts of a pair are in order of length, points last. The first leads a
-   face. All others with its normal and on its line join it. A point about as
-   inclined as a line, and within the gap of what has joined it, is left out.
-   The first of the rest leads the next face. A stretch is a face that no
-   hollow wider than the gap divides. */
+/* Contacts of a pair are in order of length, points last. The first one leads a
+   face, and all others with its normal and on its line join it. A point is left
+   out if its normal is about that of the face and it lies within the gap of the
+   contacts that have joined. The first of the remaining contacts leads the next
+   face. A stretch is a face without a hollow wider than the gap. */
 
-/* Makes a face of contact i and all that join it. */
+/* Makes a face of contact i and all contacts that join it. */
 KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 {
     kern_contact *at = pair->out;
     const kern_contact *const lead = &at[i];
     kern_vec low = lead->p, high = lead->p; /* outermost points            */
-    kern_real least = KERN_R(0), most = KERN_R(0);      /* where they are     */
-    kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* of normals    */
+    kern_real least = KERN_R(0), most = KERN_R(0);      /* their places */
+    kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* of normals   */
     kern_real half;
     int k, rest = i + 1;
     KERN_ASSERT(i >= pair->first && i < pair->count);
 
     for (k = i; k < pair->count; k++) { /* itself first */
-        /* where the contact is beside the lead */
+        /* the place of the contact relative to the lead */
         const kern_contact *c = &at[k];
         const kern_vec r = kern_vec_sub(c->p, lead->p);
         const kern_real cosine = kern_vec_dot(lead->n, c->n);
@@ -10259,7 +10286,7 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
             && kern_max(off, hollow) <= pair->gap)
             continue;
 
-        /* it is of another face */
+        /* it belongs to another face */
         if (!(cosine > 0) || sine > pair->sine
             || kern_max(off + c->travel * sine - pair->gap,
                         hollow - half - pair->apart)
@@ -10280,7 +10307,7 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
         sum = kern_vec_step(sum, c->line ? 2 * c->travel : pair->gap, c->n);
     }
 
-    /* the lead becomes the face; one that is too short is a point */
+    /* the lead becomes the face; a face that is too short is a point */
     pair->count = rest;
     at[i].p = kern_vec_mid(low, high);
     at[i].n = kern_vec_unit(sum);
@@ -10289,8 +10316,9 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
     at[i].travel = at[i].line ? half : KERN_R(0);
 }
 
-/* Makes faces of the contacts from the first of the pair on. What joins a
-   stretch may close a hollow for others, so each is made until it stays. */
+/* Makes faces of the contacts from the first one of the pair on. A contact that
+   joins a stretch may close a hollow for others, so each face is repeated until
+   it does not change. */
 static void kern_pair_faces(kern_pair *pair)
 {
     int i, count;
@@ -10303,8 +10331,8 @@ static void kern_pair_faces(kern_pair *pair)
 
 /* ---- travels ---- */
 
-/* Returns the block that a contact carries where `down` is the direction of
-   gravity, or KERN_OUT where the normal is horizontal but for rounding. */
+/* Returns the block that a contact carries if `down` is the direction of
+   gravity, or KERN_OUT if the normal is horizontal within rounding. */
 KERN_SHARED static int kern_carried_block(const kern_contact *c, kern_vec down)
 {
     const kern_real push = kern_vec_dot(c->n, down);
@@ -10312,8 +10340,8 @@ KERN_SHARED static int kern_carried_block(const kern_contact *c, kern_vec down)
     return push < -least ? c->b : push > least ? c->a : KERN_OUT;
 }
 
-/* Returns 1 if c and d are of one interface, or, with `down`, carry one block.
-   */
+/* Returns 1 if c and d belong to one interface, or with `down`, carry the same
+   block. */
 static int kern_same_group(const kern_contact *c, const kern_contact *d,
                            const kern_vec *down)
 {
@@ -10321,8 +10349,8 @@ static int kern_same_group(const kern_contact *c, const kern_contact *d,
                 : kern_same_interface(c, d);
 }
 
-/* Returns the middle of the two points farthest apart of the group of *of. Of
-   several such two it takes the first by index. */
+/* Returns the middle of the two points farthest apart in the group of *of. Of
+   pairs that are equally far apart it takes the first by index. */
 static kern_vec kern_middle(const kern_contact *contact, int contacts,
                             const kern_contact *of, const kern_vec *down)
 {
@@ -10342,9 +10370,9 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
     return middle;
 }
 
-/* Sets the travels of all points or, with `down`, of those that are alone in an
-   interface and carry a block: to the foot of the middle of their group. Points
-   that follow each other usually share a middle. */
+/* Sets the travel of points to the foot of the middle of their group. Sets all
+   points, or with `down` those that are alone in their interface and carry a
+   block. Successive points usually have the same middle. */
 static void kern_point_travels(kern_contact *contact, int contacts,
                                const kern_vec *down)
 {
@@ -10374,18 +10402,19 @@ typedef enum kern_search_kind {
     KERN_SEARCH_CONTACTS,
     KERN_SEARCH_OVERLAPS,
     KERN_SEARCH_EDGES,     /* contacts of edges and corners, no faces       */
-    KERN_SEARCH_STRETCHES, /* faces end where they are hollow               */
-    KERN_SEARCH_SURE       /* stretches that no error along them takes away */
+    KERN_SEARCH_STRETCHES, /* faces end at hollows wider than the gap       */
+    KERN_SEARCH_SURE       /* stretches of lines at least KERN_ERROR_SURE
+                              long and points as far inside of their edge   */
 } kern_search_kind;
 
 typedef struct kern_search {
     const kern_block *block;
     int blocks;
-    int from; /* the first block that meets those before     */
+    int from; /* the first block that is paired with earlier ones */
     kern_fault *fault;
-    kern_real floor;       /* places closer than that are the same [m]    */
+    kern_real floor;       /* closer places are the same [m]              */
     kern_real reach;       /* widest gap of any pair [m]                  */
-    kern_search_kind kind; /* of overlaps there are pair.count */
+    kern_search_kind kind; /* pair.count counts overlaps or contacts      */
     kern_overlap *overlap;
     kern_pair pair;
 } kern_search;
@@ -10396,8 +10425,8 @@ static kern_real kern_box_half(const kern_block *block)
     return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2;
 }
 
-/* Returns the widest gap of blocks of that size. The gap of an error is added
-   to that of exact places. */
+/* Returns the widest gap of blocks of a size. The gap of measured options is
+   added to that of exact places. */
 static kern_real kern_search_gap(const kern_search *s, kern_real size)
 {
     const kern_options *o = s->pair.options;
@@ -10407,7 +10436,7 @@ static kern_real kern_search_gap(const kern_search *s, kern_real size)
     return kern_max(o->gap + exact, s->floor);
 }
 
-/* Sets the tolerances of the pair, whose outlines are set. */
+/* Sets the tolerances of the pair, whose outlines must be set. */
 static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
 {
     const kern_block *a = pair->outline[0].block, *b = pair->outline[1].block;
@@ -10427,7 +10456,8 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
     pair->apart = s->kind == KERN_SEARCH_CONTACTS ? KERN_INFINITY : pair->gap;
 }
 
-/* Returns 1 if box or area of the vertices changed since kern_block_init(). */
+/* Returns 1 if the box or the area of the vertices has changed since
+   kern_block_init(). */
 static int kern_block_is_stale(const kern_block *block)
 {
     kern_block now = *block;
@@ -10438,9 +10468,9 @@ static int kern_block_is_stale(const kern_block *block)
              <= KERN_AREA_TOL * kern_abs(block->area));
 }
 
-/* Returns 1 if two blocks cannot touch: they are far apart, both fixed, or the
-   first has no vertices. Blocks with one array of vertices are looked at: the
-   first has lost its own. */
+/* Returns 1 if two blocks cannot touch: they are far apart, both are fixed, or
+   the first has no vertices. Blocks that share one array of vertices are not
+   apart: the first has lost its own vertices. */
 static int kern_search_is_apart(const kern_search *s, const kern_block *a,
                                 const kern_block *b)
 {
@@ -10458,14 +10488,14 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     kern_real depth;
     KERN_ASSERT(i >= 0 && i < j && j < s->blocks);
 
-    if (kern_search_is_apart(s, a, b)) /* as most pairs are */
+    if (kern_search_is_apart(s, a, b)) /* true for most pairs */
         return KERN_OK;
     if (i < s->from && kern_block_is_stale(a)) {
         s->fault->block = i;
         return KERN_STALE;
     }
 
-    /* an overlap ends a search for contacts, and is what a list is of */
+    /* an overlap ends a search for contacts; a search for overlaps lists it */
     kern_outline_set(&pair->outline[0], a);
     kern_pair_tolerances(pair, s);
     depth = kern_overlap_depth(&pair->outline[0], &pair->outline[1], pair->deep,
@@ -10485,7 +10515,8 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
         return KERN_OK;
     }
 
-    /* contacts of edges become faces, which set the travels of points */
+    /* contacts of edges are merged to faces; then the travels of points are
+       known */
     pair->a = i;
     pair->b = j;
     pair->first = pair->count;
@@ -10500,9 +10531,10 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     return KERN_OK;
 }
 
-/* Makes one ground of all fixed blocks, so that what is cut in two carries as
-   before: contacts with any of them become contacts with the first, and
-   stretches which follow each other one. Sets the travels of points again. */
+/* Makes one ground of all fixed blocks, so that a fixed block that is cut in
+   two carries as before. Contacts with fixed blocks become contacts with the
+   first of these. Stretches that continue each other become one. Sets the
+   travels of points again. */
 static void kern_search_ground(kern_search *s)
 {
     kern_pair *pair = &s->pair;
@@ -10529,7 +10561,8 @@ static void kern_search_ground(kern_search *s)
     kern_point_travels(out, pair->count, NULL);
 }
 
-/* Makes two points of every line, from the last on. Returns how many points. */
+/* Makes two points of every line, from the last line to the first. Returns how
+   many points there are. */
 static int kern_search_close(const kern_search *s)
 {
     kern_contact *out = s->pair.out;
@@ -10554,8 +10587,9 @@ static int kern_search_close(const kern_search *s)
     return points;
 }
 
-/* Checks every block and sets what the tolerances of all pairs depend on. The
-   vertices of blocks before s->from are left to kern_search_pair(). */
+/* Checks every block, and sets the data on which the tolerances of all pairs
+   depend. The vertices of blocks before s->from are checked in
+   kern_search_pair(). */
 KERN_SHARED static kern_status kern_search_survey(kern_search *s)
 {
     kern_real most = KERN_R(0); /* largest coordinate                 */
@@ -10589,21 +10623,22 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
             return status;
         }
 
-        /* the largest coordinate, arm and free block of all */
+        /* the largest coordinate, arm and free block */
         most = kern_max(most, kern_box_largest(box));
-        if (s->pair.swing > 0) /* spares roots */
+        if (s->pair.swing > 0) /* saves square roots */
             arm = kern_max(arm, 4 * kern_box_half(block));
         if (!block->fixed)
             area = kern_max(area, kern_abs(block->area));
     }
 
-    /* no tolerance is below rounding, and no pair reaches farther */
+    /* no tolerance is below rounding, and no pair reaches farther than this */
     s->floor = 2 * KERN_ROUNDING * most;
     s->reach = kern_search_gap(s, KERN_SQRT(area)) + s->pair.swing * arm;
     return KERN_OK;
 }
 
-/* Returns what is wrong with the arguments of a search, but for the blocks. */
+/* Returns KERN_OK or the fault of the arguments of a search, except the
+   blocks. */
 static kern_status kern_search_asked(const kern_search *s)
 {
     const kern_options *o = s->pair.options;
@@ -10617,8 +10652,8 @@ static kern_status kern_search_asked(const kern_search *s)
              : KERN_OK;
 }
 
-/* Finds contacts of the blocks from one on with those before them, or
-   overlaps. Returns how many, or a status below 0. */
+/* Finds contacts of the blocks from index `from` on with earlier blocks, or
+   overlaps. Returns how many there are, or a negative status. */
 static int kern_search_run(const kern_block *block, int blocks,
                            const kern_options *options, void *out, int room,
                            kern_work *work, int from, kern_search_kind kind)
@@ -10629,7 +10664,7 @@ static int kern_search_run(const kern_block *block, int blocks,
     if (!work)
         return (int)KERN_BAD_POINTER;
 
-    /* the search and its pair, which every step fills further */
+    /* the search and its pair, which later steps complete */
     kern_fault_clear(&work->fault);
     s.block = block;
     s.blocks = blocks;
@@ -10642,7 +10677,7 @@ static int kern_search_run(const kern_block *block, int blocks,
     s.pair.room = room;
     s.pair.count = 0;
 
-    /* every pair of which one block is new */
+    /* every pair of a new block and an earlier one */
     status = kern_search_asked(&s);
     if (status == KERN_OK)
         status = kern_search_survey(&s);
@@ -10654,8 +10689,9 @@ static int kern_search_run(const kern_block *block, int blocks,
     if (status != KERN_OK)
         return (int)status;
 
-    /* Turns each line into two points. The travel of a lone point depends on
-       all contacts that carry its block, so it comes last. */
+    /* Turns each line into two points. The travel of single points
+       (options.lone) is set last, since it depends on all contacts that carry
+       the block. */
     if (kind == KERN_SEARCH_OVERLAPS)
         return s.pair.count;
     if (kind >= KERN_SEARCH_STRETCHES)
@@ -10708,7 +10744,7 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     kern_real length, longest;
     int line;
 
-    /* what a caller may get wrong */
+    /* checks the arguments */
     if (!options || !out)
         return (int)KERN_BAD_POINTER;
     out->travel = KERN_R(0);
@@ -10723,7 +10759,7 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     if (!(longest > 0) || !kern_is_finite(1 / longest))
         return (int)KERN_BAD_NORMAL;
 
-    /* the normal is first made about 1 long: its square may be no number */
+    /* scales the normal to about 1 first, since its square may overflow */
     normal = kern_vec_unit(kern_vec_scale(out->n, 1 / longest));
 
     /* two points that differ by more than rounding are a line along t */
@@ -11914,7 +11950,7 @@ KERN_API kern_options kern_defaults(void)
     return o;
 }
 
-/* Returns the options, or the defaults for NULL. */
+/* Returns *options, or the defaults for NULL. */
 KERN_SHARED static kern_options kern_options_of(const kern_options *options)
 {
     return options ? *options : kern_defaults();
