@@ -116,13 +116,14 @@
 
    KERN_STATIC          every function is static: a copy of the library that
                         only this file uses
-   KERN_API             linkage of public functions; extern
-   KERN_SINGLE          kern_real is float; also where the implementation is
+   KERN_API             linkage of public functions; default: extern
+   KERN_SINGLE          kern_real is float, also in the implementation
    KERN_SQRT(x)         replaces sqrt or sqrtf; <math.h> is not included
    KERN_NO_INTERIOR     leaves out >>ipm, for firmware: above 64 free blocks the
                         simplex method decides, which may take minutes
    KERN_USE_GLPK        GLPK (under the GPL) solves large programs (kern_lp.h)
-   KERN_GLPK_ROWS       programs of more rows are large; 96 (three a free block)
+   KERN_GLPK_ROWS       programs of more rows are large; default: 96. A free
+                        block has three rows
 
    Without a C library, compile with -Os -fno-tree-loop-distribute-patterns, or
    gcc calls memcpy and memset. With -fno-math-errno the square root is one
@@ -210,7 +211,7 @@
                are farthest apart, each along its own t: l = |(q - p) . t|.
      one point stays: l = 0, as does every point with l below 1e-9 of the mean
                size.
-     lone      Where options.lone asks for it, a single point of a pair goes to
+     lone      If options.lone is set, a single point of a pair goes to
                the middle of the contacts that carry its block, as in Fig. 2 c,
                d of the paper. A contact carries the block that its normal
                pushes up, or none if the normal is horizontal within 1e-6. The
@@ -298,9 +299,9 @@
    threshold. Of 969 placements, each half judged by the law fitted to the other
    half:
 
-          threshold                       0.3    0.5    0.7    0.9
-          630 that stay: released         0.96   0.95   0.93   0.83
-          205 that move: not released     0.90   0.96   0.985  0.995
+       threshold                       0.3    0.5    0.7    0.9
+       630 that stay: released         0.96   0.95   0.93   0.83
+       205 that move: not released     0.90   0.96   0.985  0.995
 
    The chance is computed from the displacement that raises the forces, and from
    the reserve. After a large displacement many equilibria are possible, and
@@ -400,8 +401,8 @@
              to 100, and 2 of 96 with mu 1000. A level is undecided only if the
              verdict at a step that it depends on is.
    Brackets  At most 2e-6 mean sizes wide (load factor 2e-6, tilt 8e-6 rad). In
-             jams up to 50 times as wide. Up to 3e-5 if above 256 blocks are
-             free and many move at once. If more than 64 blocks move, the true
+             jams up to 50 times as wide. Up to 3e-5 above 256 blocks if many of
+             them move at once. If more than 64 blocks move at once, the true
              value may lie anywhere in the bracket.
    Slow      Structures of which many blocks move at the margin: ragged walls,
              fitted masonry, long arches (tests/BENCH.md).
@@ -426,10 +427,11 @@
        never -ffast-math, -Ofast or -funsafe-math-optimizations, not even where
                              the program is linked: they flush small numbers to
                              0
-   Only + - * / and square root are used, which must round as IEEE asks: sums of
+
    Only + - * / and square root are used, and they must round as IEEE demands;
    sums of doubles by libgcc for ARM do not always. tests/golden.c detects wrong
    flags. */
+
 /* ==== Part II: Declarations ======================================== >>decl */
 
 #ifndef KERN_H
@@ -526,9 +528,9 @@ typedef struct kern_box {
 } kern_box;
 
 /* A positive status is a verdict or the result of a linear program. KERN_OK
-   means success of a call that has neither. A negative status means failure.
-   The call has then changed nothing of the caller's but the counters and the
-   fault in the work memory, and with KERN_LIMIT what the function says. */
+   means success without either. A negative status means failure. The call has
+   then changed nothing of the caller's except the counters and the fault in the
+   work memory, and after KERN_LIMIT the results that the function names. */
 #define KERN_STATUS_LIST(X)                                                  \
     X(KERN_OK, 0, "done")                                                    \
     X(KERN_STANDS, 1, "stands: forces were found that hold every block")     \
@@ -1094,7 +1096,7 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    `room` contact points. Errors: those of kern_contacts() and kern_measure(),
    KERN_BAD_OPTION also if the options are not those of kern_measured_options().
    *out then means nothing; after KERN_LIMIT, which counts the whole call, it
-   has what is proven so far. Time: a search for contacts, four margins or
+   has the ends proven so far. Time: a search for contacts, four margins or
    verdicts, and five settlings of at most 1,600 visits of every contact point.
    Settled structures that stand take 14 to 50 times as long as kern_measure(),
    and more with smaller errors. */
@@ -1359,7 +1361,8 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
    margin, unless options.narrow is set. If kerns are not nested it also falls,
    with the motion at the margin of kern_plan_try(), if that margin is smaller.
    KERN_BAD_NUMBER also for a negative margin. Time: that of a verdict; O(B + C)
-   beyond the measured margin if the block does not touch what limits that. */
+   beyond the measured margin if the block does not touch the blocks that limit
+   it. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof);
 
@@ -1423,12 +1426,12 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
 /* -- proofs -- */
 
 /* Return the error of a proof, as a share of the allowed error: up to 1 the
-   proof holds. They return KERN_INFINITY for what proves nothing, and for bad
-   input (NULL, NaN). Forces may leave 1e-9 (float: 1e-4) of the load on a block
-   in each of its equations, plus roundings of the largest force there. Their
-   sum may be 1e6 (1e3) weights. A motion must be one that such forces could not
-   stop, whatever rounding does. Time: O(B + C). Work memory: for forces 4 B
-   reals. */
+   proof holds. They return KERN_INFINITY if the forces or the motion prove
+   nothing, and for bad input (NULL, NaN). Forces may leave 1e-9 (float: 1e-4)
+   of the load on a block in each of its equations, plus roundings of the
+   largest force there. Their sum may be 1e6 (1e3) weights. A motion must be one
+   that such forces could not stop, whatever rounding does. Time: O(B + C). Work
+   memory: for forces 4 B reals. */
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
                                      const kern_force *force);
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
@@ -1716,8 +1719,8 @@ extern "C" {
 #define KERN_TIE KERN_R(1e-4)
 /* Sensitivity: a sum of powers below this share of its terms is rounding. */
 #define KERN_RATE_LEAST KERN_PICK(1e-10, 1e-5)
-/* Sensitivity: largest distance of a contact's end from a corner that moves it,
-   as much as the shortest line. */
+/* Sensitivity: a corner moves the end of a contact if it is no farther away
+   than this, the length of the shortest line. */
 #define KERN_CORNER_NEAR KERN_R(1e-3)
 /* Sensitivity: two such distances that differ by less count as equal. */
 #define KERN_CORNER_TIE KERN_R(1e-6)
@@ -1743,11 +1746,10 @@ extern "C" {
 /* Most rounds of Newton's method. It ends in far fewer, unless digits are
    lost. */
 #define KERN_NORM_ROUNDS 100
-/* Line search: it ends where the derivative is the first one divided by this.
-   Newton's next step makes up for the rest. */
+/* Line search: it ends when the derivative has fallen by this factor. Newton's
+   next step makes up for the rest. */
 #define KERN_SHARE_TOL 8
-/* Line search with prices: the same divisor, since the next prices begin
-   there. */
+/* Line search with prices: this factor, since the next prices begin there. */
 #define KERN_SHARE_TOL_PRICED 1000
 /* Line search: most steps, each four times the last, to pass the maximum. */
 #define KERN_SHARE_GROWS 13
@@ -1789,7 +1791,8 @@ extern "C" {
 /* Most groups of a cluster if there are more than KERN_SMALL groups. With
    fewer, some measures of 100 blocks take four times the work. */
 #define KERN_CLUSTER_MOST 20
-/* Such a cluster may have one more group for each so many groups. */
+/* Groups of the structure for each of which such a cluster may have one
+   more. */
 #define KERN_CLUSTER_MORE 32
 /* Units of work of a pass for each group and contact. With 30, measures of
    bricks take 1.4 times as long. */
@@ -1900,16 +1903,16 @@ extern "C" {
 #define KERN_CRASH_DET KERN_LATE_PIVOT
 /* Crash basis: largest pull of a column, in loads of its group. */
 #define KERN_CRASH_PULL KERN_R(2)
-/* Pivots before prices are refined, as a constant; most programs take fewer. */
+/* Prices are refined after KERN_PIVOTS + KERN_PIVOTS_ROW rows pivots. Most
+   programs take fewer. */
 #define KERN_PIVOTS 50
-/* Pivots before prices are refined, for each row. */
+/* The pivots of that budget for each row. */
 #define KERN_PIVOTS_ROW 2
-/* Pivots before Bland's rule, in multiples of these: the rule is safe, and
-   slow. */
+/* Budgets of pivots after which Bland's rule is used: it is safe, and slow. */
 #define KERN_PIVOTS_BLAND 5
-/* Most pivots of a program of a structure, in multiples of these; one for each
-   column is added. Only jams take more than two, and the interior point answers
-   them sooner. */
+/* Budgets of pivots after which a program of a structure ends; one pivot for
+   each column is added. Only jams take more than two budgets, and the interior
+   point answers them sooner. */
 #define KERN_PIVOTS_JAM 3
 /* Most pivots of other programs, as a constant: it ends cycles of rounding. */
 #define KERN_PIVOTS_MOST 200
@@ -1943,21 +1946,22 @@ extern "C" {
 #define KERN_COHERENT KERN_R(0.7)
 /* Share of the way by which a price falls in a round. */
 #define KERN_PRICE_FALL KERN_R(0.3)
-/* Newton's method begins if at most so many contacts changed in the last round,
-   and takes at most so many steps. With more steps it costs more and finds no
-   more. */
+/* Newton's method begins if at most KERN_FEW_CHANGES contacts changed in the
+   last round, and takes at most KERN_NEWTON_ROUNDS steps. With more steps it
+   costs more and finds no more. */
 #define KERN_FEW_CHANGES 2
 #define KERN_NEWTON_ROUNDS 3
-/* A load grows to the load factor in so many steps. A step that fails is
-   divided by KERN_LOAD_FINER, since a failing step takes the work of ten
+/* A load grows to the load factor in KERN_LOAD_STEPS steps. A step that fails
+   is divided by KERN_LOAD_FINER, since a failing step takes the work of ten
    others. No step is below the share KERN_LOAD_NARROW of the load that was
    shown. As a share of the load factor, which may be several times too high,
    the least step would stop 3 % before limit equilibrium. */
 #define KERN_LOAD_STEPS 10
 #define KERN_LOAD_FINER 4
 #define KERN_LOAD_NARROW KERN_R(0.005)
-/* kern_stays(): blocks within so many contacts of the stone are free, all
-   others are held. With 3 or 5 the chance is worse. */
+/* kern_stays(): distance from the stone, in contacts from block to block, up to
+   which blocks are free. All others are held. With 3 or 5 the chance tells
+   less. */
 #define KERN_STAYS_NEAR 4
 /* kern_stays(): stiffness along t. It is less than where a proof requires that
    contacts stick within KERN_STICKS. */
@@ -5325,7 +5329,7 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 
 /* Finds the minimum-norm forces of a part's supports under the loads p->dual.b.
    Returns KERN_STANDS with u; KERN_FALLS, which is no proof, if the norm
-   exceeds `bound`; KERN_UNDECIDED after so many rounds; or KERN_LIMIT. */
+   exceeds `bound`; KERN_UNDECIDED after `rounds` rounds; or KERN_LIMIT. */
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                   kern_real bound, kern_start start, int rounds)
 {
@@ -5345,8 +5349,9 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
         kern_real most, share;
         const kern_real value = kern_norm_gradient(p, &most);
 
-        /* Ends in equilibrium, or where the dual exceeds its largest value for
-           forces within the bound: then there are no such forces. */
+        /* Ends in equilibrium, or if the dual exceeds bound^2 / 2, half the
+           square of the largest norm: then there are no forces within the
+           bound. */
         if (kern_largest(d->grad, n) <= tolerance + KERN_RESIDUAL * most)
             return KERN_STANDS;
         if (!(value <= bound * bound / 2))
@@ -7961,8 +7966,8 @@ static kern_real kern_angle_of(kern_real s)
     return 8 * s * sum;
 }
 
-/* Opens a call whose result is the growth of a pattern, or if that is NULL of a
-   load or tilt to a side. */
+/* Opens a call whose result is the growth of a pattern or, if that is NULL, of
+   a horizontal load or a tilt to a side. */
 KERN_SHARED static kern_status kern_growth_open(kern_call *c,
                                                 const kern_task *task,
                                                 kern_real shrink,
@@ -9195,7 +9200,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
 
         /* a step that fails is repeated with a smaller one */
         good = kern_raise_settle(r, q, KERN_BEGIN_HERE)
-            || (!(stood > 0) /* no load to begin with but 0 */
+            || (!(stood > 0) /* only 0 to begin with */
                 && kern_raise_settle(r, q, KERN_BEGIN_UNLOADED));
         if (good) {
             taken = *share - stood;
