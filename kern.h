@@ -363,9 +363,9 @@
              to 31 % too low. There is no bound where the base of a row slopes
              as the row does: one load factor was 100 times too high, and one
              verdict stands at a friction of .44 where 2.07 is needed.
-             kern_raised_load() has no dilatancy. kern_let_go() says whether
-             such a row stays, and did so for none of 600 random slopes below
-             the friction of limit equilibrium. Both follow one path of loading,
+             kern_raised_load() has no dilatancy. kern_let_go() tells whether
+             such a row stays: of 600 random slopes below the friction of limit
+             equilibrium it says so of none. Both follow one path of loading,
              so use the lower answer. Bricks that hang in a flat arch do not
              count as raised.
    Search    KERN_NOT_SHOWN is no proof of falling. kern_work.end tells whether
@@ -401,9 +401,9 @@
              to 100, and 2 of 96 with mu 1000. A level is undecided only if the
              verdict at a step that it depends on is.
    Brackets  At most 2e-6 mean sizes wide (load factor 2e-6, tilt 8e-6 rad). In
-             jams up to 50 times as wide. Up to 3e-5 above 256 blocks if many of
-             them move at once. If more than 64 blocks move at once, the true
-             value may lie anywhere in the bracket.
+             jams up to 50 times as wide. Up to 3e-5 if there are more than 256
+             blocks and many of them move at once. If more than 64 blocks move
+             at once, the true value may lie anywhere in the bracket.
    Slow      Structures of which many blocks move at the margin: ragged walls,
              fitted masonry, long arches (tests/BENCH.md).
    Float     Proofs are weaker (>>tune) and more is undecided near critical. A
@@ -447,8 +447,8 @@
 
 #ifdef KERN_SINGLE
 typedef float kern_real;
-/* Symbols of their own: a file compiled in the other precision fails when it
-   is linked, not when it runs, and one program may hold both. */
+/* Names for float. A file compiled in the other precision then fails when it is
+   linked, not when it runs, and one program may hold both precisions. */
 #define kern_bearing kern_bearing_f32
 #define kern_block_init kern_block_init_f32
 #define kern_block_load kern_block_load_f32
@@ -741,7 +741,7 @@ typedef enum kern_meeting {
 typedef struct kern_critical {
     kern_meeting *meeting; /* one a contact point                             */
     kern_real *limit;      /* one a contact point: how much it limits, as a
-                             share of that of `contact`; up to 1.0001         */
+                             share of the limit of `contact`; up to 1.0001    */
     int *group;            /* one a block: number of its group, which moves as
                              one body, 0 the fastest; -1: it rests            */
     int contact; /* the first point that limits most, to 1e-4; -1: none */
@@ -797,8 +797,8 @@ typedef struct kern_plan {
 /* Where a stone comes to rest: kern_rest(). */
 typedef struct kern_pose {
     kern_block block; /* the stone there, with its own vertices        */
-    kern_vec turn;    /* by which it was turned: cosine, sine          */
-    int motions;      /* on the way, the first of which is downward    */
+    kern_vec turn;    /* cosine and sine of its turn                   */
+    int motions;      /* number of motions, the first one downward     */
 } kern_pose;
 
 /* A place for a stone, and the numbers by which kern_place_compare() ranks it.
@@ -881,9 +881,9 @@ typedef struct kern_lp {
      KERN_BAD_MASS    a mass outside [1 / F, F] [kg]
      KERN_NO_AREA     an area below 1 / F^2 [m^2]
      KERN_BAD_NUMBER  an area above F^2 [m^2]; an option, vertex, centre, place
-                      or travel above F [m]; the sum of weight and loads of a
-                      block, or of these and the pattern, above F [N]; the
-                      former below 1 / F [N] and not 0 */
+                      or travel above F [m]; a wrench of a pattern above F;
+                      weight and load of a block together above F [N], or
+                      below 1 / F [N] and not 0 */
 
 /* Returns the meaning of a status in words, also of a negative count. */
 KERN_API const char *kern_status_text(int status);
@@ -1149,8 +1149,9 @@ KERN_API kern_status kern_stays(const kern_task *task, int i,
                      of the proof pass kern_check_raised() as KERN_RAISED. A
                      pencil on its tip stays, too: ask kern_raised() for a
                      reserve.
-     KERN_FALLS      It moves by proof->motion. It passes kern_check_motion(),
-                     or where blocks hang, kern_check_raised() as KERN_HANGS.
+     KERN_FALLS      It moves by proof->motion, which passes
+                     kern_check_motion() or, if blocks hang,
+                     kern_check_raised() as KERN_HANGS.
      KERN_UNDECIDED  Neither is shown; work->end tells why.
    *how (may be NULL) is KERN_HANGS where blocks hang, KERN_RAISED where it
    stays and KERN_NOT_SHOWN elsewhere. To find the least friction with which it
@@ -1560,11 +1561,11 @@ extern "C" {
    terms. Part VI takes twice as much, as a share of the largest coordinate, for
    the distance within which two places are the same. */
 #define KERN_ROUNDING (32 * KERN_EPS)
-/* How far a tangential force may exceed its cone, as a share of the cone: the
-   rounding of mu f. */
+/* Largest share by which a tangential force may exceed its cone: the rounding
+   of mu f. */
 #define KERN_CONE_TOL (8 * KERN_EPS)
-/* Least power [W] of a motion in a proof, and what is added to each closing
-   speed [m/s]: a product of smaller numbers may lose digits by underflow. */
+/* Least power [W] of a motion in a proof, and an addend to each closing speed
+   [m/s]: products of smaller numbers may lose digits by underflow. */
 #define KERN_POWER_LEAST (1 / (KERN_FAR * KERN_FAR))
 /* Largest residual of a row or column in the proof of a caller's linear
    program, as a share of the terms. */
@@ -1586,17 +1587,17 @@ extern "C" {
 
 /* ---- what may be asked ---- */
 
-/* Largest coordinate and option [m], and largest sum of all that acts on a
-   block [N]. Squares, moments and products with KERN_BOUND of these keep all
-   digits. Part VI uses it for masses and areas as well. */
+/* Largest coordinate and option [m], largest sum of weight and loads of a block
+   [N], and largest mass [kg] and size [m]. Squares, moments and products with
+   KERN_BOUND of these keep all digits. */
 #define KERN_FAR KERN_PICK(1e60, 1e10)
-/* Least size [m] of a block: arms over it keep all digits. */
+/* Least size [m] of a block: arms divided by it keep all digits. */
 #define KERN_SIZE_LEAST (1 / KERN_FAR)
-/* Least mass [kg] of a block: its weight is no underflow. */
+/* Least mass [kg] of a block: its weight does not underflow. */
 #define KERN_MASS_LEAST (1 / KERN_FAR)
 /* Largest mass [kg] of a block: its weight keeps all digits. */
 #define KERN_MASS_MOST KERN_FAR
-/* Least sum of all that acts on a block [N], unless that is 0. */
+/* Least sum of weight and loads of a block [N], unless that is 0. */
 #define KERN_LOAD_LEAST (1 / KERN_FAR)
 /* Largest difference between 1 and the square of a normal's length: the
    rounding of a normal that the caller computed in this precision. */
@@ -1607,7 +1608,7 @@ extern "C" {
 /* Largest options.reserve, in shares of gravity: the table of
    kern_raise_reserve() ends there. */
 #define KERN_RESERVE_MOST KERN_R(0.1)
-/* Gravity of a task that names none [m/s^2]. */
+/* Default gravity of a task [m/s^2]. */
 #define KERN_GRAVITY KERN_R(9.81)
 /* Largest number of blocks of a task, and of rows of a program: sizes of the
    work memory and products of its indices are then an int. */
@@ -1836,7 +1837,7 @@ extern "C" {
 /* Share of the way to x, z = 0 that a step leaves, less as the gap closes: no
    step is possible from the boundary. */
 #define KERN_IPM_BACKOFF KERN_R(1e-3)
-/* Least share of a ray's force that a step leaves: a force that rounds to 0
+/* Least share of its force that a ray keeps in a step: a force that rounds to 0
    would never grow again. */
 #define KERN_IPM_KEEP KERN_EPS
 /* Least share of its force that a ray keeps when forces are balanced. */
@@ -1860,7 +1861,7 @@ extern "C" {
 #define KERN_IPM_AIM KERN_R(0.03)
 /* Gap that is rounding: the square of the shift of the diagonal. */
 #define KERN_IPM_GAP_LEAST (KERN_IPM_SHIFT * KERN_IPM_SHIFT)
-/* Gap above which no digits are left. */
+/* Largest gap of a solution that still has digits. */
 #define KERN_IPM_GAP_MOST KERN_BOUND
 /* A continued query restarts if after k steps its gap exceeds the first gap
    times KERN_IPM_SLACK KERN_IPM_PACE^k. Otherwise some walls take three times
@@ -1871,7 +1872,7 @@ extern "C" {
 
 /* ---- simplex method ---- */
 
-/* Violation of x >= 0 that counts, as a share of the largest load. */
+/* Least violation of x >= 0 that counts, as a share of the largest load. */
 #define KERN_VALUE_TOL KERN_PICK(1e-10, 1e-5)
 /* Least gain of a column that enters, as a share of the largest price. With
    less the method would follow rounding. */
@@ -1938,7 +1939,7 @@ extern "C" {
    groups, in which the prices have not settled. With fewer rounds a long row is
    given up before its other end has moved. */
 #define KERN_PATIENCE 20
-/* The most work of one search, in factors of its matrix. */
+/* Most work of one search, as a multiple of the cost of a factorisation. */
 #define KERN_SEARCH_COSTS 3000
 /* Prices are extrapolated by KERN_FORWARD of their last changes where the
    cosine of the last two changes is larger than KERN_COHERENT. */
@@ -2865,7 +2866,8 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
         }
     }
 
-    /* The power that forces could take, and that rounding could, as a share. */
+    /* The power that forces and rounding could take, as a share of the
+       power. */
     return (weight * closing + KERN_ROUNDING * terms) / power;
 }
 
@@ -3047,7 +3049,7 @@ typedef struct kern_answer {
    one part before. Both may be set. */
 enum { KERN_OPEN = 1, KERN_TRIED = 2 };
 
-/* In graph.local: the group is to be one of the next part. */
+/* A value of graph.local: the group will belong to the next part. */
 enum { KERN_MARKED = 0 };
 
 /* Disjoint sets of groups that are balanced together. */
@@ -4597,13 +4599,13 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 typedef struct kern_skyline {
     int groups;
     int *first;  /* of a row: its first block column             */
-    int *offset; /* of a row: where it is stored                 */
+    int *offset; /* of a row: its first entry                    */
     kern_real *entry;
 } kern_skyline;
 
 typedef struct kern_law {
     kern_real nn, nt, tt;
-    kern_force force; /* in the cone to the last digit                */
+    kern_force force; /* within the cone despite rounding             */
 } kern_law;
 
 /* Returns the law of a contact that has the stiffness `stiff` along n, and mu
@@ -5297,7 +5299,7 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
     int round;
 
     /* Grows the share until the derivative changes its sign, then cuts the
-       bracket where a straight derivative would be 0. */
+       bracket where a linear derivative would be 0. */
     for (round = 0;
          round < (hi < KERN_INFINITY ? KERN_SHARE_PLACES : KERN_SHARE_GROWS);
          round++) {
@@ -5314,7 +5316,7 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
                                      (p->supports + 12) / KERN_PLACE_UNIT)))
             break;
 
-        /* The end of the same sign moves. */
+        /* The end with the same sign of the derivative moves. */
         if (slope > 0) {
             at_hi /= 3; /* or the upper end might stay for many rounds */
             lo = at;
@@ -5606,7 +5608,8 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
             }
         }
 
-        /* Nothing to refine, and no ray began or ceased to press: solved. */
+        /* If there is nothing to refine, and the same rays press as before, it
+           is solved. */
         if (good && !changed)
             return KERN_STANDS;
         same = !changed;
@@ -6777,7 +6780,7 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     }
     at = round < KERN_BENDS ? at - step : path->holds;
 
-    /* the step is longer by the power that the change of the forces takes */
+    /* the change of the forces takes power, which makes the step longer */
     path->predicted = at;
     if (p->eq.shrink <= q->shrink
         && kern_simplex_along(&p->eq.simplex, p->eq.rate, change)) {
@@ -6910,9 +6913,10 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 
 /* ---- the bracket ---- */
 
-/* Returns the place that halves the wider of the two ends of the bracket below
-   and above the undecided places, or infinity if these are most of it. The
-   first place is close to the lower end, where forces are small. */
+/* Returns the place at which a bracket is cut. The first place is close to the
+   lower end, where forces are small. Later places halve the wider of the two
+   ranges below and above the undecided places. Returns infinity if both are
+   narrow. */
 static kern_real kern_path_cut(const kern_path *path, const kern_range *dark)
 {
     const kern_real lo = path->holds, hi = path->fails;
@@ -7439,7 +7443,7 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     const int many = m->graph.groups > KERN_SMALL;
     kern_status status = KERN_UNDECIDED;
 
-    /* Many groups: the interior point first. */
+    /* Many groups are solved by the interior point. */
     if (many && !m->whole)
         status = kern_path_interior(
             m, path, &q, path->kind == KERN_PATH_SHRINK ? first / 2 : first,
@@ -8009,7 +8013,7 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     path->proof = proof;
     path->end = tilt ? 1 : KERN_FACTOR_MOST;
 
-    /* Few groups: one linear program, whose value is exact. */
+    /* Few groups are solved by one linear program, whose value is exact. */
     if (!loaded && kern_model_is_small(&c->m))
         kern_model_whole(&c->m, path->part, &path->q);
 
@@ -9383,9 +9387,9 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* Largest change of a block's area, as a share, that rounding at large
    coordinates may cause. With more, its vertices have moved. */
 #define KERN_AREA_TOL KERN_R(1e-3)
-/* A vertex that turns by less [rad] is no corner, and one that turns by nearly
-   half a circle, within this, is a spike. With much more, round stones would
-   lose their shape. */
+/* Least turn of a corner [rad]. A vertex that turns by half a circle, within
+   this angle, is a spike. With a much larger value round stones would lose
+   their shape. */
 #define KERN_TURN_LEAST KERN_R(1e-6)
 /* Least distance of a foot from the ends of its edge, as a share of the size:
    rounding then makes no contacts between diagonal neighbours. */
@@ -9400,7 +9404,7 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_CONE_LEAST KERN_R(0.0174533)
 /* Gap, as a share of the mean size, and angle [rad] of contacts that a little
    rocking closes. Values of 0.03 to 0.1 and of 0.1 to 0.2 predict shaking tests
-   as well. */
+   equally well. */
 #define KERN_NEAR_GAP KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
 /* Number of standard errors of place and angle that a contact of a measured
@@ -9417,7 +9421,8 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_ERROR_ANGLE KERN_R(2)
 /* Deepest overlap, in errors of place. */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
-/* How far a corner may stand beyond the end of an edge, in errors of place. */
+/* Largest distance of a corner beyond the end of an edge, in errors of
+   place. */
 #define KERN_ERROR_EDGE KERN_R(3.0)
 /* kern_certain(): least length of a line, and least distance of a foot from the
    ends of its edge, that no error along the edge takes away, in errors of
@@ -9480,12 +9485,13 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 
 /* ---- coming to rest ---- */
 
-/* Most motions of a stone; most touches that are kept. More than 64 motions
-   take stones that roll. */
+/* Most motions of a stone, and most touches that are kept. Only stones that
+   roll take more than 64 motions. */
 #define KERN_REST_MOTIONS 64
 #define KERN_REST_TOUCHES 12
-/* Distance within which outlines touch, as a share of the stone's size; in
-   that, how far beyond its end an edge is still met. */
+/* Distance within which outlines touch, as a share of the stone's size; and the
+   length by which an edge is extended at its ends, as a share of that
+   distance. */
 #define KERN_REST_TOUCH KERN_PICK(1e-7, 1e-4)
 #define KERN_REST_END KERN_R(0.01)
 /* Sine of an angle below which an edge is parallel to a motion, a motion does
@@ -9494,7 +9500,8 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* Tangent of half the largest turn of one motion. With shorter turns the stone
    finds better places, and a motion meets fewer edges. */
 #define KERN_REST_TURN KERN_R(0.25)
-/* Chance from which a stone counts as staying; margins that count as equal. */
+/* Chance from which a stone counts as staying, and share by which margins may
+   differ and still count as equal. */
 #define KERN_PLACE_STAYS KERN_R(0.9)
 #define KERN_PLACE_SAME KERN_R(1e-5)
 
