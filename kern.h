@@ -1013,8 +1013,8 @@ KERN_API int kern_stretches(const kern_block *block, int blocks,
    kern_contacts(), unless a later block lies so far out that the rounding of
    its coordinates counts. Returns the same as kern_contacts(); it finds
    KERN_STALE for block b and the blocks that it may touch. With options.lone,
-   only these contacts count as carrying a block. Time: O(b), and the edges as
-   above. */
+   only these contacts count as carrying a block. Time: O(b) tests of boxes, and
+   for blocks that meet as kern_contacts(). */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options, kern_contact *out,
                         int room, kern_work *work);
@@ -1031,8 +1031,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
 
 /* Sets the travel of every contact point (>>rules). The travel of a point
    depends on the other points of its interface, those between the same two
-   blocks in either order. NULL is allowed and does nothing. Time: O(C) for each
-   interface, and for each of its points beside another. */
+   blocks in either order. NULL is allowed and does nothing. Time: O(C) times
+   the number of points, for each run of points of one interface. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
 /* Returns the place at which a contact point acts at a shrinkage [m], or at a
@@ -1086,7 +1086,7 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
               then 1.5 times the motion found, at most 0.45 mean sizes, and no
               block slides by half of the contact on which it presses.
               KERN_INFINITY: it does not pass.
-   KERN_STANDS: low is above 0, and settles below infinity. A structure that
+   KERN_STANDS: out->low is above 0 and out->settles is finite. A structure that
    stands by forces on the contacts of the task never falls for certain.
    Settling is computed without inertia, for blocks of the measured shape: it
    does not see a block that rocks from one support to another. The order of
@@ -1225,8 +1225,8 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
    contact that has a length is needed. proof->force holds the structure by
    those contacts, and proof->motion moves it without the shortest of them; it
    is 0 where that is undecided and the contact counts as needed. KERN_FALLS: it
-   falls with all contacts. Time: one verdict for each halving of the range of
-   the logarithms of the lengths. */
+   falls with all contacts. Time: one verdict for each step of a bisection of
+   the lengths, on a logarithmic scale. */
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
@@ -1367,8 +1367,9 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof);
 
-/* kern_stays() and kern_raised() for the plan with a block added. For NULL they
-   are those of the plan as it is, kern_stays() for its last block. */
+/* Answer kern_stays() and kern_raised() for the plan with a block added.
+   Without a block (NULL) they answer for the plan as it is, kern_stays() for
+   its last block. */
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
                                      kern_real *chance);
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
@@ -1554,8 +1555,7 @@ extern "C" {
 #define KERN_TOL KERN_PICK(1e-9, 1e-4)
 /* Largest sum of forces in a proof, in weights. It excludes jams, whose forces
    are arbitrarily large. A motion proves a fall only if its power exceeds this
-   sum times the fastest speed at which it closes a contact. With a larger bound
-   the interior point has no digits left. */
+   sum times the fastest speed at which it closes a contact. */
 #define KERN_BOUND KERN_PICK(1e6, 1e3)
 /* Rounding of a sum in a proof, as a share of its terms: a row has some tens of
    terms. Part VI takes twice as much, as a share of the largest coordinate, for
@@ -1664,8 +1664,9 @@ extern "C" {
    all of it may lie beyond. With a narrower one fewer verdicts near critical
    have a proof. A wider one exceeds the promised 2e-6. */
 #define KERN_WIDTH KERN_PICK(1.26e-6, 1.8e-3)
-/* Width of a bracket, in widths of a measure's, above which the search cuts the
-   bracket instead of aiming at the critical value. */
+/* Largest distance between the proofs on both sides of the critical value, in
+   widths, at which the search still aims at that value. Beyond it the search
+   cuts the bracket. */
 #define KERN_WIDEST KERN_R(20)
 /* How many times wider a bracket may be and still be an answer: in jams no
    proof comes closer. */
@@ -1854,7 +1855,7 @@ extern "C" {
 /* Least gap with which a query continues: closer to the boundary it could not
    turn. */
 #define KERN_IPM_GAP KERN_R(1e-3)
-/* Least product x z after a step, in means of all products. */
+/* Least product x z after a step, as a share of the mean product. */
 #define KERN_IPM_CENTRE KERN_R(0.03)
 /* Least share of the gap that a step aims at. With less, fewer verdicts are
    decided. */
@@ -4285,8 +4286,8 @@ static int kern_pivot_spend(const kern_simplex *sx)
    falls with every step whose length is not zero, unless prices are rounding.
    So prices are refined after a budget of pivots, and Bland's rule, which
    cannot cycle, is used after five. The limit ends cycles that rounding causes.
-   Programs of structures take less than two budgets, except in jams, and their
-   limit is three.
+   Programs of structures take less than two budgets, except in jams. Their
+   limit is three, plus one pivot for each column.
 
    Returns KERN_LP_OPTIMAL; KERN_LP_INFEASIBLE; KERN_LP_UNBOUNDED if the
    entering column may grow for ever; KERN_NO_SPACE or KERN_LIMIT if there is no
@@ -5384,9 +5385,8 @@ static int kern_graph_degree(const kern_graph *graph, int g)
 }
 
 /* Lists the groups that contacts connect to `first`, from place n of the part
-   down, by breadth-first search. The new neighbours of a group are listed in
-   the order of their numbers of contacts. Returns the place below the last
-   group. */
+   down, by breadth-first search. Of the new neighbours of a group those with
+   fewer contacts come first. Returns the place below the last group. */
 static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
@@ -6606,7 +6606,8 @@ KERN_SHARED static kern_real kern_half_width(const kern_path *path)
     return kern_width(path) / 2;
 }
 
-/* Returns the width of a bracket above which it is cut. */
+/* Returns the largest distance between two proofs at which the search aims at
+   the value between them. */
 KERN_SHARED static kern_real kern_widest(const kern_path *path)
 {
     return kern_width(path) * KERN_WIDEST;
@@ -7432,10 +7433,10 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
 }
 
 /* Finds the critical value of the whole beyond path->holds. Many groups are
-   solved by the interior point, whose first step is half as long, since fewer
-   mechanisms fall there. If it finds nothing the program follows. Few groups
-   are solved by the program. If it cannot decide a place, as in a jam, the
-   interior point narrows the remaining bracket. */
+   solved by the interior point, which first shrinks kerns half as far, since
+   fewer mechanisms fall there. If it finds nothing the program follows. Few
+   groups are solved by the program. If it cannot decide a place, as in a jam,
+   the interior point narrows the remaining bracket. */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
@@ -8492,8 +8493,8 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
 /* Adds the effect on contact i of the poses of its blocks, as the contact
    search would find it, to the rates of the blocks. `pair` is the other end of
    its line, or i. In a line, a corner moves its end along, the ends stay midway
-   between the edges, and each end gives half to the normal and the middle. In a
-   point, a corner moves the point and an edge turns the normal. */
+   between the edges, and normal and middle change by half as much as an end. In
+   a point, a corner moves the point and an edge turns the normal. */
 KERN_SHARED static void kern_pose_gain(const kern_task *task,
                                        const kern_contact_rate *rate, int i,
                                        int pair, kern_block_rate *out)
@@ -8610,7 +8611,7 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
 /* Finds forces that a load raises on unstressed contacts of some stiffness. The
    displacement u of the groups is caused by loads b. Let wn be the approach of
    a contact along n and wt its shear along t, w = A' u. Coulomb's law with a
-   stiffness k, and c mu k along t, is
+   stiffness k along n and c mu k along t (k = dual.stiff_n, c = dual.stiff) is
 
        f = k max(0, wn),   r = c mu k wt, cut off at -mu f and mu f      (law)
        A (f, r) = b                                                  (balance)
