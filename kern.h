@@ -8638,12 +8638,12 @@ typedef struct kern_raise {
     int around;              /* the block of kern_stays(), or KERN_OUT       */
     const kern_proof *proof; /* where each shown step writes it, or NULL     */
     kern_end end;            /* why the last search ended                    */
-    int size;                /* count of the numbers of u, then of prices    */
+    int size;                /* count of u and prices together               */
     kern_real *held;         /* u and prices of the last load that was shown */
     kern_real *earlier; /* u and prices of a load shown before that          */
     kern_real *last;    /* two a contact: last F(p), and its change          */
     kern_real *kept;    /* u before Newton's method                          */
-    kern_skyline up;    /* columns of its matrix; p->dual.matrix has the rows */
+    kern_skyline up;    /* columns of Newton's matrix; dual.matrix: rows    */
     int *state;         /* of a contact: 0 open, 1 sticks, 2 and 3 slides    */
 } kern_raise;
 
