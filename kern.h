@@ -2903,7 +2903,8 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
         const kern_real mu = kern_friction(c, kern_reduction(q));
         const kern_real press = -kern_vec_dot(c->n, u);
         const kern_real slide = kern_vec_cross(c->n, u);
-        if (!(f > KERN_PRESSED_LEAST * least)) /* not needed */
+        if (!(f
+              > KERN_PRESSED_LEAST * least)) /* equilibrium does not need it */
             continue;
         if (!(press
               > KERN_ROUNDING
@@ -5259,8 +5260,9 @@ static void kern_norm_matrix(kern_part *p, kern_start start)
         kern_law s = kern_part_law(p, k, w[0], w[1]);
         if (all && (p->dual.law != KERN_LAW_RAYS || !(s.nn > 0)))
             s = kern_part_law(p, k, 1, 0);
-        /* a cold start is as stiff along t for every friction */
-        if (all && p->dual.law == KERN_LAW_STIFF)
+        if (all
+            && p->dual.law
+                   == KERN_LAW_STIFF) /* as stiff along t for every friction */
             s.tt = p->dual.stiff * s.nn;
         if (s.nn > 0)
             kern_part_add(p, k, &s);
