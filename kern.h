@@ -184,16 +184,15 @@
                that is still less. The contact points are the ends of that
                stretch, midway between the edges. n is the mean of the edges'
                normals.
-     point     A convex vertex within the gap of an edge. Its foot is more than
-               1e-6 of the size from both ends of the edge, and both edges of
-               the vertex are on the outer side of that edge within `angle`. The
-               contact point is the vertex, n is the normal of the edge. It is
-               no contact where a line contact of the pair, its normal within 10
-               degrees of n, passes within the gap.
-     corner    A convex vertex within the gap of a reflex one. It gives a point
-               contact with each edge of the reflex vertex that has both edges
-               of the convex vertex on its outer side. A convex vertex at a
-               convex vertex is no contact.
+     point     A convex vertex within the gap of an edge, its foot more than
+               1e-6 of the size from both ends, both edges of the vertex on the
+               outer side of that edge within `angle`. The contact point is the
+               vertex, n is the normal of the edge. It is no contact where a
+               line contact of the pair, its normal within 10 degrees of n,
+               passes within the gap.
+     corner    A convex vertex within the gap of a reflex one: a point contact
+               with each edge there on whose outer side both its edges lie.
+               A convex vertex on a convex one is no contact.
      face      Contacts of a pair whose normals agree within `angle` and which
                lie on one line within the gap are joined to one line contact. It
                goes from the first to the last point. n is the mean of the
@@ -201,9 +200,8 @@
                their lengths, the longest first and points last.
      overlap   A point of one outline deeper than the gap inside the other
                block, or a block inside another: KERN_OVERLAP.
-   A larger gap removes no support. Contacts that the caller gives are used as
-   they are. Their normals must have length 1, and kern_contact_make() refuses a
-   line that leaves its tangent by more than `angle`.
+   A larger gap removes no support. Contacts that are given are taken as they
+   are, with unit normals; a line off t by more than `angle` is refused.
 
    Shrinkage. A contact point has a direction u = t or -t, a travel l >= 0:
      line      The two ends go to each other; l is half the length.
@@ -906,8 +904,8 @@ KERN_API kern_options kern_near(const kern_options *options,
               becomes sqrt(g^2 + (3.5 theta)^2 (r_a^2 + r_b^2)) (>>tol)
      angle    7 theta, at least 1 degree and below 0.5. A corner may lie 3 e
               beyond the end of an edge
-     overlap  8 e, to which 3.5 theta r is added, r the diagonal of the smaller
-              box. Contacts lie at half the depth. Set it higher to accept more
+     overlap  8 e, and 3.5 theta r for r the diagonal of the smaller box;
+              contacts lie at half the depth. Set it higher to accept more
    Verdicts are then those of the structure as it most likely rests. Every call
    refuses these options (KERN_BAD_OPTION) unless e > 0 and theta >= 0. */
 KERN_API kern_options kern_measured_options(const kern_options *options,
@@ -9466,7 +9464,7 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_DOUBT_PARTS 3
 #define KERN_DOUBT_TELLS KERN_R(1.5)
 #define KERN_DOUBT_MOST KERN_R(0.45)
-/* Largest angle of measured options, as a share of KERN_ANGLE_MOST. */
+/* Share of KERN_ANGLE_MOST up to which a measured angle is raised. */
 #define KERN_ANGLE_SHARE KERN_R(0.99)
 /* Sine of 10 degrees: the normals of a line contact and of a vertex that
    belongs to it differ by less, those at a corner by more. */
@@ -9996,8 +9994,8 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
    changes by no more than the distance covered, so each depth gives a safe
    step. */
 
-/* Returns 1 if no vertex of b is farther than `most` on one side of an edge: on
-   its left if side is 1, on its right if it is -1. */
+/* Returns 1 if no vertex of b is farther than `most` to a side of an edge: its
+   left where side is 1, its right where it is -1. */
 static int kern_overlap_side(const kern_edge *e, const kern_block *b,
                              kern_real side, kern_real most)
 {
@@ -10009,9 +10007,9 @@ static int kern_overlap_side(const kern_edge *e, const kern_block *b,
     return 1;
 }
 
-/* Raises *deep to the depth in b of the boundary of a. The true depth may be
-   larger by a stride. Stops at a depth beyond `enough`. Strides grow, since a
-   gap of a few roundings would take too many. */
+/* Raises *deep to the depth in b of the boundary of a. An overlap may be a
+   stride deeper. Stops at one beyond `enough`. Strides grow, since a gap of few
+   roundings would take too many. */
 static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
                                   kern_real enough, kern_real *deep)
 {
@@ -10068,9 +10066,9 @@ static void kern_overlap_middles(const kern_outline *a, const kern_outline *b,
 }
 
 /* Returns the depth of the overlap of a and b, or a depth beyond `enough`, or 0
-   if it is no deeper than the gap. The depth may be too small by a stride.
-   Usually the line of an edge separates a convex pair, to within half a gap.
-   Two blocks at the same place have no deep boundary, but deep inner points. */
+   if none is deeper than the gap. A stride of depth may be missed. Usually the
+   line of an edge parts a convex pair, but for half a gap. Two blocks at one
+   place have no deep boundary. */
 KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
                                                 const kern_outline *b,
                                                 kern_real gap, kern_real enough)
@@ -10166,10 +10164,10 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
                                * (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
 }
 
-/* Adds the line contact of one edge of each block, if they are antiparallel and
-   close. s is the place along their mean tangent t, and both edges are heights
-   along the mean normal n. e rises at a slope and f falls at the same slope, so
-   the gap changes at twice that slope. */
+/* Adds the line contact of an edge of each block, where they run against each
+   other and are near. In the frame of their mean tangent t and normal n both
+   are heights over s: e rises as f falls, and the gap opens at twice that
+   slope. */
 static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 {
     const kern_edge *e = edge, *f = edge + 1;
@@ -10201,8 +10199,8 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     kern_pair_put(pair, p, n, (high - low) / 2);
 }
 
-/* Returns 1 if the foot of p is inside edge e, or if e has a reflex end within
-   the gap of p. e is of block a (on = 0) or b (1). */
+/* Returns 1 if the foot of p is inside edge e, or e ends at p in a reflex
+   corner. e is of block a (on 0) or b (1). */
 static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
                            kern_vec p, kern_real gap)
 {
