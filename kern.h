@@ -1,9 +1,10 @@
 /* kern.h 0.2.0: how safely does a dry-stacked structure stand?
 
    A header-only C library for robots that build with found stones and no
-   mortar. It finds the contacts between polygons, contact forces that hold
-   every stone, and how far every contact can shrink until no such forces
-   exist: a measure of stability. Each verdict has a proof, which was checked.
+   mortar. It finds the contacts between polygons and contact forces that hold
+   every stone. It measures stability: how far every contact can shrink before
+   no such forces exist. Every verdict comes with a proof, which kern checks
+   before it returns.
 
    SPDX-License-Identifier: MIT (text at the end of the file)
 
@@ -34,7 +35,7 @@
      ==================             d             |======|     what is left: the
                                     d*              |==|       kern of a contact
 
-   "Kern" is the paper's word for this, not for the middle third of a section.
+   "Kern" is the paper's word for this, not the middle third of a section.
    Beyond the margin d* no forces are in equilibrium.
 
    HOW TO USE IT                                                        >>use
@@ -61,64 +62,72 @@
            printf("level %d, margin %g m\n", m.level, m.margin);
 
    Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. A negative
-   count of contacts is a status, which the next call returns. With all checks
-   it is examples/copy/one_block.c. "multiple definition": KERN_IMPLEMENTATION
-   is in two files; "undefined reference": in none, or of the other precision.
+   count of contacts is a status, which the next call returns.
+   examples/copy/one_block.c is this program with all checks. If the linker
+   reports "multiple definition", KERN_IMPLEMENTATION is in two files. If it
+   reports "undefined reference", it is in none, or in a file of the other
+   precision.
 
    CONVENTIONS                                                  >>conventions
 
    Units of length, mass and time are your choice; comments say m, kg, s. Angles
    are in radians, counter-clockwise positive. Blocks are polygons in world
-   coordinates of a plane: think of one unit of depth, and of a density per
-   area. Contacts of a new stone (kern_touch()) are appended; to take the last
-   stone back, make `blocks` and `contacts` smaller.
+   coordinates of a plane. Think of one unit of depth, and of a density per
+   area. kern_touch() finds the contacts of a new stone, to be appended to the
+   others. To take the last stone back, reduce `blocks` and `contacts`.
 
    MEMORY                                                            >>memory
 
    The library allocates nothing, has no globals and no recursion, and keeps
-   nothing between calls: threads need no locks, each with its own work memory:
-   two arrays, of KERN_REALS(blocks, contacts) and KERN_INTS(blocks, contacts)
-   numbers (kern_work_need() at run time). Contacts are counted as points: a
-   running bond has seven a block, twelve with joints between neighbours.
-   KERN_CONTACTS(blocks) has room for these; stones with many short edges may
-   need twice as many (KERN_NO_SPACE). Bytes in double (float: about half):
+   nothing between calls. Threads need no locks if each has its own work memory.
+   Work memory is two arrays, of KERN_REALS(blocks, contacts) and of
+   KERN_INTS(blocks, contacts) numbers (kern_work_need() at run time). Contacts
+   are counted as points: a running bond has seven a block, and twelve with
+   joints between neighbours. KERN_CONTACTS(blocks) has room for these. Stones
+   with many short edges may need twice as many (KERN_NO_SPACE). Bytes in double
+   (float: about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
        KERN_REALS and KERN_INTS     9,124    21,496    66,296   359,616
        both KERN_LEAN_ sizes        9,124    12,364    20,204    64,404
 
-   KERN_LEAN_REALS and KERN_LEAN_INTS (from 10 blocks on) are enough where few
-   blocks move at the margin, as in most walls: 0.7 MB, not 11, for 1000 blocks
-   and 7000 points. Where many do, as in arches, a call returns KERN_NO_SPACE.
+   KERN_LEAN_REALS and KERN_LEAN_INTS are smaller from 10 blocks on. They
+   suffice where few blocks move at the margin, as in most walls: 0.7 MB instead
+   of 11 MB for 1000 blocks and 7000 points. Where many blocks move, as in
+   arches, a call returns KERN_NO_SPACE.
 
    VERDICTS AND PROOFS                                             >>verdicts
 
-   KERN_STANDS: forces were found that pass kern_check_forces(); KERN_FALLS: a
-   motion that passes kern_check_motion(). The checks use nothing of the solver.
-   What passes neither is KERN_UNDECIDED (>>limits), never a guess.
+   KERN_STANDS: kern found forces that pass kern_check_forces(). KERN_FALLS: it
+   found a motion that passes kern_check_motion(). These checks use nothing of
+   the solver. KERN_UNDECIDED: it found neither (>>limits). It never guesses.
 
-   options.limit bounds the work of one call. Work that would exceed the limit,
-   to read the input included, is not begun: the call returns KERN_LIMIT and
-   writes what is proven by then. Below the limit the answer is the same, to the
-   last bit, as without. A call takes at most 3,000 instructions and 2,000 for
-   each unit of its limit, a whole answer 550 to 2,000 for each unit that it
-   took (tests/work.sh limits): 0.1 to 0.6 microseconds of a desktop computer.
-   Where most blocks have a single contact, as pushes of a fill, a unit of the
-   limit was up to 3,100 instructions, and one of a whole answer 2,230.
+   options.limit bounds the work of one call, reading the input included. Work
+   that would exceed the limit is not begun: the call returns KERN_LIMIT and
+   writes what is proven by then. An answer below the limit is the same, to the
+   last bit, as without a limit. A call takes at most 3,000 instructions plus
+   2,000 for each unit of its limit. A call that completes takes 550 to 2,000
+   for each unit in work->units, which is 0.1 to 0.6 microseconds on a desktop
+   computer (tests/work.sh limits). Where most blocks have a single contact, as
+   in a fill that is pushed, a unit of the limit was up to 3,100 instructions,
+   and a unit of a completed call 2,230.
 
    CONFIGURATION                                                     >>config
 
-   KERN_STATIC          in a file that wants a private copy of everything
-   KERN_API             linkage of public functions; extern
-   KERN_SINGLE          kern_real is float; the same in every file
-   KERN_SQRT(x)         in place of sqrt or sqrtf and of <math.h>
-   KERN_NO_INTERIOR     without >>ipm, for firmware: above 64 free blocks the
+   KERN_STATIC          every function is static: a copy of the library that
+                        only this file uses
+   KERN_API             linkage of public functions; default: extern
+   KERN_SINGLE          kern_real is float, also in the implementation
+   KERN_SQRT(x)         replaces sqrt or sqrtf; <math.h> is not included
+   KERN_NO_INTERIOR     leaves out >>ipm, for firmware: above 64 free blocks the
                         simplex method decides, which may take minutes
-   KERN_USE_GLPK        large programs go to GLPK (under the GPL): see kern_lp.h
-   KERN_GLPK_ROWS       rows above which they do (three a free block); 96
+   KERN_USE_GLPK        GLPK (under the GPL) solves large programs (kern_lp.h)
+   KERN_GLPK_ROWS       programs of more rows are large; default: 96. A free
+                        block has three rows
 
-   Without a C library, -Os -fno-tree-loop-distribute-patterns keep gcc from
-   memcpy and memset; -fno-math-errno makes the square root an instruction.
+   Without a C library, compile with -Os -fno-tree-loop-distribute-patterns, or
+   gcc calls memcpy and memset. With -fno-math-errno the square root is one
+   instruction.
 
    METHOD                                                            >>method
 
@@ -130,11 +139,11 @@
 
    Along the two edges of the friction cone, n + mu t and n - mu t, this is Eq.
    (5): find x >= 0 with A x = -w (A_eq of the paper, >>statics). If there is
-   none, Farkas' lemma gives a y with y.A >= 0 and y.w > 0: velocities and spins
-   such that no contact closes and the weights do work: a mechanism. It proves
-   that the structure falls.
+   none, Farkas' lemma gives a y with y.A >= 0 and y.w > 0. This y is a
+   mechanism: velocities and spins such that no contact closes and the weights
+   do work. It proves that the structure falls.
 
-   A verdict asks, in this order, until one gives a proof:
+   A verdict tries these methods in this order, until one gives a proof:
 
        top-down     >>pass    forces are passed on from top to bottom, a block
          |                    by three equations, a cluster where it cannot
@@ -146,32 +155,35 @@
                               interior point again where that has no proof
 
    A measure is the critical value of a path (kerns shrink, a load grows,
-   gravity turns): the first at which it falls. That of the whole is at most
-   that of a part with all other blocks fixed. So the search (>>search) begins
-   at the smallest value of a body (a block with what rests on it alone), runs
-   the pass there, and goes on to that of the part that falls, until none does.
-   Where the pass gives no proof, the whole is asked. Load factor and tilt of up
-   to 64 free blocks are one linear program with the value as a column. What
-   this cannot decide, as in jams, the interior-point method narrows. A proof to
-   each side of the critical value makes the bracket. Why each of these is
-   there, and what it costs to leave it out: tests/DESIGN.md.
+   gravity turns): the first value at which the structure falls. Fixing blocks
+   never lowers the critical value, so any part, with all other blocks fixed,
+   gives an upper bound. The search (>>search) begins at the smallest value of a
+   body (a block with what rests on it alone) and runs the pass there. If a part
+   falls, the search continues at the critical value of that part, until no part
+   falls. If the pass gives no proof, the search solves the whole structure.
+   Load factor and tilt of up to 64 free blocks are one linear program with the
+   value as a column. Where this cannot decide, as in jams, the interior-point
+   method narrows the bracket: one proof on each side of the critical value.
+   tests/DESIGN.md says why each step is there, and what it costs to leave it
+   out.
 
    RULES                                                               >>rules
 
-   What each number is, exactly, so that another program can reproduce it; the
-   tests of each rule: RULES of tests/kern_test.c.
+   This chapter defines each number exactly, so that another program can
+   reproduce it. RULES in tests/kern_test.c names the tests of each rule.
 
-   Contacts of two polygons that are not both fixed. `gap` and `angle` are
-   those of the options; no tolerance is below 64 roundings of the largest
-   coordinate. "Size" is that of the pair's smaller free block. Vertices where
-   the outline turns by less than 1e-6 rad do not count. Outlines are taken as
-   they are: every other edge, a step of one pixel too, has its own contacts, so
-   simplify raw outlines first (kern_outline_simplify()).
+   Contacts are found for each pair of polygons that are not both fixed. `gap`
+   and `angle` are those of the options, and no tolerance is below 64 roundings
+   of the largest coordinate. "Size" is that of the pair's smaller free block.
+   Vertices where the outline turns by less than 1e-6 rad do not count. Outlines
+   are used as they are: every other edge has its own contacts, even a step of
+   one pixel, so simplify raw outlines first (kern_outline_simplify()).
      line      Two edges, one of each block, antiparallel within `angle`, and
                within the gap over a length of more than the gap or 1e-3 of the
-               size, whichever is less. Where both edges are shorter than that,
-               half of the longer is enough. The contact points are the ends of
-               that stretch, midway between the edges; n is the mean normal.
+               size, whichever is less. Half of the longer edge is enough if
+               that is still less. The contact points are the ends of that
+               stretch, midway between the edges. n is the mean of the edges'
+               normals.
      point     A convex vertex within the gap of an edge, its foot more than
                1e-6 of the size from both ends, both edges of the vertex on the
                outer side of that edge within `angle`. The contact point is the
@@ -182,9 +194,10 @@
                with each edge there on whose outer side both its edges lie.
                A convex vertex on a convex one is no contact.
      face      Contacts of a pair whose normals agree within `angle` and which
-               lie on one line within the gap are one line contact, from the
-               first to the last point, with the mean of the normals weighted by
-               length. The longest contact begins a face, points come last.
+               lie on one line within the gap are joined to one line contact. It
+               goes from the first to the last point. n is the mean of the
+               normals, weighted by length. Contacts are joined in the order of
+               their lengths, the longest first and points last.
      overlap   A point of one outline deeper than the gap inside the other
                block, or a block inside another: KERN_OVERLAP.
    A larger gap removes no support. Contacts that are given are taken as they
@@ -194,201 +207,228 @@
      line      The two ends go to each other; l is half the length.
      points    Two or more points of one pair go to the middle q of the two that
                are farthest apart, each along its own t: l = |(q - p) . t|.
-     one point stays: l = 0, as does every l below 1e-9 of the mean size.
-     lone      Where options.lone asks for it, the one point of a pair goes to
-               the middle of what carries its block, as in Fig. 2 c, d of the
-               paper: a contact carries the block that its normal pushes up, or
-               none where the normal is horizontal within 1e-6. The middle is
-               that of the two points farthest apart that carry the same block.
-               Kerns are then not nested (>>limits).
-   It acts at p + min(d, l) u; with options.relative at p + d l u, d <= 1.
-   d_max is the largest l (relative: 1). Normals do not change. With lines
-   alone the contacts are nested and a structure that has fallen falls at every
-   larger d; with points of different normals it may stand again.
+     one point stays: l = 0, as does every point with l below 1e-9 of the mean
+               size.
+     lone      If options.lone is set, a single point of a pair goes to
+               the middle of the contacts that carry its block, as in Fig. 2 c,
+               d of the paper. A contact carries the block that its normal
+               pushes up, or none if the normal is horizontal within 1e-6. The
+               middle is that of the two points farthest apart that carry the
+               same block. Kerns are then not nested (>>limits).
+   The point acts at p + min(d, l) u, or with options.relative at p + d l u, d
+   <= 1. d_max is the largest l (relative: 1). Normals do not change. If all
+   contacts are lines, the contacts are nested: a structure that falls at one d
+   falls at every larger d. With points of different normals it may stand again.
 
    Measures, for a structure that stands at d = 0 unless said otherwise:
-     level     The smallest k >= 1 such that it falls at min(k epsilon, d_max);
-               ceil(d_max / epsilon) + 1, saturated, where there is none; 0
-               where it falls at d = 0.
-     margin    The largest d* such that it stands at every d below d*; d_max,
-               saturated, where it stands throughout.
-     deficit   Where it falls at d = 0: the least growth d with contact points
-               at p - d u (relative: p - d l u) such that it stands; infinite
-               where a growth of 1000 times the longest side of the free
-               blocks' box (relative: over the smallest l) is not enough.
+     level     The smallest k >= 1 such that it falls at min(k epsilon, d_max).
+               If there is none the level is ceil(d_max / epsilon) + 1 and the
+               margin is saturated. The level is 0 if it falls at d = 0.
+     margin    The largest d* such that it stands at every d below d*. If it
+               stands at every d the margin is d_max and is saturated.
+     deficit   For a structure that falls at d = 0: the least growth d with
+               contact points at p - d u (relative: p - d l u) such that it
+               stands. Infinite where a growth of 1000 times the longest side of
+               the free blocks' box (relative: over the smallest l) is not
+               enough.
      load      The largest factor f such that it stands under every multiple of
      factor    the pattern up to f. Horizontal: f m |g| at every centre, to the
                right (gravity turned by +90 degrees) or to the left.
      tilt      The first angle of gravity, turned to the side, at which it
-               falls; pi where there is none. Loads do not turn.
+               falls; pi if there is none. Loads do not turn.
      profile   d grows from 0. Where the structure falls, the blocks that move
-               in the mechanism get that d and are taken away, and d goes on
-               from there. A block that never moves gets d_max, one that moves
-               at once 0. The same with a horizontal load, up to a factor 10.
-               Of several mechanisms one of few blocks is preferred.
-     mechanism Where it falls: velocities of all free blocks, the largest of a
-               centre or of a spin times the block's size being 1.
+               in the mechanism get that d as their value and are taken away. d
+               then grows on. A block that never moves gets d_max, and one that
+               moves at once gets 0. With a horizontal load its factor grows
+               instead of d, up to 10. Among several mechanisms one of few
+               blocks is preferred.
+     mechanism For a structure that falls: velocities of all free blocks, scaled
+               so that the largest is 1. A spin counts times the block's size.
 
    WHAT EACH NUMBER IS GOOD FOR                                    >>measures
 
-   margin      comparing structures and places for a stone: how far the worst
+   margin      compares structures, and places for a stone: how far the worst
                stone is from the edge of what carries it, in metres, so that
-               large stones weigh more; relative: a share. level: the paper's
-   load factor the largest sideways acceleration, in units of gravity; raised
-               load: without dilatant sliding, see >>limits
-   tilt        how far the ground may turn: without loads atan(load factor)
-   deficit     how much is missing, where it falls
-   bearing     the length of the shortest contact that it needs
-   mechanism   which stones go first, and how
-   profile     how much worse it gets then: every stone's margin or load factor,
-               their mean, that of the weaker half, and the expected drop
-   raised      whether its load raises its forces, with what reserve for a push
-   stays       the chance that a stone stays where it is let go
-   rest        where a stone comes to rest, and which place is best
+               large stones weigh more; relative: a share of each travel
+   level       is the paper's measure: the margin in steps of epsilon
+   load factor is the largest sideways acceleration, in units of gravity
+   raised load is the load factor without dilatant sliding (>>limits)
+   tilt        tells how far the ground may turn: without loads, atan of the
+               load factor
+   deficit     tells how far the contacts of a structure that falls must grow
+   bearing     is the length of the shortest contact that the structure needs
+   mechanism   shows which stones move first, and how
+   profile     gives every stone's margin or load factor while others fall,
+               their mean, the mean of the weaker half, and the expected drop
+   raised      tells whether the load itself raises forces that hold the
+               structure, and the reserve that it has for a push
+   stays       is the chance that a stone stays where it is released
+   rest        finds where a stone comes to rest, and compares places
                (kern_rest(), kern_place_compare(), examples/place.c)
-   sensitivity how a stone should move, and how exactly lie (examples/nudge.c)
-   push        the load factor of a force on one stone (examples/push.c)
+   sensitivity tells how to move a stone for a larger margin, and how exactly it
+               must lie (examples/nudge.c)
+   push        is the load factor of a force on one stone (examples/push.c)
 
-   Kerns shrink to a point, and a point still carries: a stone one end of which
-   rests on 2 micrometres has the margin of the other end. The bearing length
-   sees the sliver; a robot that places stones less exactly than that cannot
-   count on it. Ask it on kern_stretches(): the contacts of a block on two feet
-   are one, from end to end. A saturated margin, half the longest contact, tells
-   no safety.
+   The margin does not show a sliver of support. Kerns shrink to a point, and a
+   point still carries: a stone with one end on 2 micrometres has the margin of
+   its other end. The bearing length shows the sliver. A robot that places
+   stones less exactly than that length cannot count on the contact. Compute it
+   with the contacts of kern_stretches(), since kern_contacts() joins the two
+   feet of a block to one contact from end to end. A saturated margin is half
+   the length of the longest contact and says nothing about safety.
 
-   Collapse under shaking. All but the profile tell when the first stone falls,
-   not when half of a wall does. A stone that rocks soon meets the next one, so
-   contacts that a little motion closes count too:
+   Collapse under shaking. Every measure but the profile tells when the first
+   stone falls, not when half of a wall does. A stone that rocks soon meets the
+   next one, so count contacts that a little motion closes:
 
        task.options = kern_near(&task.options, kern_mean_size(block, blocks));
        find the contacts with these, then
        kern_profile(&task, side, value, &c) for KERN_LEFT and KERN_RIGHT,
        and add both c.drop, the expected drop: larger is worse
 
-   It ranks structures by their level of collapse as no other measure does
-   (README; examples/laboratory/STUDY.md). Where stones slide before they
-   tip, as in low walls, all load factors end at mu and rank less well. Near
-   contacts are not for verdicts: a gap carries nothing yet.
+   This sum ranks structures by their level of collapse better than any other
+   measure (README; examples/laboratory/STUDY.md). Where stones slide before
+   they tip, as in low walls, all load factors end at mu and rank less well. Do
+   not use near contacts for a verdict: a gap carries nothing until it is
+   closed.
 
-   Whether a stone stays where it is let go. kern_stays() gives the chance. Let
-   go from a threshold on, each half of 969 placements by the law of the other:
+   Whether a stone stays where it is released. kern_stays() returns the chance.
+   Suppose that a planner releases a stone if the chance is at least a
+   threshold. Of 969 placements, each half judged by the law fitted to the other
+   half:
 
-       threshold               0.3    0.5    0.7    0.9
-       of 630 that stay, kept  0.96   0.95   0.93   0.83
-       of 205 that move, not   0.90   0.96   0.985  0.995
+       threshold                       0.3    0.5    0.7    0.9
+       630 that stay: released         0.96   0.95   0.93   0.83
+       205 that move: not released     0.90   0.96   0.985  0.995
 
-   The chance follows from the displacement that raises the forces. After a
-   large one many equilibria are possible, and friction decides between them.
+   The chance is computed from the displacement that raises the forces, and from
+   the reserve. After a large displacement many equilibria are possible, and
+   friction decides between them.
 
-   Whether a finished structure stays. kern_let_go() asks all blocks at once:
-   the answer is the same in any order of the blocks. kern_least_load_of() and
-   kern_load_factor_of() are the ends of the range of a load that holds it.
+   Whether a finished structure stays. kern_let_go() releases all blocks at
+   once, so the order of the blocks does not matter. kern_least_load_of() and
+   kern_load_factor_of() return the least and the largest factor of a load with
+   which the structure stands.
 
-   Forces. Many sets of forces hold a structure; no measure depends on which,
-   and a proof has the first that was found. To look at, take the minimum-norm
-   forces (kern_forces()): one set, symmetric where the structure is, which
-   loads all that can carry. Those of kern_raised() are closer to friction, but
-   not unique. Neither says how stones of some stiffness share a load.
+   Forces. Many sets of forces hold a structure. No measure depends on which set
+   is used, and a proof has the first one that was found. For pictures use the
+   minimum-norm forces (kern_forces()): a unique set, symmetric where the
+   structure is, which loads every contact that can carry. The forces of
+   kern_raised() are closer to friction, but not unique. Neither set tells how
+   elastic stones share a load.
 
    STONES FROM A CAMERA OR A SCANNER                               >>measured
 
-   Outline. Simplify it first, within 1.5 to 3 pixels (kern_outline_simplify()).
-   Raw points on a grid touch each other (KERN_CROSSING), and each step of a
-   pixel would hold as a shear key. From 1.5 pixels on a straight joint is one
-   edge again; below 1.42 its steps may remain. Two outlines that are simplified
-   may part by twice the tolerance: set options.gap to that, or tell the error.
+   Outline. Simplify each outline first, within 1.5 to 3 pixels
+   (kern_outline_simplify()). Raw points on a grid touch each other
+   (KERN_CROSSING), and each step of a pixel would hold like a shear key. From
+   1.5 pixels on a straight joint is one edge again; below 1.42 its steps may
+   remain. Two simplified outlines may part by twice the tolerance. Set
+   options.gap to that, or include it in the error of kern_measured_options().
    Outlines of drawings and clippers have steps of rounding: simplify them
    within half a gap. The density is that of the material times the thickness.
    examples/copy/contour.c shows these steps.
 
    Error. kern_measured_options() takes the standard errors of a stone's place
-   (of pixel, simplification and registration the squares are added) and angle.
-   Margins of a stone of 40, 200 or 1000 vertices then agree within 2 %; else
-   the discretisation decides them. Overlaps beyond the error are modelling
-   errors (kern_overlaps()): measure again, or set options.overlap.
+   and of its angle. To combine the errors of pixel, simplification and
+   registration, add their squares. Margins of a stone of 40, 200 or 1000
+   vertices then agree within 2 %; without these options the discretisation
+   decides them. Overlaps beyond the error are modelling errors
+   (kern_overlaps()): measure again, or set options.overlap.
 
-   Certainty. What was measured is near a structure at rest: its stones settle
-   by a few errors. kern_certain() lets them settle. It tells a lower and an
-   upper end of the margin, whether the verdict is certain within the error, and
-   how far stones may settle. What stands for certain stands on stretches of
-   contact that no error along them takes away, and comes to rest after a small
-   motion where every third stretch is open. How often that is right:
-   tests/TRUST.md.
+   Certainty. A measured structure is near one at rest: its stones settle by a
+   few errors. kern_certain() lets them settle. It returns a lower and an upper
+   end of the margin, whether the verdict is certain within the error, and how
+   far stones may settle. A structure that certainly stands does so on stretches
+   of contact that no error along them takes away. It also comes to rest after a
+   small motion with every third stretch open. tests/TRUST.md tells how often
+   these answers are right.
 
    LIMITS                                                            >>limits
 
    Model     Two dimensions, rigid blocks that do not break, statics. "Stands"
-             means that admissible forces exist: necessary for standing still,
-             with friction not sufficient. A cube held between two walls by
-             friction alone counts as standing; kern_raised() tells whether the
-             load raises such forces.
+             means that admissible forces exist. With friction that is necessary
+             for standing still, but not sufficient: a cube held between two
+             walls by friction alone counts as standing. kern_raised() tells
+             whether the load raises such forces.
    Unsafe    Mechanisms are those of limit analysis: blocks that slide also part
              (dilatant sliding). Where a wall's own joints slide, load factor
-             and tilt are too high: against a simulator by 11 to 26 % on four
-             published brick walls with openings (tests/PUBLISHED.md), once 2.5
-             times on random ones; never on settled rubble. Where columns topple
-             in a row they are up to five times too high, and the least friction
-             of the verdict is up to 31 % too low; there is no bound where their
-             base slopes as they do: once 100 times, and a friction of .44 where
-             2.07 is needed. kern_raised_load() has no
-             dilatancy, and kern_let_go() says whether such a row stays: none of
-             600 random slopes below the friction of limit equilibrium. Both
-             answer for one path of loading: take the lower. Bricks that hang in
-             a flat arch are not raised.
-   Search    "Not shown" is no proof of falling: kern_work.end tells whether no
-             equilibrium was found, as where blocks run away, or a limit of
-             work ended the search. Of 90 rows of 20 to 90 columns 75 reach 97 %
-             of limit equilibrium, all 87 %; of 360 slopes within 10 % of
-             critical friction 326, one is not shown. There, and where a
-             structure has several equilibria near it, a turn, a mirror or
-             rounding of the input may lead to another raised load: of these
-             slopes 28 by more than 2 %, of 969 placements 13, 10 of which move.
-   Ambiguous A reserve cannot see equilibria that depend on what happened
-   forces    before: of 181 rows of wedges between cliffs that fall in a
-             simulator though forces exist, 2 have the largest (tests/TRUST.md).
-             A stone that is pushed out from under a longer one may count on a
-             weight that the longer one can lay elsewhere: of 51 walls under .6
-             to .9 of the load that they bear 7 move in a simulator.
+             and tilt are too high. Against a simulator they were so by 11 to
+             26 % on four published brick walls with openings
+             (tests/PUBLISHED.md), by a factor of up to 2.5 on random ones, and
+             never on settled rubble. Where columns topple in a row they are up
+             to five times too high, and the least friction of the verdict is up
+             to 31 % too low. There is no bound where the base of a row slopes
+             as the row does: one load factor was 100 times too high, and one
+             verdict stands at a friction of .44 where 2.07 is needed.
+             kern_raised_load() has no dilatancy. kern_let_go() tells whether
+             such a row stays: of 600 random slopes below the friction of limit
+             equilibrium it says so of none. Both follow one path of loading,
+             so use the lower answer. Bricks that hang in a flat arch do not
+             count as raised.
+   Search    KERN_NOT_SHOWN is no proof of falling. kern_work.end tells whether
+             no equilibrium was found, as where blocks run away, or a limit of
+             work ended the search. Of 90 rows of 20 to 90 columns all reach
+             87 % of limit equilibrium, and 75 reach 97 %. Of 360 slopes within
+             10 % of critical friction 326 reach 97 %, and one is not shown.
+             Near critical friction, or where a structure has several equilibria
+             close to each other, turning, mirroring or rounding the input may
+             change the raised load. It did so by more than 2 % for 28 of these
+             slopes, and for 13 of 969 placements, 10 of which move.
+   Ambiguous The reserve does not see equilibria that depend on the history of
+   forces    loading. Of 181 rows of wedges between cliffs that fall in a
+             simulator though forces exist, 2 have the largest reserve
+             (tests/TRUST.md). A stone that is pushed out from under a longer
+             one may count on a weight that the longer one can pass elsewhere:
+             of 51 walls under .6 to .9 of the load that they bear, 7 move in a
+             simulator.
    Loads     stay: what kern_block_load() adds neither grows with a horizontal
              load nor turns with gravity.
-   Not       Kerns that are not nested (points of different normals) are asked
-   nested    first without these points. Where that proves neither, they are
-             searched in steps <= d_max / 1001, as tilts with loads are in steps
-             of pi / 1001: a fall narrower than that may be missed.
-   Undecided Within 1e-9 of the mean size of critical; in jams, whose forces
-             grow without bound toward critical, within 1e-7, rarely 1e-4: of 800
+   Not       Where kerns are not nested (points of different normals), the path
+   nested    is searched first without these points. If that proves neither
+             verdict, it is searched in steps of at most d_max / 1001. Tilts
+             with loads are searched in steps of pi / 1001. A range in which the
+             structure falls may be missed if it is narrower than a step.
+   Undecided A verdict may be undecided within 1e-9 of the mean size of the
+             critical value. In jams, whose forces grow without bound toward the
+             critical value, it may be so within 1e-7, rarely 1e-4: of 800
              hoppers, rows between walls, zigzag beds and packed discs of up to
-             120 stones seven measures; where one block weighs more than 1e4
-             times another, farther. A level is undecided only if the verdict at
-             a step that it depends on is. Bricks held by loads up to 1000 times
-             their weight: none of 288 with mu up to 100, with mu 1000 2 of 96.
-   Brackets  At most 2e-6 mean sizes wide (load factor 2e-6, tilt 8e-6 rad); in
-             jams up to 50 times as wide; above 256 blocks of which many move at
-             once up to 3e-5. Above 64 such blocks a value may lie anywhere in
-             it.
-   Slow      Structures of many blocks of which many move at the margin: ragged
-             walls, fitted masonry, long arches (tests/BENCH.md).
-   Float     Proofs are weaker (>>tune), a deficit is exact to 3e-6 sizes, above
-             64 blocks values to 0.05; more is undecided near critical; where
-             wedges jam a margin may be off by 1/3 size. Stay near the origin.
+             120 stones, seven measures were. It may be so farther away if one
+             block weighs more than 1e4 times another. Of bricks held by loads
+             up to 1000 times their weight, none of 288 was undecided with mu up
+             to 100, and 2 of 96 with mu 1000. A level is undecided only if the
+             verdict at a step that it depends on is.
+   Brackets  At most 2e-6 mean sizes wide (load factor 2e-6, tilt 8e-6 rad). In
+             jams up to 50 times as wide. Up to 3e-5 if there are more than 256
+             blocks and many of them move at once. If more than 64 blocks move
+             at once, the true value may lie anywhere in the bracket.
+   Slow      Structures of which many blocks move at the margin: ragged walls,
+             fitted masonry, long arches (tests/BENCH.md).
+   Float     Proofs are weaker (>>tune) and more is undecided near critical. A
+             deficit is exact to 3e-6 sizes. Above 64 blocks a value is exact to
+             0.05. Where wedges jam a margin may be off by 1/3 size. Stay near
+             the origin.
 
    DETERMINISM                                                  >>determinism
 
-   The same input gives the same bits on every machine whose compiler keeps to
+   The same input gives the same bits on every machine, if the compiler keeps to
    IEEE arithmetic:
 
        -ffp-contract=off     where the target has fused multiply-add (AArch64,
-                             PowerPC, s390x, x86 with -mfma); gcc contracts by
-                             default in GNU modes, clang from version 14 on
-       -fno-tree-vectorize   with gcc as well, where it has vectors of those:
-                             it fuses pairs of products all the same. On x86
-                             this file sees to that, for itself alone
+                             PowerPC, s390x, x86 with -mfma). By default gcc
+                             contracts in GNU modes, and clang from version 14
+       -fno-tree-vectorize   with gcc as well, where the target has fused
+                             multiply-add for vectors: gcc fuses pairs of
+                             products despite the first option. On x86 kern.h
+                             sets this for its own code
        -msse2 -mfpmath=sse   on 32-bit x86
-       never -ffast-math, -Ofast or -funsafe-math-optimizations, nor where the
-                             program is linked: they flush small numbers to 0
+       never -ffast-math, -Ofast or -funsafe-math-optimizations, not even where
+                             the program is linked: they flush small numbers to
+                             0
 
-   Only + - * / and square root are used, which must round as IEEE asks: sums of
-   doubles by libgcc for ARM do not always. tests/golden.c sees wrong flags. */
+   Only + - * / and square root are used, and they must round as IEEE demands;
+   sums of doubles by libgcc for ARM do not always. tests/golden.c detects wrong
+   flags. */
 
 /* ==== Part II: Declarations ======================================== >>decl */
 
@@ -405,8 +445,8 @@
 
 #ifdef KERN_SINGLE
 typedef float kern_real;
-/* Symbols of their own: a file compiled in the other precision fails when it
-   is linked, not when it runs, and one program may hold both. */
+/* Names for float. A file compiled in the other precision then fails when it is
+   linked, not when it runs, and one program may hold both precisions. */
 #define kern_bearing kern_bearing_f32
 #define kern_block_init kern_block_init_f32
 #define kern_block_load kern_block_load_f32
@@ -485,9 +525,10 @@ typedef struct kern_box {
     kern_vec low, high;
 } kern_box;
 
-/* Above zero a call returns a verdict, or a linear program's result; zero where
-   it has none. Below zero it failed, and of the caller's data only counters and
-   fault of the work memory changed; with KERN_LIMIT also what it says. */
+/* A positive status is a verdict or the result of a linear program. KERN_OK
+   means success without either. A negative status means failure. The call has
+   then changed nothing of the caller's except the counters and the fault in the
+   work memory, and after KERN_LIMIT the results that the function names. */
 #define KERN_STATUS_LIST(X)                                                  \
     X(KERN_OK, 0, "done")                                                    \
     X(KERN_STANDS, 1, "stands: forces were found that hold every block")     \
@@ -528,13 +569,13 @@ typedef enum kern_status {
         KERN_STATUS_LEAST = -25 /* the same number */
 } kern_status;
 
-/* Where the fault of a status below zero lies. */
+/* Where the fault of a negative status lies. */
 typedef struct kern_fault {
-    int block;         /* index of a block, -1: none                       */
-    int other;         /* the other block of an overlap, -1: none          */
-    int index;         /* vertex of the polygon or contact point, -1: none */
-    kern_real value;   /* an overlap is at least this deep [m], 0: none    */
-    kern_real allowed; /* overlap that would be a contact [m], 0: none     */
+    int block;         /* index of a block; -1: none                        */
+    int other;         /* the other block of an overlap; -1: none           */
+    int index;         /* vertex of the polygon or contact point; -1: none  */
+    kern_real value;   /* the overlap is at least this deep [m]; 0: none    */
+    kern_real allowed; /* deepest overlap that is a contact [m]; 0: none    */
 } kern_fault;
 
 /* A force [N] and a counter-clockwise torque [N m] about a centre of mass. */
@@ -542,21 +583,23 @@ typedef struct kern_wrench {
     kern_real fx, fy, torque;
 } kern_wrench;
 
-/* A stone or ground: kern_block_init(). Mass, centre, load may change later. */
+/* A stone or the ground, made by kern_block_init() or kern_ground_init(). Mass,
+   centre and load may change later. */
 typedef struct kern_block {
     const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none   */
-    int vertices;           /* >= 3; 0 with vertex NULL; -1: it was refused   */
-    int fixed;              /* nonzero: ground, exerts whatever is needed     */
+    int vertices;           /* >= 3; 0 if vertex is NULL; -1: was refused     */
+    int fixed;              /* nonzero: ground, exerts any force needed       */
     kern_real area;         /* [m^2], < 0: clockwise; "size": sqrt(|area|)    */
-    kern_box box;           /* of the polygon; read where there are vertices  */
-    kern_real mass;         /* [kg] > 0; of fixed blocks not read             */
+    kern_box box;           /* of the polygon; read only if it has vertices   */
+    kern_real mass;         /* [kg] > 0; not read if the block is fixed       */
     kern_vec centre;        /* centre of mass [m]                             */
     kern_wrench load;       /* acts besides the weight, at the centre         */
 } kern_block;
 
-/* A contact point. Block b feels the force  f n + r t  at p, block a the
-   opposite; t = (-n.y, n.x). A line contact is two points, neighbours in the
-   array: lines, pairs and groups of points are one thing to the statics. */
+/* A contact point. Block b feels the force  f n + r t  at p and block a the
+   opposite force, with t = (-n.y, n.x). A line contact is two points,
+   neighbours in the array. The statics knows only points: for it a line is no
+   different from two points. */
 typedef struct kern_contact {
     int a, b;         /* blocks, a != b                                   */
     int line;         /* nonzero: one end of a line contact               */
@@ -569,8 +612,8 @@ typedef struct kern_contact {
 /* Two blocks that overlap deeper than the options allow. */
 typedef struct kern_overlap {
     int a, b;          /* blocks, a < b                                    */
-    kern_real depth;   /* of the overlap [m], 1/8 too small at most        */
-    kern_real allowed; /* it would be a contact up to that [m]             */
+    kern_real depth;   /* of the overlap [m], at most 1/8 too small        */
+    kern_real allowed; /* deepest overlap that would be a contact [m]      */
 } kern_overlap;
 
 typedef struct kern_structure {
@@ -585,7 +628,8 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     kern_real mu;         /* friction of contacts found from polygons; 0.4    */
     kern_real gap;        /* widest gap that is a contact [m]; 0: 1e-3 of the
                              size of the pair's smaller free block            */
-    kern_real angle;      /* widest of touching edges [rad], < 0.5; 0.0174533 */
+    kern_real angle;      /* widest angle between touching edges [rad], < 0.5;
+                             0.0174533                                        */
     kern_real epsilon;    /* step of Algorithm 1 [m]; 0: 0.02 mean block size;
                              relative: a share, 0: 0.05                       */
     int relative;         /* nonzero: shrinkage is a share of each travel     */
@@ -594,55 +638,60 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     kern_real overlap;    /* deepest overlap that is a contact [m]; 0: gap    */
     kern_real pose_error; /* standard error of the blocks' places [m] and     */
     kern_real pose_turn;  /* angles [rad]: kern_measured_options(); 0: exact  */
-    kern_real narrow;     /* rate at which cones of friction narrow as kerns
+    kern_real narrow;     /* rate at which friction cones narrow as kerns
                              shrink [1/m; relative: 1]; 0, see kern_measure() */
-    kern_real reserve;    /* most that kern_raised() asks for, <= 0.1; 0: 0.1 */
-    kern_vec lone;        /* gravity, of any length: lone points that are found
-                             travel (>>rules); (0, 0): they stay              */
+    kern_real reserve;    /* largest that kern_raised() tries, <= 0.1; 0: 0.1 */
+    kern_vec lone;        /* gravity, of any length: a single contact point of
+                             two blocks travels (>>rules); (0, 0): it stays   */
 } kern_options;
 
-/* Of a contact point [N], and of a block: velocity of its centre and spin. */
+/* The force at a contact point [N], along n and t. */
 typedef struct kern_force {
     kern_real normal, tangential;
 } kern_force;
+/* The velocity of a block's centre, and its spin. */
 typedef struct kern_motion {
     kern_real vx, vy, spin;
 } kern_motion;
 
-/* Where to put the proof: arrays of the caller, each may be NULL. Measures use
-   them on the way, so after a status below zero their contents mean nothing. */
+/* Where to write the proof: arrays of the caller, each may be NULL. Measures
+   also use them for intermediate results, so after a negative status their
+   contents mean nothing. */
 typedef struct kern_proof {
     kern_force *force;   /* one a contact point: written with KERN_STANDS    */
-    kern_motion *motion; /* one a block, fixed ones rest: with KERN_FALLS    */
+    kern_motion *motion; /* one a block, 0 for fixed ones: with KERN_FALLS   */
 } kern_proof;
 
 typedef struct kern_margin {
     kern_real margin;  /* d*, the shrinkage up to which it stands [m]      */
     kern_real holds;   /* largest shrinkage known to stand, proven         */
-    kern_real fails;   /* smallest known to fall, proven; `most` if none   */
+    kern_real fails;   /* smallest known to fall, proven; `most`: none     */
     kern_real most;    /* d_max: every kern is closed [m]; relative: 1     */
     kern_real epsilon; /* step that was used                               */
     int level;         /* Algorithm 1; -1: a verdict it needs is undecided */
     int saturated;     /* nonzero: stands with every kern closed           */
 } kern_margin;
 
-/* Of the margin of a measured structure: kern_certain() [m; relative: 1]. */
+/* An interval of the margin of a measured structure: kern_certain(). In [m],
+   relative: 1. */
 typedef struct kern_interval {
-    kern_real low;     /* 0: it may fall                                   */
-    kern_real high;    /* 0: it falls; KERN_INFINITY: not known            */
-    kern_real settles; /* blocks may move by that [m]; KERN_INFINITY: by
-                          more, or not known                            */
+    kern_real low;     /* 0: the structure may fall                       */
+    kern_real high;    /* 0: it falls; KERN_INFINITY: not known           */
+    kern_real settles; /* how far its blocks may move [m]; KERN_INFINITY: not
+                          known, or farther than is allowed */
 } kern_interval;
 
-/* By how much the margin grows when one datum of a contact point does by 1: its
-   place, normal turned [1/rad], friction, travel of a kern closed there. */
+/* Derivatives of the margin with respect to the data of a contact point: its
+   place, the angle of its normal [1/rad], friction, and the travel of a kern
+   that is closed there. */
 typedef struct kern_contact_rate {
     kern_vec p;
     kern_real turn, mu, travel;
 } kern_contact_rate;
 
-/* The same of a block. Its place, and its turning about its centre [m/rad]: its
-   contacts follow as the search would find them again; loads stay. */
+/* Derivatives of the margin with respect to the data of a block. `centre` moves
+   the centre of mass alone. `place` moves the block and `turn` turns it about
+   its centre; contacts follow as the search would find them, and loads stay. */
 typedef struct kern_block_rate {
     kern_vec centre, place;
     kern_real turn, mass; /* [m/rad], [m/kg] */
@@ -651,19 +700,19 @@ typedef struct kern_block_rate {
 
 /* What is known of the forces in a structure that stands. */
 typedef enum kern_raising {
-    KERN_NOT_SHOWN, /* neither of these: no proof of falling            */
+    KERN_NOT_SHOWN, /* neither is shown; this is no proof of falling    */
     KERN_RAISED,    /* its load raises forces that hold it              */
-    KERN_HANGS      /* some blocks rest on nothing, others stand alone  */
+    KERN_HANGS      /* some blocks rest on nothing; the others stand
+                       without them                                     */
 } kern_raising;
 
 /* Why a search for forces that the load raises ended (kern_work.end). */
 typedef enum kern_end {
-    KERN_END_NONE,  /* nothing was searched for                       */
-    KERN_END_SHOWN, /* all that was asked is shown; of a load: up to the
-                       load factor                                    */
+    KERN_END_NONE,  /* there was no search                            */
+    KERN_END_SHOWN, /* all is shown; of a load: up to its load factor */
     KERN_END_LOST,  /* no equilibrium was found: blocks run away, or
-                       nothing gains any more                         */
-    KERN_END_WORK   /* a limit of work                                */
+                       the search makes no progress                   */
+    KERN_END_WORK   /* a limit of work was reached                    */
 } kern_end;
 
 /* A profile in four numbers: of margins [m] or load factors of free blocks. */
@@ -671,29 +720,30 @@ typedef struct kern_collapse {
     kern_real least; /* the weakest block's: the margin, the load factor */
     kern_real mean;  /* progressive margin, or progressive load factor   */
     kern_real weak;  /* mean of the lower half                           */
-    kern_real drop;  /* expected drop: mean of h exp(-value / 0.07), h
-                             the height of the centre above the lowest block
-                             in mean sizes, at least 0.3; without loads 0     */
+    kern_real drop;  /* expected drop: mean of h exp(-value / 0.07), where h is
+                             the height of the centre above the lowest block in
+                             mean sizes, at least 0.3; 0 for margins          */
 } kern_collapse;
 
 /* What a mechanism does at a contact point. */
 typedef enum kern_meeting {
     KERN_RESTS,  /* its blocks move as one, or not at all            */
-    KERN_HINGES, /* they turn about it                               */
-    KERN_SLIDES, /* they slide, and part as sliding does (>>limits)  */
-    KERN_OPENS   /* they part                                        */
+    KERN_HINGES, /* its blocks turn about it                         */
+    KERN_SLIDES, /* its blocks slide, and part as sliding does
+                    (dilatancy: >>limits)                            */
+    KERN_OPENS   /* its blocks part                                  */
 } kern_meeting;
 
-/* What limits a measure, and what moves first: kern_critical_of(). Each array,
-   of the caller, may be NULL. */
+/* What limits a measure, and what moves first: kern_critical_of(). The arrays
+   are the caller's, and each may be NULL. */
 typedef struct kern_critical {
     kern_meeting *meeting; /* one a contact point                             */
     kern_real *limit;      /* one a contact point: how much it limits, as a
-                             share of `contact`; up to 1.0001                 */
-    int *group;            /* one a block: number of the group that moves as one
-                             with it, 0 the fastest; -1: it rests             */
-    int contact; /* the first that limits most, to 1e-4; -1: none    */
-    int groups;  /* 0 where `group` is NULL                          */
+                             share of the limit of `contact`; up to 1.0001    */
+    int *group;            /* one a block: number of its group, which moves as
+                             one body, 0 the fastest; -1: it rests            */
+    int contact; /* the first point that limits most, to 1e-4; -1: none */
+    int groups;  /* number of groups; 0 if `group` is NULL              */
 } kern_critical;
 
 /* Work memory: two arrays of the caller. Nothing in them needs to be set. */
@@ -702,25 +752,25 @@ typedef struct kern_work {
     int reals; /* KERN_REALS(blocks, contacts)                     */
     int *index;
     int indices; /* KERN_INTS(blocks, contacts)                      */
-    /* the library adds up; the caller reads, and sets to 0 as it likes       */
+    /* counters: the library adds to them, the caller may set them to 0       */
     int pivots;       /* of all linear programs                           */
     int solves;       /* top-down passes and linear programs              */
     int units;        /* work of the last call, without searches for
                              contacts; limit + 1 after KERN_LIMIT           */
-    kern_real error;  /* largest of a proof, in what is allowed: <= 1     */
-    kern_fault fault; /* of the last call that returned less than 0       */
+    kern_real error;  /* largest error of a proof / allowed error: <= 1   */
+    kern_fault fault; /* of the last call with a negative status          */
     kern_end end;     /* of the last call that searched for raised forces */
 } kern_work;
 
-/* Warm start: what kern_measure() remembers of a structure for the next question
-   about nearly the same one. A measure uses the bracket and the motion; a plan's
-   questions and kern_stays() use the forces, too. Two arrays of the caller, both
-   or none. Whatever stands there changes the time of an answer and not the
-   answer: it is verified first. */
+/* Warm start: what kern_measure() remembers of a structure for the next
+   question about a similar one. Measures use the bracket and the motion. The
+   questions of a plan and kern_stays() use the forces, too. The caller provides
+   both arrays or none. Their contents are verified before use: they change the
+   time of an answer, not the answer. */
 typedef struct kern_known {
     kern_motion *motion; /* one a block: the mechanism at `fails`            */
-    kern_force *force;   /* one a contact point: forces at `holds`           */
-    kern_real holds, margin, fails; /* of the last measure; fails 0: none     */
+    kern_force *force;   /* one a contact point: forces at `holds`          */
+    kern_real holds, margin, fails; /* of the last measure; fails 0: none   */
 } kern_known;
 
 /* What a call needs: kern_task_of(). Fields may be changed between calls. */
@@ -732,8 +782,8 @@ typedef struct kern_task {
 } kern_task;
 
 /* A structure that a planner changes by one block at a time: kern_plan_of().
-   Set task.options and task.s.gravity before blocks are added. Contacts that
-   are given rather than found may be appended to contact[task.s.contacts]. */
+   Set task.options and task.s.gravity before you add blocks. You may append
+   contacts of your own to contact[task.s.contacts]. */
 typedef struct kern_plan {
     kern_task task;    /* the structure as it is now                       */
     kern_block *block; /* arrays of the caller, which task.s reads         */
@@ -745,12 +795,12 @@ typedef struct kern_plan {
 /* Where a stone comes to rest: kern_rest(). */
 typedef struct kern_pose {
     kern_block block; /* the stone there, with its own vertices        */
-    kern_vec turn;    /* by which it was turned: cosine, sine          */
-    int motions;      /* on the way, the first of which is downward    */
+    kern_vec turn;    /* cosine and sine of its turn                   */
+    int motions;      /* number of motions, the first one downward     */
 } kern_pose;
 
-/* A place for a stone, with what kern_place_compare() ranks it by. A number
-   that was not asked for is the same in all places, such as 0. */
+/* A place for a stone, and the numbers by which kern_place_compare() ranks it.
+   A number that was not computed must be the same in all places, such as 0. */
 typedef struct kern_place {
     kern_real stays;   /* chance that it stays: kern_plan_stays()         */
     kern_real margin;  /* of the structure with it: kern_plan_try()       */
@@ -774,7 +824,8 @@ typedef struct kern_lp {
     const kern_real *cost; /* one a column; NULL: any solution will do        */
     int limit;             /* most units of work, as in kern_options          */
 } kern_lp;
-/* Infinity: outside of gcc and clang a product that overflows when compiled. */
+/* Infinity. Other compilers than gcc and clang compute it by a product that
+   overflows. */
 #if defined(__GNUC__) && defined(KERN_SINGLE)
 #define KERN_INFINITY __builtin_inff()
 #elif defined(__GNUC__)
@@ -784,12 +835,12 @@ typedef struct kern_lp {
 #endif
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
-/* Constant expressions (>>memory); blocks include fixed ones. KERN_ROOM is for
-   factors of columns with fill-in (>>lp), KERN_LP_ROOM of a dense program.
-   KERN_ROOM is a square up to 300 blocks, which are 458 extras, and its tangent
-   above. Where it is full the basis is factored again; where it is full then,
-   as it may be for large structures near critical, the call returns
-   KERN_NO_SPACE. */
+/* Constant expressions (>>memory). Blocks include fixed ones. KERN_ROOM is the
+   room for the factors of a basis with fill-in (>>lp), KERN_LP_ROOM that for a
+   dense program. KERN_ROOM is a square up to 300 blocks, which are 458 extras,
+   and its tangent above. If it is full the basis is factored again. If it is
+   full after that, as may happen for large structures near critical, the call
+   returns KERN_NO_SPACE. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
@@ -812,51 +863,59 @@ typedef struct kern_lp {
 #define KERN_LP_INTS(rows, cols) (9 * (rows) + (cols) + 30)
 
 /* ---- Functions ----------------------------------------------------- >>api */
-/* B is the number of blocks, C of contact points. No pointer may be NULL unless
-   its function says so: KERN_BAD_POINTER. Every function that takes work memory
-   may return KERN_NO_SPACE, every one that takes a structure: KERN_BAD_POINTER,
-   _NUMBER, _COUNT (blocks up to 20,000, contacts up to 1,000,000), _MASS,
-   _FRICTION, _OPTION, _BLOCK, _NORMAL, _SHARE (a relative shrinkage above 1),
-   KERN_SAME_BLOCK, KERN_NO_BLOCK, KERN_NO_AREA, KERN_NO_FREE, KERN_NO_LOAD,
-   KERN_LIMIT; where the number of contacts is below -1 it is the status of
-   kern_contacts(), returned with its fault. A measure with KERN_LIMIT is the
-   largest proven to stand by then, below 0 if none is. Numbers that cannot be
-   squared or multiplied safely are refused, with the block in the fault. With F
-   = 1e60 (float: 1e10): a mass out of 1 / F to F (KERN_BAD_MASS), an area below
-   1 / F^2 (KERN_NO_AREA), as KERN_BAD_NUMBER an option, vertex, centre, place
-   or travel above F [m], an area above F^2, pattern or weight with load of a
-   block above F [N], or the latter below 1 / F and not 0. */
+/* B is the number of blocks, C that of contact points. No pointer may be NULL
+   unless its function says so: KERN_BAD_POINTER. Every function that takes work
+   memory may return KERN_NO_SPACE. Every function that takes a structure may
+   return KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000, contacts up to
+   1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL, _SHARE (a relative
+   shrinkage above 1), KERN_SAME_BLOCK, KERN_NO_BLOCK, KERN_NO_AREA,
+   KERN_NO_FREE, KERN_NO_LOAD and KERN_LIMIT. If the number of contacts is below
+   -1 it is a status of kern_contacts(), which every function returns, with its
+   fault. After KERN_LIMIT a measure is the largest value proven to stand so
+   far, or negative if there is none.
 
-/* Returns what a status means, in words; also of a count that is below 0. */
+   Numbers that cannot be squared or multiplied safely are refused, and the
+   fault names the block. With F = 1e60 (float: 1e10) the bounds are
+     KERN_BAD_MASS    a mass outside [1 / F, F] [kg]
+     KERN_NO_AREA     an area below 1 / F^2 [m^2]
+     KERN_BAD_NUMBER  an area above F^2 [m^2]; an option, vertex, centre, place
+                      or travel above F [m]; a wrench of a pattern above F;
+                      weight and load of a block together above F [N], or
+                      below 1 / F [N] and not 0 */
+
+/* Returns the meaning of a status in words, also of a negative count. */
 KERN_API const char *kern_status_text(int status);
 
-/* The defaults that stand beside each field of kern_options. */
+/* Returns the defaults that stand beside each field of kern_options. */
 KERN_API kern_options kern_defaults(void);
 
-/* *options (NULL: the defaults) that also find contacts which a little rocking
-   closes: gap at least 4 % of the mean size [m], angle at least 0.15 rad. */
+/* Returns *options (NULL: the defaults) that also find contacts which a little
+   rocking closes: gap at least 4 % of the mean size [m], angle at least 0.15
+   rad. */
 KERN_API kern_options kern_near(const kern_options *options,
                                 kern_real mean_size);
 
-/* Options for measured structures (>>measured), from *options (NULL: the
-   defaults): e is the standard error of a stone's place [m], theta of its angle
-   [rad]; vertices within their stone are as exact as half of e. Sets
-     gap      5.25 e, and 1e-3 of the size; at a place r from the centre of its
-              block 3.5 theta r is added for both blocks, as squares (>>tol)
-     angle    7 theta, at least 1 degree and below 0.5; a corner may stand 3 e
+/* Returns options for measured structures (>>measured), from *options (NULL:
+   the defaults). e is the standard error of a stone's place [m], theta that of
+   its angle [rad]. The vertices are taken to be exact to e / 2 within their
+   stone. Sets
+     gap      5.25 e, to which 1e-3 of the size is added. At a contact at
+              distances r_a and r_b from the centres of its blocks the gap g
+              becomes sqrt(g^2 + (3.5 theta)^2 (r_a^2 + r_b^2)) (>>tol)
+     angle    7 theta, at least 1 degree and below 0.5. A corner may lie 3 e
               beyond the end of an edge
      overlap  8 e, and 3.5 theta r for r the diagonal of the smaller box;
               contacts lie at half the depth. Set it higher to accept more
    Verdicts are then those of the structure as it most likely rests. Every call
-   returns KERN_BAD_OPTION for these options unless e > 0 and theta >= 0. */
+   refuses these options (KERN_BAD_OPTION) unless e > 0 and theta >= 0. */
 KERN_API kern_options kern_measured_options(const kern_options *options,
                                             kern_real e, kern_real theta);
 
-/* Work memory of two arrays, with its counters at zero. */
+/* Returns work memory of two arrays, with its counters at zero. */
 KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
                                 int indices);
 
-/* KERN_REALS and KERN_INTS at run time; 0 where a count is out of range. */
+/* Writes KERN_REALS and KERN_INTS at run time; 0 if a count is out of range. */
 KERN_API void kern_work_need(int blocks, int contacts, int *reals,
                              int *indices);
 
@@ -864,413 +923,451 @@ KERN_API void kern_work_need(int blocks, int contacts, int *reals,
 
 /* Fills a block from a simple polygon, convex or not, turning either way: area,
    box, centroid, mass = density * |area| with the density in kg/m^2, no load.
-   The vertices stay the caller's and must live as long as the block; after they
+   The vertices stay the caller's and must live as long as the block. After they
    have moved, call this again. fault may be NULL; its index is the vertex. A
-   failed call leaves no block: others return KERN_NO_BLOCK for it.
-   KERN_FEW_VERTICES, KERN_BAD_COUNT (above 1,000,000), KERN_BAD_NUMBER,
-   KERN_NO_AREA, KERN_CROSSING (also where the last vertex repeats the first, as
-   in closed rings of other formats), KERN_BAD_MASS (also a density not above
-   0): bounds as above. Time: O(n) for n vertices of a convex polygon, else a
-   test of boxes for each two edges. */
+   failed call leaves no block, and other calls return KERN_NO_BLOCK for it.
+   Errors, by the bounds above: KERN_FEW_VERTICES, KERN_BAD_COUNT (above
+   1,000,000), KERN_BAD_NUMBER, KERN_NO_AREA, KERN_CROSSING (also if the last
+   vertex repeats the first, as in closed rings of other formats), KERN_BAD_MASS
+   (also a density not above 0). Time: O(n) for n vertices of a convex polygon;
+   otherwise O(n^2) tests of boxes. */
 KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
                                      int vertices, kern_real density,
                                      kern_fault *fault);
 
-/* The same for a fixed block: ground, a wall, a support. */
+/* Fills a fixed block, as kern_block_init(): ground, a wall, a support. */
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
                                       int vertices, kern_fault *fault);
 
-/* Simplifies a closed outline, as of an image: leaves out vertices while none
-   is farther than the tolerance [m] from the edge that replaces it (Douglas and
-   Peucker 1973). A step lower than the tolerance goes, unless one of its
-   vertices is the farthest for another reason; a step higher than twice the
-   tolerance stays. Knees, corners where an outline turns and goes on, obey the
-   same rule.
-   Writes the vertices that stay to out[0..room), from the one farthest from the
-   centroid on, and to kept[0..room) which of `vertex` they are. Returns how
-   many there are, which is the least `room` that is enough. These are a simple
-   polygon, ready for kern_block_init(): where edges would cross, the tolerance
-   is halved, up to eight times, and then 0. The vertices and the way they turn
-   are the same wherever the outline begins. Where two vertices are equally far,
-   an outline that is mirrored or turned may keep the other one.
-   `vertex` may touch or cross itself, and must not overlap `out`. Returns below
-   0 KERN_NO_SPACE, KERN_FEW_VERTICES, KERN_NO_AREA or KERN_CROSSING (no polygon
-   remains; out means nothing), KERN_BAD_COUNT (above 1,000,000),
-   KERN_BAD_POINTER, KERN_BAD_NUMBER, KERN_BAD_OPTION (the tolerance is below 0
-   or no number). Time: O(n) for each level of halving, some log n; at worst
+/* Simplifies a closed outline, such as one from an image: leaves out vertices
+   while none is farther than the tolerance [m] from the edge that replaces it
+   (Douglas and Peucker 1973). A step lower than the tolerance goes, unless one
+   of its vertices is the farthest for another reason. A step higher than twice
+   the tolerance stays. Corners where the outline turns and then continues
+   follow the same rule.
+   Writes the vertices that stay to out[0..room), beginning with the one
+   farthest from the centroid, and their indices in `vertex` to kept[0..room).
+   Returns how many there are, which is the least `room` that is enough. They
+   are a simple polygon, ready for kern_block_init(): if edges would cross, the
+   tolerance is halved, up to eight times, and then set to 0. The result does
+   not depend on the vertex with which the outline begins. If two vertices are
+   equally far, a mirrored or turned outline may keep the other one. `vertex`
+   may touch or cross itself. It must not overlap `out`.
+   Errors: KERN_NO_SPACE, KERN_FEW_VERTICES, KERN_NO_AREA or KERN_CROSSING (no
+   polygon remains; out means nothing), KERN_BAD_COUNT (above 1,000,000),
+   KERN_BAD_POINTER, KERN_BAD_NUMBER, KERN_BAD_OPTION (the tolerance is negative
+   or not a number). Time: O(n) for each level of halving, about log n; at worst
    O(n) for each vertex that stays. */
 KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
                                    kern_real tolerance, kern_vec *out,
                                    int *kept, int room);
 
-/* Adds a force [N] that acts at a point and a torque [N m] to the block's
-   load, which acts at the centre: set the centre first. */
+/* Adds a force [N] that acts at a point, and a torque [N m], to the block's
+   load. The load acts at the centre of mass, so set the centre first. */
 KERN_API void kern_block_load(kern_block *block, kern_vec force, kern_vec at,
                               kern_real torque);
 
-/* Mean size of the free blocks [m]: the mean of the roots of their areas. */
+/* Returns the mean size of the free blocks [m]: the mean of the square roots of
+   their areas. */
 KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
 
 /* -- contacts -- */
 
 /* Finds the contacts between all blocks (>>rules) and writes them to
    out[0..room): those of block 1 with block 0, of block 2 with 0 and with 1,
-   and so on. A block without vertices has none. Returns how many contact
-   points there are, or KERN_NO_SPACE (out means nothing; on the way it takes
-   some seven points for each short edge of an outline), KERN_OVERLAP (the first
-   pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
+   and so on. A block without vertices has none. Returns how many contact points
+   there are. Errors: KERN_NO_SPACE (out means nothing; the search itself needs
+   about seven points for each short edge of an outline), KERN_OVERLAP (the
+   first pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
    KERN_FEW_VERTICES, KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the block's
-   vertices have moved, or their array was used for another block). Work
-   memory: the fault alone. Time: a test of boxes for each two blocks; where
-   they meet a few products for near edges, tens where no edge parts them. */
+   vertices have moved, or their array was used for another block). Uses only
+   the fault of the work memory. Time: one test of boxes for each pair of
+   blocks. Where two blocks meet, a few products for each pair of close edges,
+   or tens if no edge separates the blocks. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
                            int room, kern_work *work);
 
-/* Lists all pairs of blocks that overlap too deeply for a contact. Returns how
-   many, of which room are written at most, or below 0 as kern_contacts(). */
+/* Writes the pairs of blocks that overlap too deeply for a contact to
+   out[0..room). Returns how many pairs there are, which may be more than room,
+   or a negative status as kern_contacts(). */
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work);
 
-/* Finds the stretches of the contacts, of which kern_bearing() tells how long
-   those are that it needs: as kern_contacts(), but no hollow wider than the gap
-   divides a line, and contacts with any fixed block are given as contacts with
-   the first of these. Where a fixed block is cut in two nothing changes. A block
-   on two feet has one contact, as wide as the feet are apart, and two stretches.
-   Margins are those of kern_contacts(). Time: also O(C) for each interface of
-   points and, with several fixed blocks, for each contact. */
+/* Finds the stretches of the contacts, from which kern_bearing() tells which
+   lengths of contact the structure needs. It works as kern_contacts() with two
+   differences. A hollow wider than the gap divides a line: a block on two feet
+   has one contact, as wide as the feet are apart, but two stretches. Contacts
+   with any fixed block are written as contacts with the first of these, so that
+   cutting a fixed block in two changes nothing. Compute margins with
+   kern_contacts(). Time: also O(C) for each interface of points and, with
+   several fixed blocks, for each contact. */
 KERN_API int kern_stretches(const kern_block *block, int blocks,
                             const kern_options *options, kern_contact *out,
                             int room, kern_work *work);
 
-/* The contacts of block b with the blocks before it: those of kern_contacts(),
-   unless a later block lies so far out that the rounding of its coordinates
-   counts. Returns the same; KERN_STALE is found of block b and of what it may
-   touch. options.lone: what carries a block is looked for among these contacts
-   alone. Time: O(b), and the edges as above. */
+/* Finds the contacts of block b with the blocks before it: those of
+   kern_contacts(), unless a later block lies so far out that the rounding of
+   its coordinates counts. Returns the same as kern_contacts(); it finds
+   KERN_STALE for block b and the blocks that it may touch. With options.lone,
+   only these contacts count as carrying a block. Time: O(b) tests of boxes, and
+   for blocks that meet as kern_contacts(). */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options, kern_contact *out,
                         int room, kern_work *work);
 
-/* Makes a contact that is given rather than found. *out has a, b, p, mu and
-   the normal n, from a into b and of any length; the contact goes from p to q,
-   or is the point p where q equals p. Writes one or two contact points from
-   out on and returns how many, or KERN_SAME_BLOCK, KERN_BAD_BLOCK (an index
-   below 0), KERN_BAD_NUMBER, KERN_BAD_FRICTION, KERN_BAD_NORMAL (no length),
+/* Makes a contact of the caller's own. *out has a, b, p, mu and the normal n,
+   from a into b and of any length. The contact goes from p to q; if q equals p
+   it is the point p. Writes one or two contact points to out and returns how
+   many. Errors: KERN_SAME_BLOCK, KERN_BAD_BLOCK (a negative index),
+   KERN_BAD_NUMBER, KERN_BAD_FRICTION, KERN_BAD_NORMAL (no length),
    KERN_BAD_LINE (p to q leaves the tangent by more than options->angle),
-   KERN_BAD_OPTION. When all are made: kern_contact_travels(). */
+   KERN_BAD_OPTION. When all contacts are made, call kern_contact_travels(). */
 KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
                                const kern_options *options);
 
-/* Sets the travel of every contact point (>>rules), a point's from the others
-   of its interface: the same two blocks, in either order. NULL: no effect.
-   Time: O(C) for each interface, and for each of its points beside another. */
+/* Sets the travel of every contact point (>>rules). The travel of a point
+   depends on the other points of its interface, those between the same two
+   blocks in either order. NULL is allowed and does nothing. Time: O(C) times
+   the number of points, for each run of points of one interface. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
-/* Where a contact point acts at a shrinkage, or where it is negative a growth;
-   relative: at a share, above 1 at the middle. The origin for NULL. */
+/* Returns the place at which a contact point acts at a shrinkage [m], or at a
+   growth if it is negative. relative: `shrink` is a share, and from 1 on the
+   point acts at the middle. Returns the origin for NULL. */
 KERN_API kern_vec kern_contact_at(const kern_contact *contact, kern_real shrink,
                                   int relative);
 
 /* -- verdicts and measures -- */
-/* `shrink` [m] (relative: a share, at most 1): kerns are shrunk by so much, and
-   grown where it is negative. proof may be NULL. */
+/* `shrink` is the length [m] by which kerns are shrunk (relative: a share, at
+   most 1). If it is negative they grow. proof may be NULL. */
 
-/* A structure under gravity (0, -9.81), kern_defaults(), nothing known. */
+/* Returns a task with gravity (0, -9.81), kern_defaults() and nothing known. */
 KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
                                 const kern_contact *contact, int contacts,
                                 kern_work *work);
 
-/* Two arrays to remember in (task.known), as long as the structure will be. */
+/* Returns what task.known needs: two arrays for a warm start, as long as the
+   structure will be. */
 KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 
-/* Whether the structure stands: KERN_STANDS, KERN_FALLS or KERN_UNDECIDED.
-   Time: O(B + C) where forces can be passed on from the top down, as in most
-   walls. Otherwise a pivot takes C plus the entries of the factors (>>lp),
-   which are at most B^2. */
+/* Returns whether the structure stands: KERN_STANDS, KERN_FALLS or
+   KERN_UNDECIDED. Time: O(B + C) if forces can be passed on from the top down,
+   as in most walls. Otherwise a pivot takes C plus the entries of the factors
+   (>>lp), which are at most B^2. */
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
 /* Writes the interval of the margin of a measured structure, from the error e
    and the angle theta in its options. Returns the verdict that is certain:
-   KERN_STANDS, KERN_FALLS (it falls with all that high allows), or KERN_OK:
-   neither. `margin` is that of kern_measure(), 0 where it falls.
-     low      The smallest of `margin` and of the margins on the contact points
-              that are closed once the blocks have settled: with every other
-              stretch open by 3 e, then with the others. Over 1 + 200 e / size
-              or, where e is below 0.005 mean sizes, 1 + 40,000 (e / size)^2.
-              0 where it may fall. The true margin is above it
-              in about 94 of 100 cases. It tends to `margin` as e tends to 0.
+   KERN_STANDS, KERN_FALLS (it falls with all contacts and friction that `high`
+   allows), or KERN_OK if neither is certain. `margin` is that of
+   kern_measure(), 0 where it falls.
+     low      The least of `margin` and of two margins on the contact points
+              that are closed after the blocks have settled: with every other
+              stretch open by 3 e, then with the other half. It is divided by
+              1 + 200 e / size, or if e is below 0.005 mean sizes by
+              1 + 40,000 (e / size)^2. It is 0 if the structure may fall. The
+              true margin is above it in about 94 of 100 cases. It tends to
+              `margin` as e tends to 0.
      high     The margin with kerns that are longer by 3.5 e and friction angles
-              that are larger by 3 theta, at least `margin`. Where `margin` is 0
+              that are larger by 3 theta, at least `margin`. If `margin` is 0,
               edges and corners within gaps and angles of twice the error carry
               as well.
-     settles  Where it stands for certain: how far its blocks may move [m].
-              Stretches (kern_stretches()) are at least 5 e long, or so far
-              inside their edge. Their kerns are shorter by 3.5 e, friction
-              angles less by 3 theta. On these it stands. It comes to rest where
-              every third of them is open by the gap of the options and 1.75
-              theta sizes more than was measured, each third in turn: 1.5 times
-              the way, at most 0.45 mean sizes, and nothing slides by half of
-              the contact it presses on. KERN_INFINITY: it does not.
-   KERN_STANDS: low is above 0, and settles below infinity. What stands by forces
-   on the contacts of the task never falls for certain. Settling is without
-   inertia, and of blocks of the shape they were measured in: one that rocks from
-   one support to another is not seen. Nothing depends on the order of blocks
-   and contacts, but for contacts of exactly the same height and place. Errors
-   are absolute in relative mode too.
-   contact[0..room) receives the contacts for `high`; work memory is for `room`
-   contact points. Below 0: what kern_contacts() or kern_measure() returns,
-   KERN_BAD_OPTION also where the options are not those of
-   kern_measured_options(). *out then means nothing, but with KERN_LIMIT, of the
-   whole call, what is proven by then.
-   Time: a search for contacts, four margins or verdicts, and five settlings of
-   at most 1,600 visits of every contact point. Settled structures that stand
-   take 14 to 50 times as long as kern_measure(), more at smaller errors. */
+     settles  If it certainly stands: how far its blocks may move [m]. Two tests
+              must pass. It stands on stretches (kern_stretches()) at least 5 e
+              long, or that far inside their edge, with kerns shorter by 3.5 e
+              and friction angles smaller by 3 theta. And it comes to rest with
+              every third stretch, each third in turn, open by the gap of the
+              options and 1.75 theta sizes more than was measured. `settles` is
+              then 1.5 times the motion found, at most 0.45 mean sizes, and no
+              block slides by half of the contact on which it presses.
+              KERN_INFINITY: it does not pass.
+   KERN_STANDS: out->low is above 0 and out->settles is finite. A structure that
+   stands by forces on the contacts of the task never falls for certain.
+   Settling is computed without inertia, for blocks of the measured shape: it
+   does not see a block that rocks from one support to another. The order of
+   blocks and contacts does not matter, except for contacts of exactly the same
+   height and place. Errors are absolute in relative mode too.
+   contact[0..room) receives the contacts for `high`; the work memory is for
+   `room` contact points. Errors: those of kern_contacts() and kern_measure(),
+   KERN_BAD_OPTION also if the options are not those of kern_measured_options().
+   *out then means nothing; after KERN_LIMIT, which counts the whole call, it
+   has the ends proven so far. Time: a search for contacts, four margins or
+   verdicts, and five settlings of at most 1,600 visits of every contact point.
+   Settled structures that stand take 14 to 50 times as long as kern_measure(),
+   and more with smaller errors. */
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
                                   int room);
 
-/* Whether the load, put on contacts without stress, raises forces that hold
-   the structure: blocks approach wherever a force acts, stick where there is
-   friction to spare, else slide against it. Where the loads of all blocks at
-   once show nothing, they grow from 0, as in kern_raised_load().
-   KERN_STANDS: *out is written, and both arrays of the proof, which passes
-   kern_check_raised() (KERN_NOT_SHOWN: forces alone). KERN_FALLS: the motion
-   is that of kern_verdict(), *out as it was.
-   *reserve (may be NULL) is the largest share of gravity, among 0, .001 ...
-   .005, .0055, .006, .007, .008, .01, .015, .02, .03, .05 and .1, with which a
-   push to either side, and kerns shrunk further by that share of the mean size
-   (relative: by that share), leave it raised; 0 where it is not. No share above
-   options.reserve is asked; KERN_BAD_OPTION: a reserve without gravity.
-   work->end tells why the search without a push ended.
-   KERN_NO_SPACE also where a structure is much wider than a wall of squares.
-   Time: 3 margins in the mean of 969 walls; with the reserve 6. */
+/* Finds whether the load, put on contacts without stress, raises forces that
+   hold the structure. Blocks approach wherever a force acts, stick where there
+   is friction to spare, and otherwise slide against the friction. If loads that
+   act at once show nothing, they grow from 0, as in kern_raised_load().
+   KERN_STANDS: writes *out and both arrays of the proof, which passes
+   kern_check_raised() (for KERN_NOT_SHOWN only forces). KERN_FALLS: the motion
+   is that of kern_verdict(), and *out is as it was.
+   *reserve (may be NULL) is the largest of the shares of gravity 0, .001 ...
+   .005, .0055, .006, .007, .008, .01, .015, .02, .03, .05 and .1 for which the
+   structure stays raised under a push of that share to either side, with kerns
+   shrunk further by that share of the mean size (relative: by that share). It
+   is 0 where the structure is not raised. Shares above options.reserve are not
+   tried. KERN_BAD_OPTION: a reserve without gravity. work->end tells why the
+   search without a push ended. KERN_NO_SPACE also if a structure is much wider
+   than a wall of squares. Time: 3 margins in the mean of 969 walls; with the
+   reserve 6. */
 KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof);
 
-/* The chance that block i, laid last, stays where it is let go, from statics: a
-   law fitted to placements (>>measures), of what raises it where all that is
-   more than four contacts away from it is held:
-       .05 + .95 odds / (1 + odds),    odds = (5.5e7 r^3 / s)^2
-       r = reserve, up to .01, + .004
-       s = how far the block goes until forces are raised, at least 1, where the
-           mean weight is 1 and the stiffness of a contact point .1 and its
-           travel in mean sizes; a turn counts by half the size
-   It is a chance among placements like those of that set, of which 630 stay and
-   205 move (tests/TRUST.md): near the edge. Of places that a planner draws at
-   random and that stand, more stay than it says.
-   KERN_STANDS: *chance, from .05 to 1; 0 where something hangs. KERN_FALLS: as
-   it was. KERN_BAD_BLOCK: no free block i; KERN_BAD_OPTION: no gravity. Time:
-   that of 3 kern_plan_try() in the median, by a plan's known forces. */
+/* Computes the chance that block i, placed last, stays where it is released. It
+   follows from statics by a law fitted to placements (>>measures). Blocks more
+   than four contacts away from block i are held. Then
+       chance = .05 + .95 odds / (1 + odds),    odds = (5.5e7 r^3 / s)^2
+       r = min(reserve, .01) + .004
+       s = max(1, displacement of block i that raises the forces), where the
+           mean weight is 1 and the stiffness of a contact point is .1 plus,
+           at the end of a line, its travel in mean sizes. A turn counts by
+           half the size of the block
+   This is a chance among placements like those of the fit, of which 630 stay
+   and 205 move (tests/TRUST.md): most are close to falling. Of the places that
+   stand and that a planner draws at random, more stay than the chance says.
+   KERN_STANDS: writes *chance, from .05 to 1, or 0 if some block hangs.
+   KERN_FALLS: *chance is as it was. KERN_BAD_BLOCK: i is no free block.
+   KERN_BAD_OPTION: no gravity. Time: that of 3 kern_plan_try() in the median,
+   with the known forces of a plan. */
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance);
 
-/* Whether the structure stays when all blocks are let go at once, from rest, in
-   the poses that are given: the answer for a finished structure.
+/* Finds whether the structure stays when all blocks are released at once, from
+   rest, in the given poses. This is the question for a finished structure.
      KERN_STANDS     It stays: its load raises forces that hold it. Both arrays
-                     of the proof pass kern_check_raised() as KERN_RAISED. So
-                     does a pencil on its tip: ask kern_raised() for a reserve.
-     KERN_FALLS      It moves by proof->motion. It passes kern_check_motion(),
-                     or where blocks hang, kern_check_raised() as KERN_HANGS.
+                     of the proof pass kern_check_raised() as KERN_RAISED. A
+                     pencil on its tip stays, too: ask kern_raised() for a
+                     reserve.
+     KERN_FALLS      It moves by proof->motion, which passes
+                     kern_check_motion() or, if blocks hang,
+                     kern_check_raised() as KERN_HANGS.
      KERN_UNDECIDED  Neither is shown; work->end tells why.
    *how (may be NULL) is KERN_HANGS where blocks hang, KERN_RAISED where it
-   stays and KERN_NOT_SHOWN elsewhere. The least friction or the tilt of this
-   answer is that of the verdict or more: bisect options.mu, or the angle of
-   s.gravity, from one at which it stays. Time: that of kern_raised(). */
+   stays and KERN_NOT_SHOWN elsewhere. To find the least friction with which it
+   stays, bisect options.mu, finding the contacts again; to find its tilt,
+   bisect the angle of s.gravity. Begin at a value at which it stays. The least
+   friction is not below that of the verdict, and the tilt is not above it.
+   Time: that of kern_raised(). */
 KERN_API kern_status kern_let_go(const kern_task *task, kern_raising *how,
                                  const kern_proof *proof);
 
-/* The minimum-norm forces (>>measures): of all that hold the structure those of
-   least sum of f^2 + (r / mu)^2 over the contact points. KERN_STANDS:
-   force[0..contacts), checked like those of a proof. KERN_UNDECIDED: there are
-   none, as kern_verdict() tells, or none so exact, as where jams are critical
-   or sizes differ by 1e4. KERN_NO_SPACE as kern_raised(). Time: 1/3 margin. */
+/* Computes the minimum-norm forces (>>measures): of all forces that hold the
+   structure, those with the least sum of f^2 + (r / mu)^2 over the contact
+   points. KERN_STANDS: writes force[0..contacts), which pass the check of a
+   proof. KERN_UNDECIDED: there are no such forces, as kern_verdict() tells, or
+   none so exact, as where jams are critical or sizes differ by 1e4.
+   KERN_NO_SPACE as in kern_raised(). Time: 1/3 of a margin. */
 KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                                  kern_force *force);
 
-/* Margin and level.
-     KERN_STANDS    All of *out. proof->force holds the structure at out->holds,
-                    with its kerns shrunk; proof->motion moves it at out->fails
-                    (not written where the margin is saturated).
-     KERN_FALLS     level, margin, holds, fails, saturated are 0; most, epsilon
-                    are set; proof->motion says how it falls.
-     KERN_LIMIT     level -1, saturated 0; margin and holds are the largest
-                    shrinkage proven to stand, -1: none yet; fails the smallest
-                    proven to fall, `most`: none; these and epsilon infinity
-                    where the input was not read. The proof means nothing.
+/* Computes the margin and the level.
+     KERN_STANDS    All of *out is written. proof->force holds the structure at
+                    out->holds, with its kerns shrunk. proof->motion moves it at
+                    out->fails (not written if the margin is saturated).
+     KERN_FALLS     level, margin, holds, fails and saturated are 0; most and
+                    epsilon are set. proof->motion says how it falls.
+     KERN_LIMIT     level is -1, saturated 0. margin and holds are the largest
+                    shrinkage proven to stand, or -1 if there is none yet. fails
+                    is the smallest proven to fall, or `most`. If the input was
+                    not read fails, most and epsilon are infinite. The proof
+                    means nothing.
      KERN_UNDECIDED, KERN_BAD_STEP (most / epsilon > 1,000,000): *out is kept.
-   How wide [holds, fails] is: >>limits. The level is proven with the margin
-   where kerns are nested, else by a proof of each step.
-   options.narrow = k: at shrinkage d > 0 friction mu is max(0, (mu - k d) / (1
-   + mu k d)), the tangent of its angle less atan(k d), in every question about
-   shrunk kerns. A robot that places stones within e and theta asks with k =
-   tan(theta) / (2 e): margin / (2 e) is how many times its own error the
-   structure bears; a measure, not a bound. Where k is so large that kerns
-   hardly shrink, this mu at the margin is the least that it stands with.
-   Warm start: from task->known, where the result is remembered; after
-   KERN_UNDECIDED and KERN_LIMIT nothing is known any longer. */
+   How wide [holds, fails] may be: >>limits. The level is proven with the margin
+   if kerns are nested, otherwise by a proof of each step.
+   options.narrow = k: in every question about kerns shrunk by d > 0, friction
+   mu is max(0, (mu - k d) / (1 + mu k d)), the tangent of its angle less atan(k
+   d). A robot that places stones within e and theta sets k = tan(theta) / (2
+   e). Then margin / (2 e) is how many times its own error the structure bears;
+   a measure, not a bound. If k is so large that kerns hardly shrink, this mu at
+   the margin is the least friction with which the structure stands.
+   Warm start: the search begins from task->known and remembers its result
+   there. After KERN_UNDECIDED and KERN_LIMIT nothing is known any longer. */
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
                                   const kern_proof *proof);
 
-/* How the margin depends on every contact point and block, from the proof that
-   kern_measure() wrote: contact[0..contacts) and block[0..blocks). It is the
-   derivative where one mechanism alone is critical, contacts stay and no kern
-   that carries is about to close; else that of the mechanism of the proof.
-   Where corners of two blocks end a contact together, either is taken to move
-   it. The travel of lone points (options.lone) is taken to stay as it is.
-   KERN_OK, or KERN_UNDECIDED where the margin is saturated or does not move.
-   With narrow 0. Time: O(B + C), 0.03 of that of the margin. */
+/* Computes how the margin depends on every contact point and block, from the
+   proof that kern_measure() wrote, into contact[0..contacts) and
+   block[0..blocks). It is the derivative of the margin if one mechanism alone
+   is critical, the contacts stay and no kern that carries is about to close.
+   Otherwise it is that of the mechanism of the proof. If corners of two blocks
+   lie together at the end of a contact, either is taken to move it. The travel
+   of single points (options.lone) is taken to stay. options.narrow must be 0.
+   Returns KERN_OK, or KERN_UNDECIDED if the margin is saturated or does not
+   change. Time: O(B + C), 0.03 of that of the margin. */
 KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       const kern_margin *margin,
                                       const kern_proof *proof,
                                       kern_contact_rate *contact,
                                       kern_block_rate *block);
 
-/* The deficit (>>rules) [m; relative: 1]. KERN_STANDS: it is 0. KERN_FALLS: it
-   is written. KERN_LIMIT: how far kerns must grow at least, -1 where the
-   structure is not proven to fall yet. */
+/* Computes the deficit (>>rules) [m; relative: 1]. KERN_STANDS: it is 0.
+   KERN_FALLS: *deficit is written. KERN_LIMIT: *deficit is a lower bound, -1 if
+   the structure is not proven to fall yet. */
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 
-/* The length [m] of the shortest contact that the structure needs, of those of
-   kern_contacts() or, where faces may be hollow, kern_stretches(): it stands on
-   its contacts of at least this length alone, but not on the longer ones
-   alone. A point of an interface of several counts with twice its travel; a
-   lone point that stays is never left out. KERN_STANDS: *length, KERN_INFINITY
-   where it needs no contact that has a length; proof->force holds the structure
-   by those contacts, proof->motion moves it without the shortest of them (0
-   where that is undecided: it counts as needed). KERN_FALLS: it falls with all
-   contacts. Time: a verdict for each halving of the logarithms of lengths. */
+/* Computes the length [m] of the shortest contact that the structure needs,
+   among those of kern_contacts() or, where faces may be hollow, of
+   kern_stretches(). The structure stands on its contacts of at least this
+   length, but not on the longer ones alone. If several points form an
+   interface, the length of each is twice its travel. A single point that stays
+   is never left out. KERN_STANDS: writes *length, or KERN_INFINITY if no
+   contact that has a length is needed. proof->force holds the structure by
+   those contacts, and proof->motion moves it without the shortest of them; it
+   is 0 where that is undecided and the contact counts as needed. KERN_FALLS: it
+   falls with all contacts. Time: one verdict for each step of a bisection of
+   the lengths, on a logarithmic scale. */
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
-/* The largest factor of a horizontal load to a side on top of weights and
-   loads. KERN_STANDS: *factor, KERN_INFINITY where it stands at 1,000,000;
-   proof as in kern_measure(), for the loads at the factor. KERN_FALLS: it
-   falls at 0. KERN_BAD_OPTION: no gravity, or no side to the left or right. */
+/* Computes the largest factor of a horizontal load to a side, on top of weights
+   and loads. KERN_STANDS: writes *factor, KERN_INFINITY if the structure stands
+   at 1,000,000; proof as in kern_measure(), for the loads at the factor.
+   KERN_FALLS: it falls at 0. KERN_BAD_OPTION: no gravity, or the side is
+   neither left nor right. */
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof);
 
-/* The same for pattern[0..blocks): a wrench about each free block's centre. */
+/* Computes the largest factor of pattern[0..blocks), as kern_load_factor(): a
+   wrench about each free block's centre. */
 KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          kern_real shrink,
                                          const kern_wrench *pattern,
                                          kern_real *factor,
                                          const kern_proof *proof);
 
-/* The least factor of the pattern at which the structure stands: 0 where it
-   does without, else the smallest load that holds it, as a prop or a hand
-   does; the largest is that of kern_load_factor_of() for the weights with this
-   load. KERN_STANDS: *factor, at which proof->force holds it; proof->motion
-   moves it just below (not written where it is 0). KERN_FALLS: it falls at
-   every factor, *factor is KERN_INFINITY. KERN_UNDECIDED, KERN_LIMIT: *factor
-   is the largest below which it is proven to fall. Time: a verdict for each
-   mechanism. */
+/* Computes the least factor of the pattern with which the structure stands. It
+   is 0 if the structure stands without the pattern; otherwise it is the
+   smallest load that holds it, as a prop or a hand does. To find the largest
+   factor, call kern_load_factor_of() with this load added to the blocks.
+   KERN_STANDS: writes *factor. proof->force holds the structure at it;
+   proof->motion moves it just below (not written if the factor is 0).
+   KERN_FALLS: it falls at every factor, and *factor is KERN_INFINITY.
+   KERN_UNDECIDED, KERN_LIMIT: it is proven to fall at every factor below
+   *factor. Time: a verdict for each mechanism. */
 KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         const kern_wrench *pattern,
                                         kern_real *factor,
                                         const kern_proof *proof);
 
-/* The load factor of Coulomb friction, from rest: stones that slide need not
-   part. *factor is the largest multiple of the load with forces that it raises,
-   as in kern_raised(), proven while the load grows from 0, each step (>>tune)
-   from those before. With friction equilibrium is not unique: another path of
-   loading may collapse earlier (seen: 5 %) or later. It is never above the load
-   factor, which is asked for first. The load is `pattern`, or where that is
-   NULL horizontal to the side.
-   KERN_STANDS: *factor, KERN_INFINITY where it is raised at 1,000,000; proof as
-   kern_check_raised() takes it with the loads at the factor, both its arrays.
-   work->end: KERN_END_SHOWN where it is the load factor, else why it is less.
-   KERN_FALLS: it falls at 0. KERN_UNDECIDED also where nothing shows that its
-   own weight raises the forces; *factor stays. Time: 8 load factors in the
-   median of settled stones, 13 on walls that slide (9.5 of 40 to 60 blocks). */
+/* Computes the load factor of Coulomb friction, from rest: sliding stones need
+   not part. *factor is the largest multiple of the load that raises forces
+   which hold the structure, as in kern_raised(). This is proven while the load
+   grows from 0, each step (>>tune) from those before. With friction equilibrium
+   is not unique: another path of loading may collapse earlier (by 5 % in one
+   case) or later. *factor is never above the load factor, which is computed
+   first. The load is `pattern`, or if that is NULL, horizontal to the side.
+   KERN_STANDS: writes *factor, KERN_INFINITY if the load is raised at
+   1,000,000. Both arrays of the proof pass kern_check_raised() with the loads
+   at the factor. work->end is KERN_END_SHOWN if *factor is the load factor;
+   otherwise it tells why it is less. KERN_FALLS: it falls at 0. KERN_UNDECIDED
+   also if its own weight is not shown to raise forces; *factor is kept. Time: 8
+   load factors in the median of settled stones, 13 on walls that slide (9.5 on
+   those of 40 to 60 blocks). */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
                                       kern_real *factor,
                                       const kern_proof *proof);
 
-/* The first angle [rad] at which it falls when gravity turns toward a side.
-   KERN_STANDS: *angle; proof and all else as in kern_load_factor(). */
+/* Computes the first angle [rad] at which the structure falls when gravity
+   turns toward a side. KERN_STANDS: writes *angle. Proof and errors are those
+   of kern_load_factor(). */
 KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                kern_side side, kern_real *angle,
                                const kern_proof *proof);
 
-/* The profile (>>rules), in value[0..blocks): shrinkages [m] (KERN_SHRINK) or
-   factors of a horizontal load to a side; of a fixed block KERN_INFINITY. Below
-   0 *out is as it was, and value means nothing. KERN_BAD_OPTION: no such side,
-   or a load and no gravity. KERN_UNDECIDED: a verdict it depends on is.
-   KERN_LIMIT: value of the blocks that have been taken away is as it will be,
-   of others -1. Time: 3 to 5 times that of the margin. */
+/* Computes the profile (>>rules), in value[0..blocks): shrinkages [m] for
+   KERN_SHRINK, factors of a horizontal load for a side, KERN_INFINITY for a
+   fixed block. After a negative status *out is as it was, and value means
+   nothing. KERN_BAD_OPTION: no such side, or a load without gravity.
+   KERN_UNDECIDED: a verdict that it depends on is undecided. KERN_LIMIT: the
+   values of blocks that have been taken away are final, others are -1. Time: 3
+   to 5 times that of the margin. */
 KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
                                   kern_real *value, kern_collapse *out);
 
-/* What limits a measure, from its proof: proof->motion, not NULL, moves the
-   structure at about `shrink`, proof->force holds it there or is NULL. After
-   kern_measure(): out.margin and its proof; where it falls, 0 and the motion
-   alone. A contact point limits by the power that the mechanism gains per
-   length by which the point moves inward; without forces, or where none gains,
-   by its turning, and where nothing turns, by its sliding. Slower than 1e-4
-   (the fastest is 1) counts as rest. KERN_OK: out's arrays are filled, contact
-   and groups are set. KERN_BAD_POINTER also for no motion, KERN_BAD_NUMBER for
-   one that is not finite (the block). Time: O(C), and O(B) for each group. */
+/* Finds what limits a measure, from its proof. proof->motion, not NULL, moves
+   the structure at about `shrink`; proof->force holds it there or is NULL.
+   After kern_measure() pass out->margin and its proof; if the structure falls,
+   pass 0 and the motion alone. How much a contact point limits is the first of
+   these that is above 0 at any contact:
+     1. the power that the mechanism gains per length by which the point moves
+        inward, if there are forces
+     2. the rate at which its blocks turn about it
+     3. the speed at which its blocks slide
+   Motions slower than 1e-4 (the fastest is 1) count as rest. KERN_OK: out's
+   arrays are filled, contact and groups are set. KERN_BAD_POINTER also without
+   a motion, KERN_BAD_NUMBER for one that is not finite (the fault names the
+   block). Time: O(C), and O(B) for each group. */
 KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
                                       const kern_proof *proof,
                                       kern_critical *out);
 
 /* -- planning -- */
-/* Structures that differ by a stone: no contact is searched twice, and
-   kern_measure(&plan.task, ...) and the questions below go on from its last
-   measure. Measure first: answers are the same without, but slower. Questions
-   leave the plan as it is; below 0 they also return what kern_plan_add() does,
-   and their proof is of the structure with the block: one motion more, and the
-   forces of the block's contacts, which lie behind the plan's, last. */
+/* A plan is a structure that changes by a stone at a time. No contact is
+   searched twice, and kern_measure(&plan.task, ...) and the questions below
+   start from its last measure. Measure first: answers are the same without, but
+   slower. Questions leave the plan as it is. Their negative statuses include
+   those of kern_plan_add(). Their proof is of the structure with the block: it
+   has one more motion, and the forces of the block's contacts follow those of
+   the plan. */
 
-/* An empty plan under gravity (0, -9.81): arrays for so many blocks and contact
-   points, kern_known_of() arrays as long, and work memory for so many. */
+/* Returns an empty plan under gravity (0, -9.81). The arrays, those of
+   kern_known_of() and the work memory must be long enough for so many blocks
+   and contact points. */
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
                                 kern_known known, kern_work *work);
 
-/* Adds a block behind the others and finds its contacts. Returns how many
-   contact points it has, or what kern_touch() does below 0, KERN_NO_SPACE also
-   without room for it, KERN_BAD_POINTER also without known forces or motions;
-   the plan is then as it was. The block is copied, its vertices are NOT: they
-   must outlive the plan. Its contacts are found with the options as they are
-   now, and keep that friction. Time: O(B). */
+/* Adds a block after the others and finds its contacts. Returns how many
+   contact points it has, or a negative status of kern_touch(); KERN_NO_SPACE
+   also if the plan is full, KERN_BAD_POINTER also without arrays for known
+   forces or motions. After a negative status the plan is as it was. The block
+   is copied, its vertices are NOT: they must outlive the plan. Its contacts are
+   found with the present options, and keep their friction. Time: O(B). */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 
-/* Takes block i away; those behind it move up, in contacts too. KERN_OK: done.
-   KERN_BAD_BLOCK: there is none. Time: O(B + C). */
+/* Removes block i. The blocks after it move up, also in the contacts. KERN_OK:
+   done. KERN_BAD_BLOCK: there is none. Time: O(B + C). */
 KERN_API kern_status kern_plan_remove(kern_plan *plan, int i);
 
-/* What kern_measure() would say with the block added. Time: that of one
-   verdict, where the block does not change which stones are the weakest.
-   The search comes from above, so a call that options.limit ends proves an upper
-   bound, out->fails, and a lower one, out->holds, only near its end. At half of
-   the work that they need, 963 tries on walls have these bounds:
-       upper bound, at most 2 margins    0.73      none       0.06
-                    at most 1.1 margins  0.53      any lower  0.03
-   For a lower bound use kern_plan_bears(): with half of the margin it takes 0.44
-   of the work of a try in the median, and 0.13 where a try takes 1,500 units. */
+/* Computes what kern_measure() would return with the block added. Time: that of
+   one verdict, if the block does not change which stones are the weakest. The
+   search comes from above: a call that options.limit ends proves an upper
+   bound, out->fails, but a lower one, out->holds, only near its end. With half
+   of the work that they need, 963 tries on walls have these bounds:
+     upper bound, at most 2 margins    0.73      none       0.06
+                  at most 1.1 margins  0.53      any lower  0.03
+   For a lower bound use kern_plan_bears(). With half of the margin it takes
+   0.44 of the work of a try in the median, and 0.13 where a try takes 1,500
+   units. */
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof);
 
-/* Whether the margin with the block added is at least `margin` [m] (relative: a
-   share): KERN_STANDS with forces at that shrinkage, KERN_FALLS with a motion.
-   What stands with every kern closed bears any margin, unless options.narrow is
-   set. Where kerns are not nested it falls, too, with the motion at the margin
-   of kern_plan_try(), if that is smaller.
-   KERN_BAD_NUMBER also for a margin below 0. Time: that of a verdict; O(B + C)
-   beyond the measured margin where it does not touch what limits that. */
+/* Returns whether the margin with the block added is at least `margin` [m]
+   (relative: a share): KERN_STANDS with forces at that shrinkage, KERN_FALLS
+   with a motion. A structure that stands with every kern closed bears any
+   margin, unless options.narrow is set. If kerns are not nested it also falls,
+   with the motion at the margin of kern_plan_try(), if that margin is smaller.
+   KERN_BAD_NUMBER also for a negative margin. Time: that of a verdict; O(B + C)
+   beyond the measured margin if the block does not touch the blocks that limit
+   it. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof);
 
-/* kern_stays() and kern_raised() with a block added; for NULL of the plan as it
-   is, and of its last block. */
+/* Answer kern_stays() and kern_raised() for the plan with a block added.
+   Without a block (NULL) they answer for the plan as it is, kern_stays() for
+   its last block. */
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
                                      kern_real *chance);
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
@@ -1279,8 +1376,8 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 
 /* Copies a plan into `to`, which kern_plan_of() made with arrays and work
    memory of its own: one plan for each thread. Vertices are not copied, so both
-   plans read the same. KERN_OK: the two give the same answers, to the last bit.
-   KERN_NO_SPACE: an array of `to` is too short, and `to` is as it was. */
+   plans read the same ones. KERN_OK: the two give the same answers, to the last
+   bit. KERN_NO_SPACE: an array of `to` is too short, and `to` is as it was. */
 KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
 
 /* Finds where a stone comes to rest on a structure, such as plan.task, when it
@@ -1311,57 +1408,60 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
 /* Compares two places for a stone. Returns 1 if a is better, -1 if b is, 0 if
    no number differs. NULL is worse than any place. `alone` is the margin of the
    structure without the stone, which most places leave as it is. The first of
-   these that differs decides:
-       stays   from 0.9 on all are one class; below, the larger chance
-       margin  the larger; within 1e-5 of `alone` all are one class
-       own     the larger
-       load    the larger
-       x turn  the smaller, so that any order of places gives the same best
-   In 46 states of walls with places of which some stay in all six runs of a
-   simulator and some do not, the best place stays in 40 and moves in some runs
-   in 6. The place of the largest margin stays in 35. In 124 other states, with
-   eight places of kern_rest() each and the simulator of examples/laboratory, the
-   best place stays in 120, and that of the largest margin in 110. */
+   these numbers that differs decides:
+     stays   the larger chance; all from 0.9 on count as equal
+     margin  the larger; all within 1e-5 of `alone` count as equal
+     own     the larger
+     load    the larger
+     x turn  the smaller, so that any order of places gives the same best
+   In 46 states of walls some places stay in all six runs of a simulator and
+   some do not. The best place stays in 40 of these states and moves in some
+   runs in 6. The place of the largest margin stays in 35. In 124 other states,
+   with eight places of kern_rest() each and the simulator of
+   examples/laboratory, the best place stays in 120, and that of the largest
+   margin in 110. */
 KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
                                 kern_real alone);
 
 /* -- proofs -- */
 
-/* Returns the error of a proof over the error that is allowed: up to 1 the
-   proof holds. Returns KERN_INFINITY where it proves nothing, and for bad input
-   (NULL, NaN). Forces may leave 1e-9 (float: 1e-4) of the load on a block in
-   each of its equations, and roundings of the largest force there; their sum
-   may be 1e6 (1e3) weights. A motion must be one that such forces could not
-   stop, whatever rounding does. Time: O(B + C). Work memory: for forces 4 B
-   reals. */
+/* Return the error of a proof, as a share of the allowed error: up to 1 the
+   proof holds. They return KERN_INFINITY if the forces or the motion prove
+   nothing, and for bad input (NULL, NaN). Forces may leave 1e-9 (float: 1e-4)
+   of the load on a block in each of its equations, plus roundings of the
+   largest force there. Their sum may be 1e6 (1e3) weights. A motion must be one
+   that such forces could not stop, whatever rounding does. Time: O(B + C). Work
+   memory: for forces 4 B reals. */
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
                                      const kern_force *force);
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
                                      const kern_motion *motion);
 
-/* Returns the error of the proof of kern_raised(). Raised: besides the forces,
-   that the motion approaches at every force which equilibrium would miss, and
-   slides by less than 1/500 (float: 1/5) of that where it must not. Hanging:
-   that the motion moves blocks without a load, that no contact with another
-   presses one of them against gravity, and that the forces hold the others
-   without them. KERN_NOT_SHOWN proves nothing. Work memory: 5 B reals. */
+/* Returns the error of the proof of kern_raised(). For KERN_RAISED it checks
+   the forces. It also checks that the motion approaches at every contact whose
+   force equilibrium needs, and slides by less than 1/500 (float: 1/5) of that
+   where it must stick. For KERN_HANGS it checks that the motion moves blocks
+   without a load, that no contact with another block presses one of them
+   against gravity, and that the forces hold the others without them.
+   KERN_NOT_SHOWN proves nothing: KERN_INFINITY. Work memory: 5 B reals. */
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
                                      kern_raising raising,
                                      const kern_proof *proof);
 
 /* -- the linear program alone -- */
 
-/* Solves a small dense program. x has cols, y rows numbers.
+/* Solves a small dense linear program. x has cols, y rows numbers.
      KERN_LP_OPTIMAL     x is a solution, of least cost if there are costs, and
                          then y are its prices: cost - y.A >= 0, 0 where x > 0
      KERN_LP_INFEASIBLE  no x exists: y.A >= 0 and y.rhs < 0
      KERN_LP_UNBOUNDED   the cost falls along x: A x = 0, x >= 0, cost.x < 0
-     KERN_UNDECIDED      the method does not end, or the check failed, as it may
+     KERN_UNDECIDED      the method did not end, or the check failed, as it may
                          where units differ by more than 1e4
      KERN_LIMIT          lp->limit was reached
-   Each is checked against A, every row and column by its own terms, so that
-   units do not matter. Below 0 x and y mean nothing. Work memory: KERN_LP_REALS
-   and _INTS(rows, cols). Time: rows^2 + rows cols for a pivot. */
+   Each answer is checked against A, every row and column in its own units, so
+   that the choice of units does not matter. After a negative status x and y
+   mean nothing. Work memory: KERN_LP_REALS and _INTS(rows, cols). Time: rows^2
+   + rows cols for a pivot. */
 KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
                                    kern_real *y, kern_work *work);
 
@@ -1393,14 +1493,15 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #error "kern.h: do not compile the implementation with -ffast-math"
 #endif
 
-/* Casts of C are no fault in C++ that includes the implementation. */
+/* C++ that includes the implementation must not warn of its casts, which are
+   those of C. */
 #if defined(__cplusplus) && defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #endif
 
-/* The vectorisers of gcc make one fused operation of pairs of products such as
-   a c - b d, a d + b c, also with -ffp-contract=off. */
+/* The vectorisers of gcc fuse pairs of products such as a c - b d and a d + b c
+   into one operation, also with -ffp-contract=off. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__FMA__)
 #pragma GCC push_options
 #pragma GCC optimize("no-tree-vectorize")
@@ -1410,9 +1511,9 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 extern "C" {
 #endif
 
-/* KERN_ASSERT: a condition that holds whatever the arguments are. KERN_AUDIT: a
-   check of the state of an engine (tests/audit.h). Both are off, unless a test
-   build defines them. */
+/* KERN_ASSERT checks a condition that holds whatever the arguments are.
+   KERN_AUDIT checks the state of an engine (tests/audit.h). Both do nothing
+   unless a test build defines them. */
 #ifndef KERN_ASSERT
 #define KERN_ASSERT(condition) ((void)0)
 #endif
@@ -1431,7 +1532,7 @@ extern "C" {
 
 #define KERN_OUT (-1)
 
-/* Marks functions that take more room in firmware when they are inlined. */
+/* Marks functions that would make firmware larger if they were inlined. */
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define KERN_SHARED __attribute__((noinline))
 #else
@@ -1439,279 +1540,288 @@ extern "C" {
 #endif
 
 /* ---- Constants -------------------------------------------------- >>tune */
-/* All of Parts III to V; those of the geometry are in >>tol. Each constant has
-   one job. Lengths are shares of a block's size and forces are shares of the
-   weight of all, unless a unit stands in brackets. KERN_PICK(a, b) is a in
-   double and b in float. A value that is the name of another constant is so
-   because both bound the same rounding. */
+/* All constants of Parts III to V; those of the geometry are in >>tol. Each
+   constant has one job. Lengths are shares of a block's size and forces are
+   shares of the total weight, unless a unit stands in brackets. KERN_PICK(a, b)
+   is a in double and b in float. A value that is the name of another constant
+   bounds the same rounding. */
 
 /* ---- what a proof allows ---- */
 
-/* Residual that a proof may leave in a row of equilibrium, as a share of what
-   acts on the block. Coordinates and masses are known far less exactly. */
+/* Largest residual of a row of equilibrium in a proof, as a share of what acts
+   on the block. Coordinates and masses are known far less exactly. */
 #define KERN_TOL KERN_PICK(1e-9, 1e-4)
-/* Largest sum of forces that is taken for real, in weights: the bound excludes
-   jams, whose forces are arbitrarily large. A motion may close no contact
-   faster than its power divided by it. A larger gap leaves the interior point
-   no digits. */
+/* Largest sum of forces in a proof, in weights. It excludes jams, whose forces
+   are arbitrarily large. A motion proves a fall only if its power exceeds this
+   sum times the fastest speed at which it closes a contact. */
 #define KERN_BOUND KERN_PICK(1e6, 1e3)
 /* Rounding of a sum in a proof, as a share of its terms: a row has some tens of
    terms. Part VI takes twice as much, as a share of the largest coordinate, for
    the distance within which two places are the same. */
 #define KERN_ROUNDING (32 * KERN_EPS)
-/* How far a tangential force may exceed its cone, as a share of the cone: the
-   rounding of mu f. */
+/* Largest share by which a tangential force may exceed its cone: the rounding
+   of mu f. */
 #define KERN_CONE_TOL (8 * KERN_EPS)
-/* Least power [W] of a motion in a proof, and what is added to each closing
-   speed [m/s]: a product of smaller numbers may lose digits by underflow. */
+/* Least power [W] of a motion in a proof, and an addend to each closing speed
+   [m/s]: products of smaller numbers may lose digits by underflow. */
 #define KERN_POWER_LEAST (1 / (KERN_FAR * KERN_FAR))
-/* Residual of a row or column of a caller's linear program in the proof of its
-   answer, as a share of the terms. */
+/* Largest residual of a row or column in the proof of a caller's linear
+   program, as a share of the terms. */
 #define KERN_LP_TOL KERN_TOL
-/* Raised forces: share of the cone by which a tangential force must be below it
-   for the contact to stick. */
+/* Raised forces: a contact must stick if its tangential force is below the cone
+   by more than this share of the cone. */
 #define KERN_SLIDES_TOL KERN_TOL
-/* Raised forces: least force of a contact that must approach, as a share of the
-   least load of a block. Without a smaller force equilibrium still holds. */
+/* Raised forces: contacts with smaller forces, as a share of the least load of
+   a block, need not approach. Equilibrium holds without these forces. */
 #define KERN_PRESSED_LEAST KERN_TOL
-/* Raised forces: the largest slide that is taken for sticking, in approaches.
-   The stiffness along t that >>raised begins with is its inverse. */
+/* Raised forces: largest slide of a contact that must stick, as a share of its
+   approach. The inverse is the stiffness along t of >>raised. */
 #define KERN_STICKS KERN_PICK(2e-3, 0.2)
-/* Cosine of a contact's normal and gravity from which the contact may hold a
-   block up. Less is a vertical joint, in a drawing of few digits too; as a
-   wedge it would press with thousands of the weights that it holds. */
+/* Least cosine between a contact's normal and gravity for the contact to hold a
+   block up. A contact below it is a vertical joint, also in a drawing of few
+   digits. As a wedge it would press with thousands of the weights that it
+   holds. */
 #define KERN_HOLDS_UP KERN_R(1e-4)
 
 /* ---- what may be asked ---- */
 
-/* Largest coordinate and option [m], and largest sum of all that acts on a
-   block [N]. Squares, moments and products with KERN_BOUND of these keep all
-   digits. Part VI uses it for masses and areas as well. */
+/* Largest coordinate and option [m], largest sum of weight and loads of a block
+   [N], and largest mass [kg] and size [m]. Squares, moments and products with
+   KERN_BOUND of these keep all digits. */
 #define KERN_FAR KERN_PICK(1e60, 1e10)
-/* Least size [m] of a block: arms over it keep all digits. */
+/* Least size [m] of a block: arms divided by it keep all digits. */
 #define KERN_SIZE_LEAST (1 / KERN_FAR)
-/* Least mass [kg] of a block: its weight is no underflow. */
+/* Least mass [kg] of a block: its weight does not underflow. */
 #define KERN_MASS_LEAST (1 / KERN_FAR)
 /* Largest mass [kg] of a block: its weight keeps all digits. */
 #define KERN_MASS_MOST KERN_FAR
-/* Least sum of all that acts on a block [N], unless that is 0. */
+/* Least sum of weight and loads of a block [N], unless that is 0. */
 #define KERN_LOAD_LEAST (1 / KERN_FAR)
-/* How far the square of a normal's length may be from 1: the rounding of a
-   normal that the caller computed in this precision. */
+/* Largest difference between 1 and the square of a normal's length: the
+   rounding of a normal that the caller computed in this precision. */
 #define KERN_NORMAL_TOL (64 * KERN_EPS)
-/* Angle [rad] from which an option for the angle is refused: it would take a
-   corner for a face, and the series of kern_sine() would lose digits. */
+/* Angle [rad] from which options.angle is refused: it would take a corner for a
+   face, and the series of kern_sine() would lose digits. */
 #define KERN_ANGLE_MOST KERN_R(0.5)
-/* Largest reserve [shares of gravity] that may be asked for: the table of
+/* Largest options.reserve, in shares of gravity: the table of
    kern_raise_reserve() ends there. */
 #define KERN_RESERVE_MOST KERN_R(0.1)
-/* Gravity of a task that names none [m/s^2]. */
+/* Default gravity of a task [m/s^2]. */
 #define KERN_GRAVITY KERN_R(9.81)
-/* Largest numbers for which the work memory, and products in it, are an int:
-   blocks of a task, and rows of a program. */
+/* Largest number of blocks of a task, and of rows of a program: sizes of the
+   work memory and products of its indices are then an int. */
 #define KERN_BLOCKS_MOST 20000
 /* Largest number of contact points, vertices, levels and columns, and of blocks
    of a contact search. */
 #define KERN_POINTS_MOST 1000000
-/* Largest number of units of a call and of entries of a matrix. */
+/* Largest number of units of a call, and of entries of a caller's matrix. */
 #define KERN_WORK_MOST 2000000000
 
 /* ---- what work costs, in units ---- */
-/* Fitted to counts of instructions: a unit is 550 to 2,000 of them, as
-   >>verdicts says. A constant *_UNIT tells how many things are done in one
+/* Fitted to counts of instructions: a unit is 550 to 2,000 of them
+   (>>verdicts). A constant *_UNIT tells how many things are done in one
    unit. */
 
-/* Entries of sparse columns that are added up; of a dense factor it is 8/3 as
-   many, since no indices are read. */
+/* Entries of sparse columns that are added up in a unit. Of a dense factor it
+   is 8/3 as many, since no indices are read. */
 #define KERN_UNIT 64
-/* Blocks and contacts that a call reads and checks. */
+/* Blocks and contacts that a call reads and checks in a unit. */
 #define KERN_CALL_UNIT 5
-/* Blocks and contacts that the proof of a query looks at; three more units are
-   what a query costs besides. */
+/* Blocks and contacts that the proof of a query reads in a unit. Three units
+   are added for each query. */
 #define KERN_QUERY_UNIT 14
-/* Groups and contacts that are put in order for a short skyline. */
+/* Groups and contacts that are ordered for a short skyline in a unit. */
 #define KERN_ORDER_UNIT 4
-/* Groups and contacts whose known forces are copied. */
+/* Groups and contacts whose known forces are copied in a unit. */
 #define KERN_KNOWN_UNIT 32
-/* Contacts that a place of the line search looks at. */
+/* Contacts that the line search evaluates at one place in a unit. */
 #define KERN_PLACE_UNIT 16
 /* Products that a step of Newton's method takes for a contact: its row, its law
    and its block of the matrix. */
 #define KERN_CONTACT_PRODUCTS KERN_R(100)
-/* Products that the factor takes for a row, over the square of its blocks. Half
-   of all pairs of blocks take 27 products each. */
+/* Products that the factor takes for a row, as a multiple of the square of its
+   number of blocks. Half of all pairs of blocks take 27 products each. */
 #define KERN_PAIR_PRODUCTS KERN_R(14)
 
 /* ---- model ---- */
 
-/* Travel below which a contact point counts as one that does not travel [mean
-   size]: a millionth of the shortest line is rounding. */
+/* Largest travel of a contact point that counts as 0 [mean size]: a millionth
+   of the shortest line is rounding. */
 #define KERN_TRAVEL_LEAST (KERN_R(1e-6) * KERN_R(1e-3))
-/* Slope of the lines along which blocks count as equally high, in double: a
+/* In double, slope of the lines along which blocks count as equally high. A
    flat arch is then ordered from side to side and not by rounding. */
 #define KERN_LEVEL_SLOPE KERN_R(1e-6)
-/* Blocks of a run that is sorted by simple insertion: with shorter runs the
+/* Runs of at most so many blocks are sorted by insertion: with shorter runs the
    steps of Shell's sort cost more than they save. */
 #define KERN_SORT_RUN 64
 
 /* ---- measures ---- */
 
-/* Width of the bracket of a measure [mean block size; load factor; tangent of
-   a quarter of the angle]. Half of it lies before the critical value; up to
-   all of it may lie beyond. If it were narrower, fewer verdicts near critical
-   would have a proof. If it were wider, it would exceed the 2e-6 that are
-   promised. */
+/* Width of the bracket of a measure [mean block size; load factor; tangent of a
+   quarter of the angle]. Half of it lies before the critical value, and up to
+   all of it may lie beyond. With a narrower one fewer verdicts near critical
+   have a proof. A wider one exceeds the promised 2e-6. */
 #define KERN_WIDTH KERN_PICK(1.26e-6, 1.8e-3)
-/* Distance from the critical value, in widths, beyond which the search cuts the
-   bracket instead of aiming at the value. */
+/* Largest distance between the proofs on both sides of the critical value, in
+   widths, at which the search still aims at that value. Beyond it the search
+   cuts the bracket. */
 #define KERN_WIDEST KERN_R(20)
-/* How many times wider it may be to count as an answer: in jams no proof comes
-   nearer. */
+/* How many times wider a bracket may be and still be an answer: in jams no
+   proof comes closer. */
 #define KERN_ANSWER KERN_PICK(80, 20)
-/* Groups up to which one linear program is solved: margins are then exact.
-   More, and its factor costs more than the interior point. */
+/* Most groups that are solved as one linear program; margins are then exact.
+   With more groups its factor costs more than the interior point. */
 #define KERN_SMALL 64
-/* Steps to the largest travel where kerns are not nested, and of half a circle
-   of tilt under loads that stay: a range that falls, and is narrower than one,
-   may be missed. A walk or a climb takes at most five times as many steps. */
+/* Number of steps to the largest travel if kerns are not nested, and of half a
+   circle of tilt under loads that stay. A range of falling that is narrower
+   than a step may be missed. A walk or a climb takes at most five times as many
+   steps. */
 #define KERN_SCAN 1001
 /* Default step of a level [mean size]: the paper's steps are of this order. */
 #define KERN_LEVEL_STEP KERN_R(0.02)
 /* Default step of a level where kerns are relative [share of the travel]. */
 #define KERN_LEVEL_SHARE KERN_R(0.05)
-/* Largest load factor; beyond, the load counts as held for ever. */
+/* Largest load factor; beyond it the load counts as held for ever. */
 #define KERN_FACTOR_MOST KERN_R(1e6)
 /* Deficit: first growth of the kerns [mean size; share of the travel], less
    than any deficit that matters. */
 #define KERN_GROW_FIRST KERN_R(0.001)
-/* Deficit: factor of the growth where kerns are nested: few verdicts. */
+/* Deficit: factor of the growth if kerns are nested; few verdicts suffice. */
 #define KERN_GROW_NESTED KERN_R(4)
-/* Deficit: factor of the growth where kerns are not nested, so that a range
-   that stands is seldom missed. */
+/* Deficit: factor of the growth if kerns are not nested, so that a range of
+   standing is seldom missed. */
 #define KERN_GROW_EVEN KERN_R(1.1)
-/* Deficit: largest growth, in extents of the structure: the rule of >>rules. */
+/* Deficit: largest growth, in longest sides of the free blocks' box
+   (>>rules). */
 #define KERN_GROW_MOST 1000
 
 /* ---- profile, mechanism, sensitivity ---- */
 
-/* Load factor that counts as no limit. */
+/* Profile: largest load factor; a stone that reaches it counts as unlimited. */
 #define KERN_PROFILE_MOST KERN_R(10)
-/* Places [widths of a bracket] beyond a critical value that are tried for a
-   mechanism with a proof. */
+/* Most places beyond a critical value, a bracket's width apart, at which a
+   mechanism with a proof is searched. */
 #define KERN_FALL_TRIES 8
-/* Steps of a collapse, besides three for each group, that may take nothing
-   away: both verdicts may have a proof at one place. */
+/* Most steps of a collapse that take no block away, besides three for each
+   group. There are such steps since both verdicts may have a proof at one
+   place. */
 #define KERN_FALL_IDLE 8
-/* Expected drop: load factor at which a stone's chance to fall is 1/e. From
-   0.05 to 0.1 structures are ranked as well. */
+/* Expected drop: load factor at which a stone falls with a chance of 1/e.
+   Values from 0.05 to 0.1 rank structures as well. */
 #define KERN_DROP_LOAD KERN_R(0.07)
 /* Expected drop: least height that counts [mean block size], since the lowest
    stones fall, too. */
 #define KERN_DROP_HEIGHT KERN_R(0.3)
-/* Share of the highest speed below which blocks rest, or do not approach. */
+/* Blocks rest, or do not approach, below this share of the highest speed. */
 #define KERN_REST KERN_R(1e-4)
-/* By what share a limit or a speed must be larger than the largest so far, so
-   that of equals the first is reported, not the one that rounding raised. */
+/* A limit or a speed is larger than another only by more than this share. Of
+   equals the first is then reported, not the one that rounding raised. */
 #define KERN_TIE KERN_R(1e-4)
-/* Sensitivity: the least sum of powers that is no rounding, as a share of its
-   terms. */
+/* Sensitivity: a sum of powers below this share of its terms is rounding. */
 #define KERN_RATE_LEAST KERN_PICK(1e-10, 1e-5)
-/* Sensitivity: distance of a contact's end from a corner that takes it along,
-   as much as the shortest line. */
+/* Sensitivity: a corner moves the end of a contact if it is no farther away
+   than this, the length of the shortest line. */
 #define KERN_CORNER_NEAR KERN_R(1e-3)
-/* Sensitivity: difference of two such distances that counts as none. */
+/* Sensitivity: two such distances that differ by less count as equal. */
 #define KERN_CORNER_TIE KERN_R(1e-6)
 
 /* ---- residuals that rounding leaves ---- */
 
-/* Residual of equilibrium that a method leaves, of a group as a share of its
-   load. A proof allows far more, and so residuals of many groups may add up. At
-   1e-10 in double a light stone beside heavy ones stands that falls. */
+/* Largest residual of equilibrium of a group that a method may leave, as a
+   share of its load. It is far below KERN_TOL, since residuals of many groups
+   may add up. At 1e-10 in double a light stone beside heavy ones stands
+   although it falls. */
 #define KERN_PASS_TOL KERN_PICK(1e-11, 1e-6)
-/* Residual that a program of all groups leaves, a tenth of KERN_TOL: its forces
-   are not passed on, so that no residuals add up. */
+/* Largest residual that a program of all groups may leave, a tenth of KERN_TOL:
+   its forces are not passed on, so that residuals do not add up. */
 #define KERN_PART_TOL KERN_PICK(1e-10, 1e-5)
 /* Rounding of a residual, as a share of the largest force or value in it. */
 #define KERN_RESIDUAL (4 * KERN_EPS)
 
 /* ---- minimum-norm forces ---- */
 
-/* Shift of the diagonal of Newton's matrix, as a share of its mean: without it
-   a row that no ray presses has no pivot. */
+/* Shift of the diagonal of Newton's matrix, as a share of its mean. Without it
+   a row has no pivot if no ray of the group presses. */
 #define KERN_DUAL_SHIFT KERN_ROUNDING
-/* Most rounds of Newton's method: it ends in far fewer, unless digits are
+/* Most rounds of Newton's method. It ends in far fewer, unless digits are
    lost. */
 #define KERN_NORM_ROUNDS 100
-/* Line search: it ends where the derivative is the first over this. Newton's
+/* Line search: it ends when the derivative has fallen by this factor. Newton's
    next step makes up for the rest. */
 #define KERN_SHARE_TOL 8
-/* Line search: this with prices, since the next prices begin there. */
+/* Line search with prices: this factor, since the next prices begin there. */
 #define KERN_SHARE_TOL_PRICED 1000
-/* Line search: most places until the maximum is passed, 4^12 steps away. */
+/* Line search: most steps, each four times the last, to pass the maximum. */
 #define KERN_SHARE_GROWS 13
-/* Line search: most places in all once it is passed; regula falsi needs few. */
+/* Line search: most places after that; regula falsi needs few. */
 #define KERN_SHARE_PLACES 20
 
 /* ---- top-down pass ---- */
 
-/* Pivot of a 3 x 3 matrix, as a share of its trace, that counts as rounding: at
-   1e-11 in double a profile of rubble begins beyond the margin. */
+/* A pivot of a 3 x 3 matrix below this share of its trace is rounding. At 1e-11
+   in double a profile of rubble begins beyond the margin. */
 #define KERN_THREE_TOL KERN_PICK(1e-12, 1e-5)
-/* Pivot of a 3 x 3 matrix, as a share of its trace, from which the solution
-   needs no refinement. */
+/* A pivot of a 3 x 3 matrix above this share of its trace needs no refinement
+   of the solution. */
 #define KERN_THREE_GOOD KERN_PICK(1e-4, 1e-2)
-/* Contacts of one group that is balanced alone: the arrays are on the stack. */
+/* Most contacts of a group that is balanced alone: the arrays are on the
+   stack. */
 #define KERN_ROWS_MOST 12
-/* Rounds of Newton's method for one group; it ends in four, usually. */
+/* Most rounds of Newton's method for one group. Usually it ends in four. */
 #define KERN_ALONE_ROUNDS 10
-/* By what factor a residual must fall in a round, or no forces exist. */
+/* Factor by which a residual must fall in a round; otherwise no forces
+   exist. */
 #define KERN_ALONE_PACE 8
-/* Share of a load that a joint within 30 degrees of upright takes of what a bed
-   would. With .3 verdicts of 126 courses of bricks take eight times the work,
-   with 1 900 times. */
+/* Load on a joint within 30 degrees of upright, as a share of the load that a
+   bed would take. With .3 verdicts of 126 courses of bricks take eight times
+   the work, and with 1 they take 900 times. */
 #define KERN_SIDE_SHARE KERN_R(0.1)
-/* Norm of the forces, in loads of a cluster, beyond which it counts as
-   infeasible. Larger, clusters grow later and Newton's method takes more
-   steps: without the bound trying a stone costs 4 % more. */
+/* Norm of the forces, in loads of a cluster, beyond which the cluster counts as
+   infeasible. With a larger norm clusters grow later and Newton's method takes
+   more steps: without this bound a try costs 4 % more. */
 #define KERN_CLUSTER_NORM KERN_R(100)
-/* Approach of a contact that parts, as a share of the largest speed. */
+/* Largest approach of contacts that count as parting, as a share of the largest
+   speed. */
 #define KERN_PARTS_TOL KERN_R(1e-4)
-/* Share of all groups that a cluster may have, inverse: a quarter in a verdict,
-   a fifth in a search, a seventh in one that knows forces. With a fifth
-   verdicts take 7 % more, with a quarter measures 6 %, and tries from known
-   forces 6 % with a fifth. */
+/* A cluster may have this share of all groups, inverse: a quarter in a verdict,
+   a fifth in a search, a seventh in a search that knows forces. With a fifth
+   verdicts take 7 % more. With a quarter measures take 6 % more. With a fifth
+   tries from known forces take 6 % more. */
 #define KERN_CLUSTER 4
-/* Groups of a cluster where there are more than KERN_SMALL. With fewer some
-   measures of 100 blocks take four times the work. */
+/* Most groups of a cluster if there are more than KERN_SMALL groups. With
+   fewer, some measures of 100 blocks take four times the work. */
 #define KERN_CLUSTER_MOST 20
-/* Groups of the structure for which such a cluster may have one more. */
+/* Groups of the structure for each of which such a cluster may have one
+   more. */
 #define KERN_CLUSTER_MORE 32
-/* Units of work of a pass for each group and contact. With 30 measures of
+/* Units of work of a pass for each group and contact. With 30, measures of
    bricks take 1.4 times as long. */
 #define KERN_PASS_UNITS 9
 
 /* ---- search ---- */
 
-/* Difference of two critical values that is rounding [mean block size]: with
-   less, Newton's method chases rounding. */
+/* Two critical values that differ by less are the same [mean block size]: with
+   less, Newton's method follows rounding. */
 #define KERN_VALUE_SAME KERN_PICK(1e-10, 1e-5)
-/* Negative force of a known basis that is rounding, as a share of the weight. */
+/* Negative force of a known basis that is rounding, as a share of the
+   weight. */
 #define KERN_BASIS_NOISE KERN_PICK(1e-10, 1e-5)
-/* Most places of a bracket: four to eight suffice, unless digits are lost. */
+/* Most places of a bracket. Four to eight suffice, unless digits are lost. */
 #define KERN_BRACKET_ROUNDS 100
 /* Most verdicts of a search for a least load; each mechanism takes one. */
 #define KERN_LEAST_ROUNDS 100
-/* Most bends of a power, where kerns close, that Newton's method passes. */
+/* Most kinks of a power, where kerns close, that Newton's method passes. */
 #define KERN_BENDS 8
-/* Most parts that fall before the whole is asked. */
+/* Most falling parts before the whole is solved. */
 #define KERN_PARTS 8
-/* A bracket without a predicted value is cut at a quarter: mechanisms are near
-   its lower end more often. */
+/* A bracket without a predicted value is cut at a quarter, since mechanisms are
+   found near its lower end more often. */
 #define KERN_CUT KERN_R(4)
-/* Halley's step is at most so many of Newton's. */
+/* Largest step of Halley's method, in steps of Newton's. */
 #define KERN_HALLEY_MOST KERN_R(4)
 /* First step of a search [mean size; load factor, tangent of a quarter of the
-   angle], by the corpus' odd half and by walls of 100 to 200 blocks. */
+   angle]. Chosen on the odd half of the corpus and on walls of 100 to 200
+   blocks. */
 #define KERN_CLIMB KERN_R(0.1)
 #define KERN_CLIMB_PUSH KERN_R(0.5)
 /* Growth of these steps: each is this many times the one before. */
@@ -1719,145 +1829,153 @@ extern "C" {
 
 /* ---- interior point ---- */
 
-/* Most steps. Usually ten suffice, unless digits are lost. */
+/* Most steps. Ten usually suffice, unless digits are lost. */
 #define KERN_IPM_ROUNDS 100
-/* Shift of a diagonal that has no pivots, as a share of its mean. */
+/* Shift of the diagonal of M where M is singular, as a share of its mean. */
 #define KERN_IPM_SHIFT KERN_PICK(1e-10, 1e-5)
-/* Share of the way to x, z = 0 that a step leaves, less as the gap closes: from
-   the boundary no further step is possible. */
+/* Share of the way to x, z = 0 that a step leaves, less as the gap closes: no
+   step is possible from the boundary. */
 #define KERN_IPM_BACKOFF KERN_R(1e-3)
-/* Least share of a ray's force that a step leaves: a force that rounds to 0
+/* Least share of its force that a ray keeps in a step: a force that rounds to 0
    would never grow again. */
 #define KERN_IPM_KEEP KERN_EPS
 /* Least share of its force that a ray keeps when forces are balanced. */
 #define KERN_IPM_BALANCE KERN_R(1e-3)
-/* How far x and z are lifted to begin, in their least entry (Mehrotra). */
+/* Starting point: x and z are raised by this times the magnitude of their least
+   entry, if that is negative (Mehrotra). */
 #define KERN_IPM_LIFT_LEAST KERN_R(1.5)
-/* How far they are lifted besides, in their largest entry. */
+/* Starting point: x and z are also raised by this share of their largest
+   entry. */
 #define KERN_IPM_LIFT_SHARE KERN_R(1e-3)
-/* Least -s with which a query continues from the last: with s = 0 it could not
-   find that it falls. */
+/* Least -s with which a query continues from the last one. With s = 0 it could
+   not find that the structure falls. */
 #define KERN_IPM_S KERN_R(1e-3)
-/* Least gap with which it continues: nearer to the boundary it could not
+/* Least gap with which a query continues: closer to the boundary it could not
    turn. */
 #define KERN_IPM_GAP KERN_R(1e-3)
-/* Least product x z after a step, in means of all. */
+/* Least product x z after a step, as a share of the mean product. */
 #define KERN_IPM_CENTRE KERN_R(0.03)
-/* Least share of a gap that a step aims at. With less, fewer verdicts are
+/* Least share of the gap that a step aims at. With less, fewer verdicts are
    decided. */
 #define KERN_IPM_AIM KERN_R(0.03)
-/* Gap that is rounding: the square of what shifts the diagonal. */
+/* Gap that is rounding: the square of the shift of the diagonal. */
 #define KERN_IPM_GAP_LEAST (KERN_IPM_SHIFT * KERN_IPM_SHIFT)
-/* Gap above which no digits are left. */
+/* Largest gap of a solution that still has digits. */
 #define KERN_IPM_GAP_MOST KERN_BOUND
-/* Share of the gap that a step may leave, in the mean, or the method begins
-   again: without that some walls take three times the work. */
+/* A continued query restarts if after k steps its gap exceeds the first gap
+   times KERN_IPM_SLACK KERN_IPM_PACE^k. Otherwise some walls take three times
+   the work. */
 #define KERN_IPM_PACE KERN_R(0.95)
-/* Gap of a later step of a continued query, over its first gap, above which the
-   method begins again. */
+/* The factor of that bound before the first step. */
 #define KERN_IPM_SLACK KERN_R(1.1)
 
 /* ---- simplex method ---- */
 
-/* Violation of x >= 0 that counts, as a share of the largest load. */
+/* Least violation of x >= 0 that counts, as a share of the largest load. */
 #define KERN_VALUE_TOL KERN_PICK(1e-10, 1e-5)
-/* Least gain of a column that enters, as a share of the largest price. With a
-   lower gain the method would follow rounding. */
+/* Least gain of a column that enters, as a share of the largest price. With
+   less the method would follow rounding. */
 #define KERN_PRICE_TOL KERN_VALUE_TOL
 /* Least pivot, as a share of the largest entry of the entering column. */
 #define KERN_PIVOT_LEAST KERN_VALUE_TOL
 /* Rounding of a price, of a slope and of x and y, as a share of the largest. */
 #define KERN_LP_ROUNDING KERN_ROUNDING
-/* How far a certificate is lifted off the columns that it touches, as a share
-   of its largest entry: the check of a motion adds as much. */
+/* Lift of a certificate off the columns that it touches, as a share of its
+   largest entry: the check of a motion allows for as much rounding. */
 #define KERN_LIFT KERN_ROUNDING
-/* Residual of the basic solution, as a share of its largest value, above which
-   a basis is factored again. */
+/* Largest residual of a basic solution, as a share of its largest value, before
+   the basis is factored again. */
 #define KERN_BASIS_TOL KERN_PASS_TOL
-/* How often a basic solution is refined: each time it gains most digits. */
+/* Refinements of a basic solution; each gains most of the digits. */
 #define KERN_REFINES 3
-/* Least pivot of a column that is factored after its group's own, as a share of
-   its largest entry: less depends on the columns before it. */
+/* Least pivot of a column that is factored after its group's own columns, as a
+   share of its largest entry. Below it the column depends on those before
+   it. */
 #define KERN_LATE_PIVOT KERN_PICK(1e-4, 1e-2)
-/* Least pivot of a column in its own group, where its entries are about 1. Less
-   makes the inverse grow from course to course, more fills it: at 0.01 a call
-   may take more than 2,000 instructions for a unit of its limit. */
+/* Least pivot of a column in its own group, where its entries are about 1. With
+   less the inverse grows from course to course. With more it fills: at 0.01 a
+   call may take more than 2,000 instructions for a unit of its limit. */
 #define KERN_OWN_TOL KERN_R(0.03)
-/* Crash basis: columns of a group that are tried; the arrays are on the
+/* Crash basis: most columns of a group that are tried; the arrays are on the
    stack. */
 #define KERN_CRASH_COLUMNS 12
 /* Crash basis: least determinant of three columns with entries of about 1. */
 #define KERN_CRASH_DET KERN_LATE_PIVOT
-/* Crash basis: most pull of a column, in loads. */
+/* Crash basis: largest pull of a column, in loads of its group. */
 #define KERN_CRASH_PULL KERN_R(2)
-/* Pivots before prices are refined: most programs take fewer. */
+/* Prices are refined after KERN_PIVOTS + KERN_PIVOTS_ROW rows pivots. Most
+   programs take fewer. */
 #define KERN_PIVOTS 50
-/* Such pivots more for each row. */
+/* The pivots of that budget for each row. */
 #define KERN_PIVOTS_ROW 2
-/* Bland's rule begins after this multiple of these: it is safe, and slow. */
+/* Budgets of pivots after which Bland's rule is used: it is safe, and slow. */
 #define KERN_PIVOTS_BLAND 5
-/* Limit of the pivots of a program of a structure: this many budgets of the
-   pivots above, plus one for each column. Only jams take more than two budgets,
-   and the interior point answers them sooner. */
+/* Budgets of pivots after which a program of a structure ends; one pivot for
+   each column is added. Only jams take more than two budgets, and the interior
+   point answers them sooner. */
 #define KERN_PIVOTS_JAM 3
-/* Pivots in all of other programs, to end what rounding might keep going. */
+/* Most pivots of other programs, as a constant: it ends cycles of rounding. */
 #define KERN_PIVOTS_MOST 200
-/* Such pivots more for each row and column. */
+/* Most pivots of other programs, for each row and column. */
 #define KERN_PIVOTS_EACH 20
 
 /* ---- raised ---- */
 
-/* Norm of the forces, in all loads, beyond which none are expected. */
+/* Norm of the forces, in loads of all groups, beyond which the search ends. */
 #define KERN_RAISE_NORM KERN_R(200)
-/* Slide of a stone that falls into a jam, in approaches. */
+/* Largest slide, in approaches, of a contact in a proof: a stone that falls
+   into a jam slides farther. */
 #define KERN_SLIDE_MOST KERN_R(100)
 /* Most rounds of Newton's method for one set of prices; usually it takes 4. */
 #define KERN_PRICED_ROUNDS 10
-/* A search is lost once u goes this many times as far as in its first round,
-   and once more for each group, since in a row their slides add up; or, from a
-   place that was shown, this many times as far as that is from the unloaded
-   one. */
+/* A search is lost if u goes this many times as far as in its first round, plus
+   once for each group, since in a row of groups their slides add up. It is also
+   lost if u goes KERN_JUMPS times as far from the last place shown as that is
+   from the unloaded one. */
 #define KERN_RUNS_AWAY KERN_R(30)
 #define KERN_JUMPS KERN_R(2)
-/* And once prices have not settled for this many rounds and half as many as
-   there are groups: with fewer a long row is given up before its far end has
-   moved. */
+/* A search is also lost after this many rounds, plus half as many as there are
+   groups, in which the prices have not settled. With fewer rounds a long row is
+   given up before its other end has moved. */
 #define KERN_PATIENCE 20
-/* The most work of one search, in factors of its matrix. */
+/* Most work of one search, as a multiple of the cost of a factorisation. */
 #define KERN_SEARCH_COSTS 3000
 /* Prices are extrapolated by KERN_FORWARD of their last changes where the
    cosine of the last two changes is larger than KERN_COHERENT. */
 #define KERN_FORWARD KERN_R(2)
 #define KERN_COHERENT KERN_R(0.7)
-/* Share of a price's fall in a round. */
+/* Share of the way by which a price falls in a round. */
 #define KERN_PRICE_FALL KERN_R(0.3)
-/* Newton's method: where no more contacts than this changed in the last round,
-   and its most steps. With more steps it costs more and finds no more. */
+/* Newton's method begins if at most KERN_FEW_CHANGES contacts changed in the
+   last round, and takes at most KERN_NEWTON_ROUNDS steps. With more steps it
+   costs more and finds no more. */
 #define KERN_FEW_CHANGES 2
 #define KERN_NEWTON_ROUNDS 3
-/* Steps of a load up to the load factor; where one fails, the share of it that
-   is tried, since a step that fails takes the work of ten that are shown; and
-   the share of the load that was shown below which no step is tried. The load
-   factor may be several times too high: a least step that is a share of it
-   would stop within 3 % of limit equilibrium. */
+/* A load grows to the load factor in KERN_LOAD_STEPS steps. A step that fails
+   is divided by KERN_LOAD_FINER, since a failing step takes the work of ten
+   others. No step is below the share KERN_LOAD_NARROW of the load that was
+   shown. As a share of the load factor, which may be several times too high,
+   the least step would stop 3 % before limit equilibrium. */
 #define KERN_LOAD_STEPS 10
 #define KERN_LOAD_FINER 4
 #define KERN_LOAD_NARROW KERN_R(0.005)
-/* kern_stays(): from block to block, how many contacts away from the stone what
-   is not held may be: with 3 and 5 it tells less. No proof is asked for,
-   so that contacts may be less stiff along t. */
+/* kern_stays(): distance from the stone, in contacts from block to block, up to
+   which blocks are free. All others are held. With 3 or 5 the chance tells
+   less. */
 #define KERN_STAYS_NEAR 4
+/* kern_stays(): stiffness along t. It is less than where a proof requires that
+   contacts stick within KERN_STICKS. */
 #define KERN_STAYS_STIFF KERN_R(4)
-/* The law of kern_stays(), fitted to placements: the largest reserve that it
-   searches for, the number added to the reserve, and the scale. A larger
-   reserve does not change the chance. */
+/* kern_stays(): the largest reserve that is searched for, the number added to
+   the reserve, and the scale, all fitted to placements. A larger reserve does
+   not change the chance. */
 #define KERN_STAYS_MOST KERN_R(0.01)
 #define KERN_STAYS_ADD KERN_R(0.004)
 #define KERN_STAYS_ODDS KERN_R(5.5e7)
 
 /* ---- Vectors ------------------------------------------------------ >>vec */
 
-/* Returns a without its sign, also of -0. Compilers do not find the one
+/* Returns the magnitude of a, and 0 for -0. Compilers do not find the one
    instruction by themselves. */
 static kern_real kern_abs(kern_real a)
 {
@@ -1949,16 +2067,17 @@ static int kern_vec_is_moderate(kern_vec a)
     return kern_abs(a.x) + kern_abs(a.y) <= KERN_FAR;
 }
 
-/* Returns the sine by its series, since the last digit of libm's differs
-   between machines. Angles below KERN_ANGLE_MOST are right to eight digits. */
+/* Returns the sine by its series, since the last digit of libm's sine differs
+   between machines. It is right to eight digits for angles below
+   KERN_ANGLE_MOST. */
 static kern_real kern_sine(kern_real angle)
 {
     const kern_real q = angle * angle;
     return angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42)));
 }
 
-/* Keeps of the interval [*low, *high] those s for which at + s slope lies from
-   least to most. An empty interval has *low > *high. */
+/* Shortens the interval [*low, *high] to those s for which at + s slope lies
+   from least to most. An empty interval has *low > *high. */
 static void kern_clip(kern_real *low, kern_real *high, kern_real at,
                       kern_real slope, kern_real least, kern_real most)
 {
@@ -1991,7 +2110,7 @@ static kern_real kern_wrench_sum(const void *w)
     return kern_abs(of[0]) + kern_abs(of[1]) + kern_abs(of[2]);
 }
 
-/* v := s v, n numbers, also those of structs of numbers */
+/* v := s v, for n numbers, also those of structs of numbers */
 static void kern_scale(void *v, int n, kern_real s)
 {
     kern_real *to = (kern_real *)v;
@@ -2031,7 +2150,7 @@ static kern_real kern_largest(const kern_real *v, int n)
     kern_real size = 0;
     int i;
     for (i = 0; i < n; i++)
-        if (!(size > kern_abs(v[i]))) /* in place: a third of all */
+        if (!(size > kern_abs(v[i]))) /* no call: it would cost a third */
             size = kern_abs(v[i]);
     return size;
 }
@@ -2069,7 +2188,7 @@ static void kern_box_add(kern_box *box, kern_vec p)
 }
 
 /* ---- Statics -------------------------------------------------- >>statics */
-/* Eq. (5) of >>method, which kern_part_set() writes:
+/* Eq. (5) of >>method, as kern_part_set() writes it:
 
        \   n   /         f n + r t = x1 (n + mu t) + x2 (n - mu t),
         \  |  /              x1, x2 >= 0
@@ -2080,35 +2199,35 @@ static void kern_box_add(kern_box *box, kern_vec p)
    columns for each contact point. Units are the size of the block and the
    weight of all. */
 
-/* Contacts that may carry: all, or those alone whose kerns are nested. */
+/* Contacts that may carry: all, or only those with nested kerns. */
 typedef enum kern_carry { KERN_CARRY_ALL, KERN_CARRY_NESTED } kern_carry;
 
-/* A question: which weights and loads are to be carried, and how far kerns
-   shrink. */
+/* A question: which weights and loads the structure has to carry, and how far
+   kerns shrink. */
 typedef struct kern_query {
     kern_real shrink; /* of all kerns [m; relative: share of each travel]   */
     int relative;     /* nonzero: shrink is a share                         */
-    kern_real narrow; /* rate at which cones narrow                         */
-    kern_real mean;   /* size of the free blocks                            */
+    kern_real narrow; /* rate at which friction cones narrow                */
+    kern_real mean;   /* mean size of the free blocks                       */
     kern_vec gravity;
     const kern_wrench *pattern; /* NULL: side * m |g| horizontally          */
     kern_real factor;           /* of the pattern                           */
-    kern_real loads;            /* share of the blocks' loads               */
-    int side;                   /* 1 or -1, of the NULL pattern or a tilt   */
+    kern_real loads;            /* factor of the blocks' own loads          */
+    int side;                   /* 1 or -1, of a NULL pattern or a tilt     */
     const kern_real *fallen;    /* block i is gone if fallen[i] >= 0; NULL:
-                                           none is gone                     */
-    kern_real shortest;         /* a shorter contact carries nothing [m]    */
+                                           no block is gone                 */
+    kern_real shortest;         /* shorter contacts carry nothing [m]       */
     kern_carry carry;           /* contacts that may carry                  */
 } kern_query;
 
-/* Returns the tangent by which a query narrows the cones of friction. */
+/* Returns the tangent of the angle by which a query narrows friction cones. */
 static kern_real kern_reduction(const kern_query *q)
 {
     return kern_max(q->narrow * q->shrink, 0);
 }
 
-/* Returns the friction of a contact whose cone is narrower by the angle of a
-   tangent. */
+/* Returns the friction of a contact whose cone is narrowed by the angle with
+   the tangent `reduction`. */
 static inline kern_real kern_friction(const kern_contact *c,
                                       kern_real reduction)
 {
@@ -2123,22 +2242,23 @@ static inline int kern_is_gone(const kern_query *q, int i)
     return q->fallen && q->fallen[i] >= 0;
 }
 
-/* Returns the travel of a contact point, 0 where it is too short to be one. */
+/* Returns the travel of a contact point, or 0 if it is so short that it is
+   rounding. */
 KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
 {
     KERN_ASSERT(mean > 0);
     return kern_abs(c->travel) < KERN_TRAVEL_LEAST * mean ? 0 : c->travel;
 }
 
-/* Returns the length of a contact's line, or about that of its points; 0 for a
-   lone point. */
+/* Returns the length of a contact's line, or about that of the interface of its
+   points. Returns 0 for a single point. */
 static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
 {
     return 2 * kern_abs(kern_travel(c, mean));
 }
 
-/* Returns 1 if a contact carries nothing: it is too short, it is a point that
-   travels and these are left out, or one of its blocks is gone. */
+/* Returns 1 if a contact carries nothing: it is too short, one of its blocks is
+   gone, or it is a travelling point and these are left out. */
 static inline int kern_is_out(const kern_query *q, const kern_contact *c)
 {
     const kern_real len = q->shortest > 0 ? kern_contact_length(c, q->mean) : 0;
@@ -2168,15 +2288,15 @@ static void kern_pattern_on(const kern_structure *s, const kern_query *q, int i,
                    s->block[i].mass * KERN_R(q->side), w);
 }
 
-/* Returns the magnitude of a force, which is not 0 where only its squares
-   are. */
+/* Returns the magnitude of a force. It is not 0 if only the squares
+   underflow. */
 static kern_real kern_force_size(const kern_wrench *w)
 {
     const kern_vec f = kern_vec_make(w->fx, w->fy);
     return kern_max(kern_vec_length(f), kern_vec_largest(f));
 }
 
-/* Adds a share of a wrench on block b to a sum. Returns the magnitude of the
+/* Adds a share of a wrench on block b to `sum`. Returns the magnitude of the
    addend. */
 static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
                                  const kern_wrench *w, kern_real share)
@@ -2188,9 +2308,8 @@ static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
          * (kern_force_size(w) + kern_abs(w->torque) / kern_block_size(b));
 }
 
-/* Writes the sum of all that acts on block i besides its contacts. Returns
-   the sum of the magnitudes, by which the residual of its equilibrium is
-   measured. */
+/* Writes the sum of all wrenches on block i except those of its contacts.
+   Returns the sum of their magnitudes, the scale of the block's residual. */
 static inline kern_real kern_wrench_on(const kern_structure *s,
                                        const kern_query *q, int i,
                                        kern_wrench *sum)
@@ -2206,8 +2325,8 @@ static inline kern_real kern_wrench_on(const kern_structure *s,
     return size + kern_wrench_add(sum, b, &pattern, q->factor);
 }
 
-/* Returns how far along t a contact point moves with a shrinkage, and in *rate
-   how fast. */
+/* Returns how far along t a shrinkage moves a contact point. Writes the rate of
+   that motion to *rate. */
 static kern_real kern_shift(kern_real travel, kern_real shrink, int relative,
                             kern_real *rate)
 {
@@ -2230,9 +2349,9 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
 }
 
 /* Writes the arms from the centres of blocks a and b to the place where contact
-   c acts. Returns how far along t that has moved. The centre is subtracted
-   first, since far from the origin a place has fewer digits than an arm. A
-   tenth of the time is spent here. */
+   c acts. Returns how far along t the shrinkage has moved it. The centre is
+   subtracted before that motion is added, since far from the origin a place has
+   fewer digits than an arm. A tenth of the time is spent here. */
 static inline kern_real kern_arms(const kern_structure *s,
                                   const kern_contact *c, const kern_query *q,
                                   kern_vec arm[2])
@@ -2258,7 +2377,7 @@ static kern_vec kern_meeting_motion(const kern_structure *s,
                         kern_velocity(motion + c->a, arm[0]));
 }
 
-/* Returns 1 if contact points i and i + 1 are the ends of one line. */
+/* Returns 1 if contact points i and i + 1 are the ends of a line. */
 static int kern_line_begins(const kern_contact *contact, int contacts, int i)
 {
     const kern_contact *c = contact + i;
@@ -2280,9 +2399,9 @@ KERN_SHARED static int kern_same_interface(const kern_contact *c,
 }
 
 /* ---- Work arrays ------------------------------------------------- >>work */
-/* Work memory that is left. Slices are taken from it one after the other. Where
-   a slice does not fit, the number that is left becomes -1 and stays below 0:
-   that slice and all later ones mean nothing. */
+/* The work memory that is left. Slices are taken from it one after the other.
+   If a slice does not fit, the count that is left becomes -1 and stays
+   negative. That slice and all later ones must not be used. */
 
 typedef struct kern_take {
     kern_real *real;
@@ -2297,8 +2416,8 @@ KERN_SHARED static void kern_take_open(kern_take *take, const kern_work *work)
     *take = all;
 }
 
-/* Takes n numbers, or indices. What does not fit leaves a count below 0, which
-   no later slice undoes. */
+/* Takes n numbers, or n indices. If they do not fit the count becomes negative,
+   and no later slice changes that. */
 static kern_real *kern_take_reals(kern_take *take, int n)
 {
     kern_real *const at = take->real;
@@ -2316,14 +2435,14 @@ static int *kern_take_ints(kern_take *take, int n)
     return at;
 }
 
-/* Takes the last n numbers of what is left. */
+/* Takes n numbers from the end of the memory that is left. */
 static kern_real *kern_take_last(kern_take *take, int n)
 {
     take->reals -= n;
     return take->real + take->reals;
 }
 
-/* Returns 1 if every slice so far fitted. */
+/* Returns 1 if every slice so far has fitted. */
 static int kern_take_fits(const kern_take *take)
 {
     return take->reals >= 0 && take->indices >= 0;
@@ -2349,7 +2468,7 @@ static void kern_work_begin(kern_work *work)
     work->units = 0;
 }
 
-/* Counts work that is about to be done. Returns 0 where the call has no more
+/* Counts work that is about to be done. Returns 0 if the call has not so much
    left: this and all further work is refused, and the call ends. */
 static int kern_spend(kern_work *work, int limit, int units)
 {
@@ -2359,8 +2478,8 @@ static int kern_spend(kern_work *work, int limit, int units)
     return units <= left;
 }
 
-/* Returns the status of a call: KERN_LIMIT where work was refused on the
-   way. */
+/* Returns the status of a call: KERN_LIMIT if work was refused, otherwise
+   `status`. */
 static kern_status kern_ended(const kern_task *task, kern_status status)
 {
     return task->work->units > kern_limit_of(task->options.limit) ? KERN_LIMIT
@@ -2399,13 +2518,13 @@ static inline kern_status kern_contact_check(const kern_contact *c, int blocks)
         return KERN_SAME_BLOCK;
     if (!kern_vec_is_moderate(c->p)
         || !(kern_abs(c->travel) <= KERN_FAR)
-        /* 0 times what is not finite is not a number */
+        /* 0 times a number that is not finite is not a number */
         || !kern_is_finite(0 * c->n.x + 0 * c->n.y + 0 * c->mu))
         return KERN_BAD_NUMBER;
     return c->mu < 0 ? KERN_BAD_FRICTION : KERN_OK;
 }
 
-/* Checks a block. Sets *loaded where it is free and something acts on it. */
+/* Checks a block. Sets *loaded if it is free and a load acts on it. */
 static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
                                     int *loaded)
 {
@@ -2430,7 +2549,7 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
              : KERN_BAD_NUMBER;
 }
 
-/* Checks what the arrays of a structure hold. */
+/* Checks the contents of the arrays of a structure. */
 static kern_status kern_structure_check(const kern_structure *s,
                                         kern_fault *fault)
 {
@@ -2460,9 +2579,9 @@ static kern_status kern_structure_check(const kern_structure *s,
     return KERN_OK;
 }
 
-/* Checks all arguments except the contents of the arrays; `out` is where the
-   answer goes; a verdict has no result, and passes the task. Clears the units
-   and the fault of the work memory; its other counters add up over calls. */
+/* Checks all arguments except the contents of the arrays. `out` is the address
+   of the result; a verdict has none, and passes the task. Clears the units and
+   the fault of the work memory. Its other counters add up over calls. */
 static kern_status kern_task_check(const kern_task *task, kern_real shrink,
                                    const void *out)
 {
@@ -2471,7 +2590,7 @@ static kern_status kern_task_check(const kern_task *task, kern_real shrink,
     if (!task || !task->work || !task->work->real || !task->work->index || !out)
         return KERN_BAD_POINTER;
     s = &task->s;
-    /* what kern_contacts() returned, and the fault that it left */
+    /* a status that kern_contacts() returned; its fault is kept */
     if (s->contacts <= (int)KERN_NO_SPACE
         && s->contacts >= (int)KERN_STATUS_LEAST)
         return (kern_status)s->contacts;
@@ -2545,30 +2664,31 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
-/* Proofs read the caller's data and nothing else. Their error is a share of
-   what is allowed: a proof with an error of at most 1 holds.
+/* Proofs read only the caller's data. Their error is a share of the allowed
+   error: a proof with an error of at most 1 holds.
 
    Forces prove "stands". Each lies in its cone. The residual of each row of
-   equilibrium is within KERN_TOL of what acts on the block, or within the
-   rounding of the forces that meet there. Their sum is at most KERN_BOUND times
-   the weight.
+   equilibrium is within KERN_TOL of the loads on the block, or within the
+   rounding of the contact forces there. The sum of all forces is at most
+   KERN_BOUND times the weight.
 
    A motion proves "falls". Its power exceeds its own rounding plus KERN_BOUND
    times the weight of the moving part times the highest speed at which it
-   closes a contact: forces of that sum could not hold it. The speed includes
-   all that rounding may have taken from it, so that the proof holds without
-   rounding as well. */
+   closes a contact: forces of that sum could not hold it. The speed includes a
+   bound of its own rounding error, so the proof also holds in exact
+   arithmetic. */
 
-/* Returns the error of equilibrium: the largest residual of free blocks, or the
-   sum `total` of all normal forces, as a share of what is allowed. `sum` is
-   what contacts exert, four numbers a block. An error above 1 is at least 2. */
+/* Returns the error of equilibrium as a share of the allowed error: the largest
+   residual of free blocks, or the sum `total` of all normal forces. `sum` has
+   the wrenches that contacts exert, four numbers a block. An error above 1 is
+   returned as at least 2. */
 static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                                  const kern_real *sum, kern_real total)
 {
     kern_real error = 0, weight = 0;
     int i;
 
-    /* The residual of each row of a free block, as a share of what acts on
+    /* The residual of each row of a free block, as a share of the loads on
        it. */
     for (i = 0; i < s->blocks; i++, sum += 4)
         if (!s->block[i].fixed && !kern_is_gone(q, i)) {
@@ -2587,7 +2707,7 @@ static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                     error, left / (KERN_TOL * size + KERN_ROUNDING * sum[3]));
         }
 
-    /* The sum of the forces, over the largest that a proof may have. */
+    /* The sum of the forces, as a share of the largest in a proof. */
     weight *= KERN_BOUND;
     if (!kern_is_finite(weight)) /* it would allow any forces */
         return KERN_INFINITY;
@@ -2608,8 +2728,8 @@ KERN_SHARED static void kern_prove_end(kern_real *sum, kern_vec arm,
 }
 
 /* Returns the error of forces as a proof that the structure stands, as a share
-   of what is allowed. Infinity: they prove nothing. `sum` is scratch, four
-   numbers a block. */
+   of the allowed error. Returns KERN_INFINITY if they prove nothing. `sum` is
+   scratch, four numbers a block. */
 static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
                                    const kern_force *force, kern_real *sum)
 {
@@ -2619,7 +2739,8 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
     KERN_ASSERT(force && sum);
     kern_zero(sum, 4 * s->blocks);
 
-    /* Each force must be in its cone. Sums what it does to its two blocks. */
+    /* Each force must be in its cone. Its wrenches are added to its two
+       blocks. */
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real f = force[i].normal, r = force[i].tangential;
@@ -2640,15 +2761,15 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
         total += f;
     }
 
-    /* What the sums leave of equilibrium. */
+    /* The residual of equilibrium that the sums leave. */
     return kern_prove_rows(s, q, sum, total);
 }
 
-/* Returns an upper bound of the speed at which a motion closes contact c: the
-   worst force of 1 there takes as much power out of the motion. The bound
+/* Returns an upper bound of the speed at which a motion closes contact c. A
+   force of 1 in the cone takes at most that power out of the motion. The bound
    includes the rounding of this sum. Each operation may lose half of KERN_EPS
-   of its result. An arm takes three operations, and its rounding error is
-   multiplied by the spin. */
+   of its result. An arm takes three operations, and the spin multiplies its
+   rounding error. */
 static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
                               const kern_query *q, const kern_motion *motion)
 {
@@ -2673,10 +2794,10 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
          + KERN_EPS / 2 * gap + KERN_POWER_LEAST;
 }
 
-/* Returns a number that is 0 only if a block rests. */
+/* Returns a norm of a motion: 0 only if the block rests. */
 static kern_real kern_speed(const kern_motion *m) { return kern_wrench_sum(m); }
 
-/* Returns the speed of a block's centre, or of its turning if that is
+/* Returns the speed of a block's centre, or its spin times its size if that is
    larger. */
 static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
 {
@@ -2684,7 +2805,7 @@ static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
                     kern_abs(v->spin) * kern_block_size(b));
 }
 
-/* Scales a motion, so that the speed of the fastest block is 1. */
+/* Scales a motion so that kern_block_speed() of the fastest block is 1. */
 static void kern_motion_scale(const kern_structure *s, kern_motion *v)
 {
     kern_real most = 0;
@@ -2702,15 +2823,15 @@ static kern_real kern_speeds(const kern_contact *c, const kern_motion *motion)
 }
 
 /* Returns the error of a motion as a proof that the structure falls, as a share
-   of what is allowed. Infinity: the motion proves nothing. */
+   of the allowed error. Returns KERN_INFINITY if the motion proves nothing. */
 static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
                                    const kern_motion *motion)
 {
     kern_real power = 0, terms = power, weight = power, closing = power;
     int i, first = -1; /* block that moves */
 
-    /* Sums the power of all that acts on the moving blocks, the terms of that
-       sum, whose rounding counts, and the weight of what moves. */
+    /* Sums the power of the loads on the moving blocks, the magnitudes of its
+       terms, by which it rounds, and the weight of the moving blocks. */
     for (i = 0; i < s->blocks; i++) {
         const kern_motion *m = motion + i;
         kern_wrench w, p;
@@ -2728,13 +2849,12 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
         terms += kern_wrench_sum(&p);
     }
 
-    /* Forces of this sum must not be able to hold the motion. Without a power
-       that is safely above 0 there is nothing to prove. */
+    /* Without a power that is safely above 0 there is nothing to prove. */
     weight *= KERN_BOUND;
     if (!(power > KERN_POWER_LEAST) || !kern_is_finite(terms + weight))
         return KERN_INFINITY;
 
-    /* a stone laid last is the first that may stop it */
+    /* Begins with the contacts of the last stone, which may stop it first. */
     for (i = s->contacts - 1; i >= 0 && weight * closing <= power; i--) {
         const kern_contact *c = s->contact + i;
         if ((c->a >= first || c->b >= first) && kern_speeds(c, motion) > 0
@@ -2745,14 +2865,15 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
         }
     }
 
-    /* What forces could take from the power, and what rounding could. */
+    /* The power that forces and rounding could take, as a share of the
+       power. */
     return (weight * closing + KERN_ROUNDING * terms) / power;
 }
 
 /* Returns the error of forces and of the displacement that raised them, as a
-   share of what is allowed. Each contact that is loaded approaches, and slides
-   as its friction says. That is a proof for some stiffness of each contact: its
-   force over its approach. */
+   share of the allowed error. Each loaded contact approaches, and slides as its
+   friction says. The two are then a solution for some stiffness of each
+   contact: its force over its approach. */
 static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
                                    const kern_force *force,
                                    const kern_motion *motion, kern_real *sum)
@@ -2762,8 +2883,8 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
     kern_wrench w;
     int i;
 
-    /* What is fixed must rest. The least load tells which forces equilibrium
-       would not miss. */
+    /* Fixed blocks must rest. Equilibrium does not need forces that are far
+       below the least load. */
     for (i = 0; i < s->blocks; i++)
         if (!s->block[i].fixed)
             least = kern_min(least, kern_wrench_on(s, q, i, &w));
@@ -2781,7 +2902,7 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
         const kern_real press = -kern_vec_dot(c->n, u);
         const kern_real slide = kern_vec_cross(c->n, u);
         if (!(f
-              > KERN_PRESSED_LEAST * least)) /* equilibrium would not miss it */
+              > KERN_PRESSED_LEAST * least)) /* equilibrium does not need it */
             continue;
         if (!(press
               > KERN_ROUNDING
@@ -2794,8 +2915,8 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
     return error;
 }
 
-/* Keeps in the set (value >= 0) only free, unloaded blocks that nothing outside
-   of it presses against gravity. Returns how many are left. */
+/* Keeps in the set (value >= 0) only free blocks without loads that no block
+   outside of the set holds up against gravity. Returns how many are left. */
 static int kern_unsupported(const kern_structure *s, kern_real *value)
 {
     const kern_real pull = kern_vec_length(s->gravity);
@@ -2857,7 +2978,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
         || kern_query_check(task, shrink, proof, &q) != KERN_OK)
         return KERN_INFINITY;
 
-    /* The sums of the proof lie in the work memory, and after them a mark for
+    /* The work memory holds the sums of the proof, and after them a mark for
        each block. */
     s = &task->s;
     kern_take_open(&take, task->work);
@@ -2869,8 +2990,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
     if (raising == KERN_RAISED)
         return kern_prove_raised(s, &q, proof->force, proof->motion, sum);
 
-    /* Otherwise the motion names the blocks that hang: nothing may hold them
-       up, and the forces must hold the others without them. */
+    /* The motion names the blocks that hang. Nothing may hold them up, and the
+       forces must hold the others without them. */
     value = sum + 4 * s->blocks;
     for (i = 0; i < s->blocks; i++) { /* every block that moves must hang */
         const int falls = kern_speed(proof->motion + i) > 0;
@@ -2884,50 +3005,51 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 }
 
 /* ---- The model ------------------------------------------------- >>model */
-/* Each free block becomes a group of three rows. Groups are numbered from top
-   to bottom, along gravity, so that the groups that a group carries have
-   smaller numbers. Blocks that are fixed or have been taken away are the
-   ground, which has the number after the last. A contact belongs to its upper
-   group, which it carries. */
+/* Each free block becomes a group of three rows. Groups are numbered along
+   gravity from top to bottom, so a group has a larger number than those that it
+   carries. Fixed blocks and blocks that have been taken away are the ground,
+   whose number follows the last group. A contact belongs to its upper group,
+   which it carries. */
 
 /* Groups and the contacts between them.
 
-   `local` says which groups are in the part that is open. It has three phases:
-   KERN_OUT for every group while no part is open; KERN_MARKED for those that
-   the next part is to have; and its number in the part for each group of the
-   open one, KERN_OUT for all others. kern_norm_open() takes the groups that are
-   not marked: what is held has any other number then. */
+   `local` tells which groups are in the open part. It has three phases. While
+   no part is open it is KERN_OUT for every group. Before a part is opened it is
+   KERN_MARKED for the groups of the next part. While a part is open it is the
+   number in the part, and KERN_OUT for all other groups. kern_norm_open() takes
+   the groups with KERN_OUT; any other number then means that the group is
+   held. */
 typedef struct kern_graph {
     int groups;
     int *group;        /* of a block                                     */
     int *block;        /* of a group                                     */
     int *ends;         /* groups of b (2 i) and a (2 i + 1), contact i   */
-    int *touch;        /* of a group: the first end of a contact there   */
-    int *after;        /* of an end: the next end at the same group      */
-    kern_real *torque; /* two an end: of n and t, as its row has them    */
-    int *local;        /* of a group: its number in the open part        */
-    int *carrier;      /* of a group: what alone bears it; or KERN_OUT   */
+    int *touch;        /* of a group: the first end of a contact there     */
+    int *after;        /* of an end: the next end at the same group        */
+    kern_real *torque; /* two an end: of n and t, as kern_row has them     */
+    int *local;        /* of a group: its number in the open part          */
+    int *carrier;      /* of a group: its only carrier, or KERN_OUT        */
 } kern_graph;
 
 /* The forces and the motion of the last verdict.
 
    `force` has two phases. Between verdicts, and in the pass, it holds contact
    forces: the pass replaces the forces from which it begins by those that it
-   finds. While a program of all groups is solved, kern_model_rays() keeps other
-   data in `force`. `sum` is scratch memory of the proofs: no function leaves
+   finds. While a program of all groups is solved, it is scratch
+   (kern_model_rays()). `sum` is scratch of the proofs: no function leaves
    anything in it for another. */
 typedef struct kern_answer {
-    const kern_known *known; /* forces that held one like it, or NULL        */
+    const kern_known *known; /* forces that held a similar structure, or NULL */
     kern_force *force;       /* one a contact                                */
     kern_motion *motion;     /* one a block                                  */
     kern_real *sum;          /* four a block                                 */
 } kern_answer;
 
-/* States of a cluster, of which it may have both: it must be balanced; its
-   groups have been balanced as one part before. */
+/* States of a cluster: it must be balanced; its groups have been balanced as
+   one part before. Both may be set. */
 enum { KERN_OPEN = 1, KERN_TRIED = 2 };
 
-/* In graph.local: the group is to be one of the next part. */
+/* A value of graph.local: the group will belong to the next part. */
 enum { KERN_MARKED = 0 };
 
 /* Disjoint sets of groups that are balanced together. */
@@ -2935,33 +3057,33 @@ typedef struct kern_clusters {
     int *last;       /* of a group: the last group of its cluster    */
     int *next;       /* of a group: the next of its cluster, cyclic  */
     int *open;       /* of a last group: the state of its cluster    */
-    int front;       /* no cluster that is open ends before this one       */
-    int groups_most; /* largest number of groups of a cluster              */
-    int budget_end;  /* units of work at which the pass ends               */
-    int changed;     /* group that known forces may not balance, if they
-                                 begin the next pass, or KERN_OUT             */
+    int front;       /* no open cluster ends before this group       */
+    int groups_most; /* largest number of groups of a cluster        */
+    int budget_end;  /* units of work at which the pass ends         */
+    int changed;     /* group that known forces may not balance, if the next
+                                 pass begins from them; or KERN_OUT   */
 } kern_clusters;
 
 typedef struct kern_model {
-    const kern_task *task; /* that it is of                                */
+    const kern_task *task; /* its task                                    */
     const kern_structure *s;
     kern_graph graph;
     kern_answer answer;
     int relative;
-    kern_real mean;      /* size of the free blocks                      */
-    kern_real weight;    /* unit of force: all that acts on free blocks  */
+    kern_real mean;      /* mean size of the free blocks                 */
+    kern_real weight;    /* unit of force: all loads on free blocks      */
     kern_real *unit;     /* of a group: 1 / the unit of its torques      */
     kern_real *load;     /* three a group: what contacts must exert [N]  */
-    kern_real *size;     /* of a group: magnitude of all that acts       */
-    kern_real shrunk;    /* shrinkage that torques are of, or infinity   */
-    kern_real reduction; /* of cones of friction, of the last question   */
+    kern_real *size;     /* of a group: magnitude of its loads           */
+    kern_real shrunk;    /* shrinkage of graph.torque, or infinity       */
+    kern_real reduction; /* of friction cones, of the last query         */
     kern_clusters cluster;
     int whole;        /* nonzero: all groups are one part             */
-    kern_take common; /* work memory behind what every method needs   */
+    kern_take common; /* work memory after the arrays of every method */
     kern_take rest;   /* work memory that is left                     */
 } kern_model;
 
-/* Structs that are copied, cleared and scaled as numbers. */
+/* Structs that are copied, cleared and scaled as arrays of numbers. */
 typedef char kern_structs_are_numbers
     [sizeof(kern_force) == 2 * sizeof(kern_real)
              && sizeof(kern_motion) == 3 * sizeof(kern_real)
@@ -3013,8 +3135,8 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     return known;
 }
 
-/* Sorts the blocks of all groups along gravity, and those at one height from
-   side to side: if rounding decided, few columns of a flat arch would be own
+/* Sorts the blocks of all groups along gravity, and those of equal height from
+   side to side. If rounding decided, few columns of a flat arch would be own
    columns of their groups (>>lp). In float rounding is too large for that, and
    the index decides. Shell's sort needs neither memory nor recursion. */
 static void kern_model_order(const kern_model *m)
@@ -3050,9 +3172,8 @@ static void kern_model_unload(kern_model *m)
 }
 
 /* Returns an array of two numbers for each contact, one for each ray of its
-   cone, for programs of all groups. It lies in the place of the answer's
-   forces, which mean nothing while a program is asked, until kern_part_forces()
-   writes them. */
+   cone, for programs of all groups. It is the memory of the answer's forces,
+   which mean nothing until kern_part_forces() writes them again. */
 static kern_real *kern_model_rays(const kern_model *m)
 {
     return (kern_real *)(void *)m->answer.force;
@@ -3066,8 +3187,8 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     const kern_structure *s = m->s;
     int i, g, none = 0;
 
-    /* The groups are the free blocks. All that depends on groups begins again:
-       the torques, the forces, the groups that the pass balances. */
+    /* The groups are the free blocks. All data of groups are reset: the
+       torques, the forces, the groups that the pass balances. */
     for (i = s->blocks - 1; i >= 0; i--)
         if (!s->block[i].fixed && !kern_is_gone(q, i))
             graph->block[none++] = i;
@@ -3078,8 +3199,8 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     kern_model_unload(m);
     kern_model_order(m);
 
-    /* A block's group is its place in the order; that of the ground is the
-       number after the last. */
+    /* A block's group is its place in the order. The ground has the number
+       after the last. */
     for (i = 0; i < s->blocks; i++)
         graph->group[i] = none;
     for (g = 0; g < none; g++) {
@@ -3114,13 +3235,13 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     kern_take *const take = &m->rest;
     int i, groups = 0;
 
-    /* Room is for all free blocks: later queries may take some of them away,
-       but never add one. */
+    /* There is room for all free blocks: later queries may take some of them
+       away, but never add one. */
     for (i = 0; i < s->blocks; i++)
         groups += !s->block[i].fixed;
 
-    /* First the arrays that every method needs. A program of all groups then
-       begins at `common`. */
+    /* First the arrays that every method needs. A program of all groups begins
+       at `common`. */
     KERN_ASSERT(groups > 0);
     kern_take_open(take, task->work);
     graph->group = kern_take_ints(take, s->blocks + groups);
@@ -3135,7 +3256,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->answer.motion = (kern_motion *)(void *)(m->answer.sum + 4 * s->blocks);
     m->common = *take;
 
-    /* Behind that place lie the arrays of the pass and of parts. */
+    /* After that the arrays of the pass and of parts. */
     graph->touch = kern_take_ints(take, 6 * groups + 1);
     graph->carrier = graph->touch + groups;
     m->cluster.last = graph->carrier + groups;
@@ -3157,9 +3278,9 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
 }
 
 /* The row of a contact at one of its ends: three equations of the group there.
-   Every method that looks for forces takes from it the speed of a motion at the
-   contact, and the wrench of a force. Proofs have code of their own, so that no
-   fault is in both. */
+   It gives the speed of a motion at the contact, and the wrench of a force.
+   Every method that looks for forces uses it. Proofs have code of their own, so
+   that no fault is in both. */
 typedef struct kern_row {
     kern_real n[3]; /* wrench of a unit of normal force             */
     kern_real turn; /* along t it is (-n[1], n[0], turn)            */
@@ -3212,7 +3333,7 @@ static inline void kern_model_rows(const kern_model *m, const kern_query *q,
                          m->unit[m->graph.ends[2 * i + 1]]);
 }
 
-/* Returns the row at an end, for the query of kern_model_arms(). */
+/* Returns the row at an end, for the query last passed to kern_model_arms(). */
 static inline kern_row kern_model_row(const kern_model *m, int end)
 {
     const kern_vec n = m->s->contact[end >> 1].n;
@@ -3222,8 +3343,8 @@ static inline kern_row kern_model_row(const kern_model *m, int end)
     return row;
 }
 
-/* Sets the cones of a query, and the torques of all rows unless they are of the
-   same shrinkage already. */
+/* Sets the cones of a query, and the torques of all rows unless they are for
+   the same shrinkage already. */
 static void kern_model_arms(kern_model *m, const kern_query *q)
 {
     kern_real *to = m->graph.torque;
@@ -3242,8 +3363,8 @@ static void kern_model_arms(kern_model *m, const kern_query *q)
     }
 }
 
-/* Sets the unit of a group's torques: its block's size plus how far kerns
-   grew. */
+/* Sets the unit of a group's torques: the size of its block plus the growth of
+   kerns. */
 static inline void kern_model_unit(kern_model *m, const kern_query *q, int g)
 {
     const kern_real size = kern_block_size(m->s->block + m->graph.block[g]);
@@ -3251,13 +3372,14 @@ static inline void kern_model_unit(kern_model *m, const kern_query *q, int g)
     m->unit[g] = 1 / (q->relative ? size * (1 + grown) : size + grown);
 }
 
-/* Returns the friction of contact i for the query of kern_model_arms(). */
+/* Returns the friction of contact i for the query last passed to
+   kern_model_arms(). */
 static inline kern_real kern_model_mu(const kern_model *m, int i)
 {
     return kern_friction(m->s->contact + i, m->reduction);
 }
 
-/* Sets what contacts must exert on group g: -w of Eq. (5). */
+/* Sets the wrench that contacts must exert on group g: -w of Eq. (5). */
 static inline void kern_model_load(kern_model *m, const kern_query *q, int g)
 {
     kern_real *load = m->load + 3 * g;
@@ -3268,7 +3390,8 @@ static inline void kern_model_load(kern_model *m, const kern_query *q, int g)
     load[2] = -w.torque * m->unit[g];
 }
 
-/* Sets the loads of all groups, the unit of force, and that no part is open. */
+/* Sets the loads of all groups and the unit of force. Marks that no part is
+   open. */
 static void kern_model_weigh(kern_model *m, const kern_query *q)
 {
     kern_real weight = 0;
@@ -3284,14 +3407,14 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
     m->weight = weight > 0 ? weight : 1;
 }
 
-/* Sets all of the model for a query. */
+/* Sets the loads, cones and torques of a query. */
 static void kern_model_set(kern_model *m, const kern_query *q)
 {
     kern_model_weigh(m, q);
     kern_model_arms(m, q);
 }
 
-/* Returns 1 if a load lies on a block that is free. */
+/* Returns 1 if a free block has a load besides its weight. */
 static int kern_model_loaded(const kern_model *m)
 {
     int g;
@@ -3301,10 +3424,10 @@ static int kern_model_loaded(const kern_model *m)
     return 0;
 }
 
-/* Returns 1 if kerns are nested, as those of lines are: what a smaller one can
-   carry a larger one can. Points that move toward each other along different
-   tangents are not nested. range: the shortest of their travels, and the
-   longest, d_max. */
+/* Returns 1 if kerns are nested, as those of lines are: a larger kern carries
+   every load that a smaller one carries. Points that move toward each other
+   along different tangents are not nested. Writes the shortest travel and the
+   longest, d_max, to range. */
 static int kern_is_nested(const kern_model *m, kern_real range[2])
 {
     const int *ends = m->graph.ends, none = 2 * m->graph.groups;
@@ -3325,7 +3448,7 @@ static int kern_is_nested(const kern_model *m, kern_real range[2])
     return points == 0;
 }
 
-/* Sets what is known of a structure like this one, if anything is. */
+/* Sets the known forces of a similar structure, if there are any. */
 KERN_SHARED static void kern_model_know(kern_model *m, const kern_known *known)
 {
     m->answer.known = known->fails > 0 && known->force ? known : NULL;
@@ -3337,8 +3460,8 @@ static int kern_model_spend(const kern_model *m, int units)
     return kern_spend(m->task->work, m->task->options.limit, units);
 }
 
-/* Charges n queries. Even for a small part a proof looks at all blocks. Returns
-   0 if they are refused. */
+/* Charges n verdicts. Even for a small part a proof reads all blocks. Returns 0
+   if they are refused. */
 static int kern_model_ask(const kern_model *m, int queries)
 {
     return kern_model_spend(
@@ -3372,9 +3495,8 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
         m, kern_prove_forces(m->s, q, m->answer.force, m->answer.sum));
 }
 
-/* Replaces the forces at the ends of each line, which lie where `from` puts
-   them, by forces of the same wrench at the ends where `shrink` < `from` puts
-   them. */
+/* Moves the forces of each line from its ends at the shrinkage `from` to its
+   ends at `shrink` < `from`, with the same wrench. */
 static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
 {
     int i, k;
@@ -3415,38 +3537,41 @@ KERN_SHARED static void kern_proof_out(const kern_model *m,
 /* ==== Part IV: How forces and motions are found ========================== */
 
 /* ---- The simplex method -------------------------------------------- >>lp */
-/* minimise cost . x  where  A x = rhs,  x >= 0,  by the revised simplex method.
-   Variables are the columns, then the place (see kern_program), then a logical
-   for each row, a unit vector. Logicals must be zero.
+/* Minimises cost . x  where  A x = rhs,  x >= 0,  by the revised simplex
+   method. Variables are the columns, then the place (see kern_program), then a
+   logical for each row: a variable whose column is a unit vector. Logicals must
+   be zero.
 
    The inverse of the basis B is a product of factors:
 
        B^-1 = E_n ... E_2 E_1 B_0^-1.
 
    Rows come in groups of three. A column of a network (`ends` given) touches
-   one or two groups; it is an own column of the first of them, in the order in
+   one or two groups. It is an own column of the first of them, in the order in
    which groups carry each other. B_0 has three own columns of each group, or
-   logicals. So it is block triangular, and only two things are stored for each
-   group: its 3 x 3 inverse, and what its three columns do to other groups.
-   Without `ends` B_0 is the unit matrix.
+   logicals, so it is block triangular. For each group only its 3 x 3 inverse is
+   stored, and what its three columns exert on other groups. Without `ends` B_0
+   is the unit matrix.
 
    E_i lets one more column enter (the product form of the inverse). It is the
    unit matrix except for one column. Let alpha be the entering column in terms
    of the basis, and p the row in which it pivots: then that column is -alpha /
-   alpha_p, with 1 / alpha_p in row p. Its entries are kept in threes, from the
-   first that is not zero to the last.
+   alpha_p, with 1 / alpha_p in row p. Its entries are stored in threes, from
+   the first that is not zero to the last.
 
    Vectors over the rows have three more places at their end, the rows of the
-   ground. A column that leads to no other group leads there: reading gives 0,
-   writing has no effect, and no loop has to test for it. */
+   ground. A column that touches no other group has the ground as its other
+   group: reading gives 0 and writing has no effect, so no loop has to test for
+   it. */
 
-/* A program. It is dense, or the columns of a network, two for each contact: 2
-   i and 2 i + 1 touch the groups ends[2 i] and ends[2 i + 1]; rows / 3 is the
-   ground. Such a column has four entries (u, v, r, s): (u, v, r) in the rows of
-   the first of these groups, (-u, -v, s) in those of the second.
+/* A program. It is dense, or its columns are those of a network, two for each
+   contact. Columns 2 i and 2 i + 1 touch the groups ends[2 i] and ends[2 i +
+   1]; the number rows / 3 is the ground. Such a column has four entries (u, v,
+   r, s): (u, v, r) in the rows of the first of these groups, (-u, -v, s) in
+   those of the second.
 
-   The place is one more variable, of the column `rate`: how far rhs has grown
-   along a path. */
+   The place is one more variable. Its column is `rate`, and its value tells how
+   far rhs has moved along a path. */
 typedef struct kern_program {
     int rows, cols;
     const kern_real *a; /* dense: by columns; network: four a column   */
@@ -3454,16 +3579,16 @@ typedef struct kern_program {
     const kern_real *cost; /* NULL: all are 0                              */
     const int *ends;       /* NULL: the program is dense                   */
     const kern_real *rate; /* column of the place: minus the rate of rhs   */
-    int follow;            /* 1: the place grows from 0, 0: it is held     */
+    int follow;            /* 1: the place grows from 0; 0: it is fixed    */
     kern_real most;        /* largest value of a variable; 0: no bound     */
-    int limit;             /* of work->units                               */
+    int limit;             /* most work->units                             */
     kern_work *work;       /* of the call                                  */
 } kern_program;
 
-/* The inverse of a basis: B_0, by groups, and the factors E_i. Of each row of
-   B_0 six numbers are stored: a row of the inverse of its group, and the
-   entries of its column in the rows of the other group, the first of which is
-   `to`. */
+/* The inverse of a basis: B_0, by groups, and the factors E_i. Each row of B_0
+   has six numbers: a row of the inverse of its group, and the entries of its
+   column in the three rows of the other group. `to` is the first of these
+   rows. */
 typedef struct kern_factors {
     int size;         /* rows, rounded up to a multiple of three            */
     int groups;       /* of B_0: all of a network; 0: it is the unit matrix */
@@ -3473,24 +3598,25 @@ typedef struct kern_factors {
     int count;        /* of factors                                         */
     int *pivot;       /* of a factor: the row of its pivot                  */
     int *from;        /* of a factor: its first row with an entry           */
-    int *first;       /* of a factor: its first entry; and the next free    */
+    int *first;       /* of a factor: its first entry; then the end of all  */
     kern_real *entry; /* of factors, in threes of rows                      */
 } kern_factors;
 
 typedef enum kern_basis {
-    KERN_BASIS_NONE,  /* begins from logicals                           */
-    KERN_BASIS_STALE, /* columns are not those that were factored       */
+    KERN_BASIS_NONE,  /* none: begin with logicals                      */
+    KERN_BASIS_STALE, /* its columns have changed since it was factored */
     KERN_BASIS_READY
 } kern_basis;
 
-/* Who may solve a program: also the backend (KERN_USE_GLPK), or only this. */
+/* Solvers that may be used: also the backend (KERN_USE_GLPK), or only this
+   one. */
 typedef enum kern_solver { KERN_SOLVER_ANY, KERN_SOLVER_BUILTIN } kern_solver;
 
-/* `alpha` is the vector that is solved for: the load that is left in the crash,
-   a residual while values are refined, otherwise the entering column. `list`
-   has the first column of each group in the crash, the columns that wait while
-   a basis is factored, and the rows of a ratio test. No phase reads what
-   another left in them. */
+/* `alpha` and `list` are scratch, and no phase reads what another left in them.
+   `alpha` is the vector that is solved for: the load that is not yet carried in
+   the crash, a residual while values are refined, otherwise the entering
+   column. `list` has the first column of each group in the crash, the waiting
+   columns while a basis is factored, and the rows of a ratio test. */
 typedef struct kern_simplex {
     const kern_program *lp;
     kern_basis state;
@@ -3498,13 +3624,13 @@ typedef struct kern_simplex {
     int *base;        /* of a row: its variable                            */
     int *place;       /* of a column, and of the place: its row, or KERN_OUT;
                                  in the crash: the next column of a group  */
-    kern_real *value; /* of a row: that of its variable                    */
+    kern_real *value; /* of a row: value of its variable                   */
     kern_real *slope; /* of a row: c of its variable (see below)           */
     kern_real *price; /* of a row: y                                       */
     kern_real *alpha; /* of a row                                          */
     kern_real *ratio; /* of a row of the ratio test: the step to zero      */
     int *list;
-    int enters;      /* column                                            */
+    int enters;      /* the entering column                               */
     kern_real least; /* smallest violation that counts                    */
     kern_real gain;  /* c_j - y.A_j of the entering column                */
     int refined;     /* 1: no pivot since the values were refined         */
@@ -3533,8 +3659,8 @@ static inline kern_real kern_lp_dot(const kern_program *lp, int j,
     return kern_dot(kern_lp_dense(lp, j), y, lp->rows);
 }
 
-/* Which of the two groups of a column: the one whose own column it is, which is
-   the first of them in order, or the one that this leads to. */
+/* One of the two groups of a column: the one of which it is an own column,
+   which comes first in the order, or the other one. */
 typedef enum kern_lp_end { KERN_LP_END_OWN, KERN_LP_END_OTHER } kern_lp_end;
 
 /* Writes column j's entries in the rows of one of its groups. Returns the first
@@ -3580,8 +3706,8 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
     int e, g, k;
 
     /* Multiplies by B_0^-1 from top to bottom: solves the rows of each group
-       for its own columns, and subtracts what these exert on the group that
-       they lead to. */
+       for its own columns, and subtracts what these exert on their other
+       groups. */
     for (g = 0; g < f->groups; g++) {
         const kern_real *d = f->block + 18 * g;
         kern_real *own = v + 3 * g;
@@ -3656,7 +3782,8 @@ static int kern_basis_full(const kern_simplex *sx)
     return f->count == f->most || f->first[f->count] + f->size > f->room;
 }
 
-/* Makes column q, which is sx->alpha in terms of the basis, basic in row p. */
+/* Makes column q basic in row p. sx->alpha is the column in terms of the
+   basis. */
 static void kern_basis_enter(kern_simplex *sx, int q, int p)
 {
     kern_factors *f = &sx->factors;
@@ -3693,10 +3820,11 @@ typedef enum kern_crash {
     KERN_CRASH_ANY      /* any column, and the logical of the torque     */
 } kern_crash;
 
-/* Makes three columns of group g, a list from j, basic, and passes on what they
-   exert: those that carry its load with the largest least share. With
-   KERN_CRASH_PUSHING no column may pull more than KERN_CRASH_PULL loads.
-   Returns 0 if there are none. */
+/* Chooses three columns of group g from the list that begins with j, makes them
+   basic, and adds what they exert to the loads of other groups. They carry the
+   load of the group such that the least of their three shares is as large as
+   possible. With KERN_CRASH_PUSHING no column may pull more than
+   KERN_CRASH_PULL loads. Returns 0 if no three columns will do. */
 static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
 {
     const int logical = sx->lp->cols + 1 + 3 * g + 2;
@@ -3710,7 +3838,7 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
     int mine[KERN_CRASH_COLUMNS], n = 0, found = 0, i, k;
 
     /* Lists the columns: all, or those that push against the load within 60
-       degrees of it. Others would hardly carry it. */
+       degrees of it, since others would hardly carry it. */
     for (; j != KERN_OUT && n < KERN_CRASH_COLUMNS - 1; j = sx->place[j]) {
         const kern_real *a = part[n];
         kern_real along;
@@ -3730,8 +3858,8 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
         mine[n++] = logical;
     }
 
-    /* Tries all threes of them. Cramer's rule gives the shares; that of the
-       third is computed first, since most threes are excluded by it. */
+    /* Tries all triples of columns. Cramer's rule gives the shares. The share
+       of the third is computed first, since it excludes most triples. */
     for (i = 0; i < n; i++)
         for (j = i + 1; j < n; j++) {
             const kern_real *a = part[i], *b = part[j];
@@ -3759,16 +3887,16 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
             }
         }
 
-    /* What the three exert on other groups becomes a part of the load there.
-       What would pull counts as nothing. */
+    /* What the three exert on other groups is added to the loads there. A share
+       that would pull counts as 0. */
     for (k = 0; k < 3 && found; k++)
         kern_lp_subtract(sx->lp, base[k], kern_max(share[k], 0), sx->alpha);
     return found;
 }
 
-/* Begins from the columns that x uses, if they may be a basis, and the last
-   ones. If more are used than there are rows the next program begins without a
-   basis. */
+/* Begins with the columns that x uses, if they may be a basis, and fills it
+   with the last columns. If x uses more columns than there are rows the next
+   program begins without a basis. */
 static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
                                kern_real least)
 {
@@ -3786,8 +3914,8 @@ static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
     sx->state = KERN_BASIS_STALE;
 }
 
-/* Begins from logicals, and for a network from three columns of each group,
-   from top to bottom. */
+/* Makes the basis of logicals. For a network three columns of each group then
+   replace them, from top to bottom. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -3812,9 +3940,9 @@ static void kern_simplex_crash(kern_simplex *sx)
 
 /* ---- factors ---- */
 
-/* Lets column j take one of its own rows that still has its logical: the row
-   where its entry is largest in terms of the columns before it. Returns 0 if it
-   takes none. */
+/* Makes column j basic in one of its own rows that still has its logical: the
+   row where its entry is largest in terms of the columns before it. Returns 0
+   if there is none with a large enough entry. */
 static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
@@ -3823,8 +3951,8 @@ static int kern_own_enter(kern_simplex *sx, int j)
     if (!lp->ends || j == lp->cols)
         return 0;
 
-    /* The column in terms of its group's basis so far, and its largest entry in
-       a row that is left. */
+    /* Writes the column in terms of the columns that its group has so far, and
+       finds its largest entry in a row that still has its logical. */
     row = kern_lp_part(lp, j, KERN_LP_END_OWN, part);
     block = sx->factors.block + 6 * row;
     for (k = 0; k < 3; k++) {
@@ -3837,8 +3965,8 @@ static int kern_own_enter(kern_simplex *sx, int j)
     if (best == KERN_OUT)
         return 0;
 
-    /* Eliminates that row from the inverse of the group, and notes what the
-       column does to its other group. */
+    /* Eliminates that row from the inverse of the group, and stores what the
+       column exerts on its other group. */
     own = block + 6 * best;
     for (k = 0; k < 3; k++)
         own[k] /= alpha[best];
@@ -3852,8 +3980,8 @@ static int kern_own_enter(kern_simplex *sx, int j)
     return 1;
 }
 
-/* Lets column j enter in any row that still has its logical, unless it depends
-   on the columns before it, or there is no room. */
+/* Makes column j basic in any row that still has its logical. Does nothing if
+   the column depends on those before it, or if there is no room. */
 static void kern_left_enter(kern_simplex *sx, int j)
 {
     kern_real least;
@@ -3886,8 +4014,8 @@ static kern_real kern_basis_residual(kern_simplex *sx)
     return size > 0 ? kern_largest(sx->alpha, lp->rows) / size : KERN_INFINITY;
 }
 
-/* Computes the basic solution, and refines it until its residual is rounding:
-   the inverse grows with every course of a wall, and one solve may lose half of
+/* Computes the basic solution and refines it until its residual is rounding.
+   The inverse grows with every course of a wall, so one solve may lose half of
    the digits. Returns 0 if the residual stays too large. */
 static int kern_basis_values(kern_simplex *sx)
 {
@@ -3902,14 +4030,15 @@ static int kern_basis_values(kern_simplex *sx)
     return left <= KERN_BASIS_TOL;
 }
 
-/* Factors the basis again: three own columns of each group, then the others. */
+/* Factors the basis again: first three own columns of each group, then the
+   others. */
 static void kern_basis_refactorise(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     kern_factors *f = &sx->factors;
     int i, p, left = 0;
 
-    /* Begins from logicals, and keeps the columns of the basis in a list. */
+    /* Begins with logicals, and keeps the columns of the basis in a list. */
     for (i = 0; i <= lp->cols; i++)
         sx->place[i] = KERN_OUT;
     for (p = 0; p < lp->rows; p++) {
@@ -3926,8 +4055,8 @@ static void kern_basis_refactorise(kern_simplex *sx)
     }
     f->count = f->first[0] = 0;
 
-    /* Own columns of a group take its rows in B_0. Those that find no row there
-       enter one after the other. */
+    /* Own columns of a group take its rows in B_0. Columns that find no row
+       there enter one after the other. */
     for (p = 0; p < lp->rows; p++)
         if (sx->list[p] <= lp->cols && !kern_own_enter(sx, sx->list[p]))
             sx->list[left++] = sx->list[p];
@@ -3937,8 +4066,8 @@ static void kern_basis_refactorise(kern_simplex *sx)
     kern_basis_values(sx);
 }
 
-/* Computes the basic solution. Factors the basis again where the matrix
-   changed, or where the factors became too long or lost digits. */
+/* Computes the basic solution. Factors the basis again if the matrix has
+   changed, or if the factors are full or have lost digits. */
 static void kern_basis_renew(kern_simplex *sx)
 {
     if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
@@ -3948,32 +4077,32 @@ static void kern_basis_renew(kern_simplex *sx)
 
 /* ---- pivots ---- */
 /* Every basis gives an x with A x = rhs. A variable violates x >= 0 if it is
-   negative, or if it is a logical that is not zero. As long as one does, the
-   sum of all violations is lowered. With
+   negative, or if it is a logical that is not zero. While there are violations
+   their sum is lowered. With
 
        y = B^-T c,    c = +1 or -1 for a variable that violates, otherwise 0,
 
-   y.A_j < 0 tells how fast the sum falls when column j enters. When no column
-   lowers it and it is not zero, y is a Farkas certificate: the one that shows
-   the largest sum of violations, which a step of Newton's method needs. Where
-   nothing violates, c is minus the costs, and y minus their prices. */
+   y.A_j < 0 is the rate at which the sum falls when column j enters. If no
+   column lowers the sum and it is not zero, y is a Farkas certificate: the one
+   with the largest sum of violations, which a step of Newton's method needs. If
+   there are no violations, c is minus the costs, and y minus their prices. */
 
 /* How pivots are chosen. */
 typedef enum kern_rule {
     KERN_RULE_LARGEST, /* the column of the largest gain                   */
-    KERN_RULE_REFINED, /* the same, with refined prices                    */
+    KERN_RULE_REFINED, /* the column of the largest gain, prices refined   */
     KERN_RULE_BLAND    /* the first column of any gain, and of equal rows
                                  the least index: this cannot cycle        */
 } kern_rule;
 
-/* Returns 1 if variable j must be zero: a logical, or a place that is held. */
+/* Returns 1 if variable j must be zero: a logical, or a place that is fixed. */
 static int kern_lp_fixed(const kern_program *lp, int j)
 {
     return j >= lp->cols + lp->follow;
 }
 
-/* Returns by what the costs fall as variable j grows; 1 for a place that is
-   free. */
+/* Returns the rate at which the costs fall as variable j grows; 1 for a place
+   that grows. */
 static kern_real kern_lp_worth(const kern_program *lp, int j)
 {
     return lp->cost && j < lp->cols ? -lp->cost[j]
@@ -4002,11 +4131,11 @@ static kern_real kern_violations(kern_simplex *sx)
     return sum;
 }
 
-/* Refines y once by the residual of y.A_j = c for basic columns, and then lifts
-   it until y.A_j >= lift times its largest entry for them. A certificate needs
-   that: rounding puts y.A_j a little below zero as often as above, and the lift
-   costs little of its power. Returns 0 without a basis, where the backend has
-   answered. */
+/* Refines y once by the residual of y.A_j = c for basic columns. Then lifts y
+   until y.A_j >= lift times its largest entry for these columns. A certificate
+   needs the lift, since rounding leaves y.A_j below zero as often as above. The
+   lift costs little of its power. Returns 0 without a basis, as after an answer
+   of the backend. */
 static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 {
     const kern_program *lp = sx->lp;
@@ -4025,9 +4154,9 @@ static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
     return 1;
 }
 
-/* Computes prices and chooses the variable that enters, sx->enters, by the
-   rule: it lowers the sum of violations, or the costs, at the rate sx->gain =
-   c_j - y.A_j. A variable that would have to exceed lp->most to remove the
+/* Computes prices and chooses the entering variable, sx->enters, by the rule.
+   sx->gain = c_j - y.A_j is the rate at which it lowers the sum of violations,
+   or the costs. A variable that would have to exceed lp->most to remove the
    violations does not enter: it belongs to a jam. Returns 0 if none enters. */
 static int kern_entering(kern_simplex *sx, kern_rule rule)
 {
@@ -4037,7 +4166,7 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
     kern_real size, least;
     int j;
 
-    /* Prices y = B^-T c, refined where pivots have taken long. */
+    /* Computes prices y = B^-T c, and refines them after many pivots. */
     kern_copy(sx->price, sx->slope, lp->rows);
     if (costs && !lp->cost && !lp->follow)
         return 0;
@@ -4045,13 +4174,14 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
     if (rule > KERN_RULE_LARGEST)
         kern_prices_mend(sx, sx->price, 0);
 
-    /* The least gain that counts: above rounding, and with a bound on variables
-       enough to undo the violations within it. */
+    /* The least gain that counts is above rounding. If variables are bounded it
+       must also be able to remove the violations within their bound. */
     size = kern_largest(sx->price, lp->rows);
     least = costs || !(lp->most > 0) ? KERN_PRICE_TOL * size : sum / lp->most;
     least = kern_max(least, KERN_LP_ROUNDING * size);
 
-    /* The largest gain of all columns outside of the basis, or the first. */
+    /* Finds the largest gain of all columns that are not basic, or the first
+       gain. */
     sx->gain = 0;
     for (j = 0; j < all; j++) {
         kern_real d;
@@ -4069,9 +4199,9 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
 }
 
 /* Returns by how much the slope of the sum rises when the basic variable of row
-   p passes zero, which it approaches at the rate alpha, and in *at where that
-   is. Returns 0 if it never does. A variable that violates may move towards
-   zero only; one that must be zero leaves zero at once. */
+   p passes zero. The variable approaches zero at the rate alpha, and reaches it
+   at *at. Returns 0 if it never does. A variable that violates may only move
+   towards zero, and one that must be zero leaves zero at once. */
 static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 {
     const int fixed = kern_lp_fixed(sx->lp, sx->base[p]);
@@ -4085,19 +4215,19 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
     return fixed ? kern_abs(a) + falls : kern_abs(a);
 }
 
-/* Charges work on a program. Returns 0 if it is refused. */
+/* Charges work on a program. Returns 0 if the work is refused. */
 static int kern_lp_spend(const kern_program *lp, int units)
 {
     return kern_spend(lp->work, lp->limit, units);
 }
 
-/* Chooses the row that the entering column takes, and in *step how far it goes,
-   from those whose variables reach zero on the way. The ratio test goes past
-   each of them as long as the sum of violations still falls: a long step, which
+/* Chooses the row that the entering column takes, among rows whose variables
+   reach zero, and writes the length of the step to *step. The ratio test passes
+   such rows as long as the sum of violations still falls: a long step, which
    passes through degenerate corners. With Bland's rule, and for costs, it stops
-   at once. Of equals it takes the largest pivot, with Bland's rule the least
-   index. Returns KERN_OUT if no variable reaches zero, and leaves it to
-   kern_pivot_spend() to refuse the pivot where this work is refused. */
+   at the first. Of equals it takes the largest pivot, with Bland's rule the
+   least index. Returns KERN_OUT if no variable reaches zero. If its work is
+   refused kern_pivot_spend() refuses the pivot. */
 static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
 {
     const kern_real least = KERN_PIVOT_LEAST
@@ -4113,8 +4243,7 @@ static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
             n += kern_break(sx, i, at + n) > 0;
         }
 
-    /* Passes the nearest of them, until the slope of the sum is no longer
-       downwards. */
+    /* Passes the closest of them until the sum no longer falls. */
     for (; n > 0 && left > 2 * KERN_LP_ROUNDING * sx->gain; n--) {
         seen += n;
         next = 0;
@@ -4138,8 +4267,8 @@ static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
     return best;
 }
 
-/* Charges a pivot: a column, prices, and the factors that both pass. Returns 0
-   if it is refused. */
+/* Charges a pivot: a column and prices, each of which passes all factors.
+   Returns 0 if the work is refused. */
 static int kern_pivot_spend(const kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4153,14 +4282,15 @@ static int kern_pivot_spend(const kern_simplex *sx)
 }
 
 /* Lowers the sum of violations, then the costs, until no column does. The sum
-   falls with every step that is not of length zero, unless prices are rounding.
-   So after a budget of pivots prices are refined, and after five budgets
-   Bland's rule is used, which cannot cycle. The limit ends what rounding might
-   keep going; programs of structures take less than two budgets, except in jams.
+   falls with every step whose length is not zero, unless prices are rounding.
+   So prices are refined after a budget of pivots, and Bland's rule, which
+   cannot cycle, is used after five. The limit ends cycles that rounding causes.
+   Programs of structures take less than two budgets, except in jams. Their
+   limit is three, plus one pivot for each column.
 
-   Returns KERN_LP_OPTIMAL; KERN_LP_INFEASIBLE; KERN_LP_UNBOUNDED, where the
-   entering column may grow for ever; KERN_NO_SPACE or KERN_LIMIT, where there
-   is no room or no work left for a pivot; or KERN_UNDECIDED. */
+   Returns KERN_LP_OPTIMAL; KERN_LP_INFEASIBLE; KERN_LP_UNBOUNDED if the
+   entering column may grow for ever; KERN_NO_SPACE or KERN_LIMIT if there is no
+   room or no work left for a pivot; otherwise KERN_UNDECIDED. */
 static kern_status kern_simplex_run(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4174,26 +4304,28 @@ static kern_status kern_simplex_run(kern_simplex *sx)
         kern_real step = 0;
         int enters, p = KERN_OUT;
 
-        /* After a budget of pivots prices may be rounding. After five, only
+        /* After a budget of pivots prices may be rounding. After five only
            Bland's rule is sure to end. */
         if (count > budget)
             rule = count > KERN_PIVOTS_BLAND * budget ? KERN_RULE_BLAND
                                                       : KERN_RULE_REFINED;
         enters = kern_entering(sx, rule);
 
-        /* The entering column in terms of the basis, and its row. */
+        /* Writes the entering column in terms of the basis, and finds its
+           row. */
         if (enters) {
             kern_basis_column(sx, sx->enters);
             p = kern_leaving(sx, rule, &step);
         }
 
-        /* An end is only believed with refined values: then once more. */
+        /* The method may end only with refined values. If they are not, it
+           refines them and tries again. */
         if (p == KERN_OUT && !sx->refined) {
             kern_basis_renew(sx);
             continue;
         }
 
-        /* No column lowers anything: the end. A column without a row may grow
+        /* The end: no column lowers the sum or the costs, or a column may grow
            for ever. */
         if (!enters)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
@@ -4206,8 +4338,8 @@ static kern_status kern_simplex_run(kern_simplex *sx)
         if (!kern_pivot_spend(sx))
             return KERN_LIMIT;
 
-        /* The step: values change along the column, one variable leaves, and
-           the column takes its row. */
+        /* Makes the step: values change along the column, one variable leaves,
+           and the column takes its row. */
         kern_add(sx->value, -step, sx->alpha, lp->rows);
         if (sx->base[p] <= lp->cols)
             sx->place[sx->base[p]] = KERN_OUT;
@@ -4254,8 +4386,8 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->ratio = kern_take_reals(take, m);
 }
 
-/* Makes the next program begin without a basis, or from the same one, factored
-   again. */
+/* Makes the next program begin without a basis (KERN_BASIS_NONE), or factor the
+   same one again (KERN_BASIS_STALE). */
 static void kern_simplex_change(kern_simplex *sx, kern_basis to)
 {
     if (sx->state > to)
@@ -4267,7 +4399,7 @@ static void kern_simplex_change(kern_simplex *sx, kern_basis to)
 #include "kern_lp.h"
 #endif
 
-/* x := the variables, from the values v of the basis. */
+/* x := the variables, of which the basic ones have the values v */
 static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
                             kern_real *x)
 {
@@ -4278,7 +4410,7 @@ static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
             x[sx->base[i]] = v[i];
 }
 
-/* x := B^-1 v as variables; destroys v. Returns 0 without a basis. */
+/* x := B^-1 v as variables. Destroys v. Returns 0 without a basis. */
 static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
 {
     if (sx->state == KERN_BASIS_NONE)
@@ -4288,10 +4420,10 @@ static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
     return 1;
 }
 
-/* Solves a program from the last basis, or from that of kern_simplex_crash().
-   It is the only entry of the engine. Writes x for every verdict: of an
-   infeasible program x is the last basic solution, A x = rhs with negative
-   entries, from which Newton's step along a path is taken. Writes y: a
+/* Solves a program, beginning with the last basis, or with that of
+   kern_simplex_crash(). It is the only entry of the engine. Writes x for every
+   status: x of an infeasible program is the last basic solution, A x = rhs with
+   negative entries, from which Newton's step along a path is taken. Writes y: a
    certificate for KERN_LP_INFEASIBLE, minus the prices for KERN_LP_OPTIMAL. */
 static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
                                       kern_real *x, kern_real *y)
@@ -4308,7 +4440,7 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
 #endif
     (void)solver;
 
-    /* Charge the start: reading the columns for a crash basis, or solving with
+    /* Charges the start: reading the columns for a crash basis, or solving with
        the factors of the last one. */
     sx->least = KERN_VALUE_TOL * kern_largest(lp->rhs, lp->rows);
     if (sx->state != KERN_BASIS_READY
@@ -4316,7 +4448,7 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
                                        : lp->rows * (lp->cols / KERN_UNIT)))
         return KERN_LIMIT;
 
-    /* Begin with the last basis, or make one, and pivot from there. */
+    /* Begins with the last basis or makes one, and pivots from there. */
     if (sx->state == KERN_BASIS_NONE)
         kern_simplex_crash(sx);
     kern_basis_renew(sx);
@@ -4326,10 +4458,10 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
     return status;
 }
 
-/* Numbers that kern_lp_clean() keeps: of both signs, or none below zero. */
+/* Numbers that kern_lp_clean() keeps: of both signs, or only positive ones. */
 typedef enum kern_sign { KERN_SIGN_PLUS, KERN_SIGN_ANY } kern_sign;
 
-/* Sets to 0, of n numbers, those that are no larger than a share of the largest
+/* Sets to 0 those of n numbers that are no larger than a share of the largest,
    and those of a sign that is not kept. */
 KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
                                       kern_sign sign)
@@ -4341,8 +4473,9 @@ KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
             v[i] = 0;
 }
 
-/* Returns from + u.v, as a share of all terms, over n numbers, those of v
-   `apart` from each other. Returns no number where a term is none. */
+/* Returns from + u.v over n numbers, as a share of the sum of the terms'
+   magnitudes. The numbers of v lie `apart` from each other. Returns a result
+   that is not a number if a term is not finite. */
 static kern_real kern_lp_sum(kern_real from, const kern_real *u,
                              const kern_real *v, int apart, int n)
 {
@@ -4356,8 +4489,8 @@ static kern_real kern_lp_sum(kern_real from, const kern_real *u,
 }
 
 /* Returns 1 if x and y prove the status by products with the matrix alone, each
-   row and column to KERN_LP_TOL of its own terms. What is not a number proves
-   nothing.
+   row and column to KERN_LP_TOL of its own terms. A value that is not a number
+   proves nothing.
 
        optimal      A x = rhs,  cost + y A >= 0, = 0 where x > 0
        infeasible   y A >= 0,  y.rhs < 0
@@ -4388,8 +4521,8 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
 }
 
 /* Sets negative entries of x to 0. Returns 1 if x and y then prove the status.
-   If they do not, sets entries that are rounding to 0 and checks once more: a
-   row that has no other entry consists of rounding. */
+   If not, sets entries that are rounding to 0 and checks once more: a row
+   without other entries consists of rounding. */
 static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
@@ -4405,7 +4538,7 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
     return 0;
 }
 
-/* Solves a program that has been checked, for kern_lp_solve(). */
+/* Solves a checked program, for kern_lp_solve(). */
 static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
                                kern_work *work)
 {
@@ -4428,15 +4561,15 @@ static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
     if (status < 0)
         return status;
 
-    /* Along the entering column x grows for ever: that ray is the proof. */
+    /* If x may grow for ever along the entering column, that ray is the
+       proof. */
     if (status == KERN_LP_UNBOUNDED && sx.state != KERN_BASIS_NONE) {
         kern_scale(sx.alpha, p.rows, -1);
         kern_basis_read(&sx, sx.alpha, x);
         x[sx.enters] = 1;
     }
 
-    /* Nothing is returned without a proof. Prices of an optimum are y with the
-       other sign. */
+    /* Returns nothing without a proof. The prices of an optimum are -y. */
     if (!kern_lp_proven(&p, x, y, status))
         return KERN_UNDECIDED;
     for (i = 0; i < p.rows && status == KERN_LP_OPTIMAL; i++)
@@ -4457,29 +4590,27 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 
 /* ---- Contact law and skyline factor --------------------------- >>skyline */
 /* The force with which a contact answers a motion (wn, wt) along n and t is
-   linear between bends: f = nn wn + nt wt, r = nt wn + tt wt. So A x = b leads
-   to a matrix with the pattern of the groups, which is factored in their order
-   (skyline Cholesky). Minimum-norm forces, >>ipm and >>raised differ only in
-   the law. */
+   piecewise linear: f = nn wn + nt wt, r = nt wn + tt wt. So A x = b leads to a
+   matrix with the pattern of the groups. It is factored in their order (skyline
+   Cholesky). Minimum-norm forces, >>ipm and >>raised differ only in the law. */
 
-/* A symmetric matrix of 3 x 3 blocks, one row of them for each group, or its
-   factor. Of each row the blocks from its first column to the diagonal are
-   stored. */
+/* A symmetric matrix of 3 x 3 blocks, one row of blocks for each group, or its
+   factor. Each row is stored from its first nonzero block to the diagonal. */
 typedef struct kern_skyline {
     int groups;
     int *first;  /* of a row: its first block column             */
-    int *offset; /* of a row: where it is stored                 */
+    int *offset; /* of a row: its first entry                    */
     kern_real *entry;
 } kern_skyline;
 
 typedef struct kern_law {
     kern_real nn, nt, tt;
-    kern_force force; /* in the cone to the last digit                */
+    kern_force force; /* within the cone despite rounding             */
 } kern_law;
 
-/* Returns the law of a contact of stiffness `stiff` along n, and mu `shear`
-   times that along t until it slides. With stiff = 2 and shear = mu it is the
-   law of two rays of stiffness 1 that only press. */
+/* Returns the law of a contact that has the stiffness `stiff` along n, and mu
+   `shear` times that along t until it slides. With stiff = 2 and shear = mu it
+   is the law of two rays of stiffness 1 that cannot pull. */
 static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
                                       kern_real stiff, kern_real shear)
 {
@@ -4500,10 +4631,10 @@ static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
     return s;
 }
 
-/* Takes room for the matrix of `groups` groups, with the block that couples the
-   two groups of each of n contacts: the row of the later group reaches to the
-   column of the other. Returns the products of a factor, if there is room. They
-   are a real, since long rows have more than an int holds. */
+/* Takes room for the matrix of `groups` groups. Each of n contacts couples two
+   groups: the row of the later group reaches to the column of the other.
+   Returns the number of products of a factorisation, if there is room. It is a
+   real, since long rows have more than an int holds. */
 static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
                                    int n, kern_take *take)
 {
@@ -4539,9 +4670,9 @@ static void kern_skyline_clear(kern_skyline *a)
         kern_zero(a->entry + a->offset[g], 9 * (g - a->first[g] + 1));
 }
 
-/* Adds what a contact's law couples: the block of each of its groups, and the
-   block in the row of the later group. What is fixed has the last number and no
-   row. */
+/* Adds a contact's law to the matrix: to the diagonal block of each of its
+   groups, and to the block that couples them, in the row of the later group.
+   Held blocks have the last number and no row. */
 static void kern_skyline_law(kern_skyline *a, const int ends[2],
                              const kern_row row[2], const kern_law *s)
 {
@@ -4553,7 +4684,7 @@ static void kern_skyline_law(kern_skyline *a, const int ends[2],
             const kern_row *other = row + 1 - 2 * k;
             const int wide = 3 * (g - a->first[g] + 1);
             kern_real *to = a->entry + a->offset[g] + wide - 3;
-            kern_row_wrench(row, s->nn, s->nt, v); /* it adds n v' + t w' */
+            kern_row_wrench(row, s->nn, s->nt, v); /* adds n v' + t w' */
             kern_row_wrench(row, s->nt, s->tt, w);
             kern_row_exert(row, v[0], w[0], to);
             kern_row_exert(row, v[1], w[1], to + wide);
@@ -4587,8 +4718,9 @@ static void kern_skyline_shift(kern_skyline *a, kern_real share)
     }
 }
 
-/* Takes from the 3 x 3 block c of rows a what rows a and b have in common in n
-   columns. The rows are `wide_a` and `wide_b` apart. */
+/* c -= a b', for a 3 x 3 block c of the rows a, and n columns that rows a and
+   rows b have in common. Successive rows are wide_a and wide_b numbers
+   apart. */
 static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
                                 const kern_real *b, int wide_b, int n)
 {
@@ -4625,7 +4757,8 @@ static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
     c2[2] = s22;
 }
 
-/* Replaces the matrix by Cholesky's L. A pivot is at least rounding. */
+/* Replaces the matrix by Cholesky's L. Pivots below rounding are raised to
+   it. */
 static void kern_skyline_factor(kern_skyline *a)
 {
     int g, h, r, k;
@@ -4634,9 +4767,9 @@ static void kern_skyline_factor(kern_skyline *a)
         kern_real *row = a->entry + a->offset[g], *d = row + wide - 3;
         const kern_real was[3] = {d[0], d[wide + 1], d[2 * wide + 2]};
 
-        /* Computes the row's blocks from its first column to the diagonal.
-           From each it subtracts the products of the columns that this row has
-           in common with row h. */
+        /* Computes the row's blocks from its first column to the diagonal. From
+           each it subtracts the products of the columns that this row has in
+           common with row h. */
         for (h = a->first[g]; h <= g; h++) {
             const int from = a->first[g] > a->first[h] ? a->first[g]
                                                        : a->first[h];
@@ -4648,8 +4781,8 @@ static void kern_skyline_factor(kern_skyline *a)
                                 other + 3 * (from - a->first[h]), wide_h,
                                 3 * (h - from));
 
-            /* Then divided by the diagonal block of row h, which in its own row
-               is being made. */
+            /* Divides by the diagonal block of row h. For h = g that block is
+               computed at the same time. */
             for (r = 0; r < 3; r++, c += wide) {
                 if (h < g || r > 0)
                     c[0] /= l[0];
@@ -4671,7 +4804,7 @@ static void kern_skyline_factor(kern_skyline *a)
     KERN_AUDIT(factor, a);
 }
 
-/* out := the solution of matrix times out = b, by the factor. */
+/* out := the solution of matrix * out = b, by the factor */
 static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
                                kern_real *out)
 {
@@ -4690,8 +4823,9 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
     }
 }
 
-/* The same of a contact that answers the motion w . (wn, wt) by the force f:
-   adds an outer product, whose rows are those of f and whose columns of w. */
+/* Adds the law of a contact that answers the motion w . (wn, wt) by the force
+   f: an outer product, whose rows are those of f and whose columns are those of
+   w. */
 static void kern_skyline_outer(kern_skyline *a, const int ends[2],
                                const kern_row row[2], const kern_real f[2],
                                const kern_real w[2])
@@ -4713,9 +4847,10 @@ static void kern_skyline_outer(kern_skyline *a, const int ends[2],
     }
 }
 
-/* Factors a matrix that is not symmetric in its place: `low` has its rows up to
-   the diagonal, and `up` its columns, each stored as a row. L U = matrix, where
-   the diagonal of L is 1 and not stored. A pivot is at least rounding. */
+/* Factors a matrix that is not symmetric, in place. `low` has its rows up to
+   the diagonal. `up` has its columns, each stored as a row. The factors are L U
+   = matrix, where the diagonal of L is 1 and not stored. Pivots below rounding
+   are raised to it. */
 static void kern_skyline_split(kern_skyline *low, kern_skyline *up)
 {
     int i, j;
@@ -4741,7 +4876,7 @@ static void kern_skyline_split(kern_skyline *low, kern_skyline *up)
     }
 }
 
-/* out := the solution of L U times it = b. */
+/* out := the solution of L U * out = b */
 static void kern_skyline_split_solve(const kern_skyline *low,
                                      const kern_skyline *up, const kern_real *b,
                                      kern_real *out)
@@ -4762,36 +4897,36 @@ static void kern_skyline_split_solve(const kern_skyline *low,
 }
 
 /* ---- Parts ------------------------------------------------------ >>part */
-/* A part is some of the groups with all contacts that touch them; all other
-   blocks are held. Held blocks can exert any force, so that where a part falls
-   the whole falls: the motion of the part, with all other blocks at rest,
+/* A part is some of the groups with all contacts that touch them. All other
+   blocks are held. Held blocks can exert any force, so if a part falls the
+   whole structure falls: the motion of the part, with all other blocks at rest,
    proves it. */
 
 /* How the contacts of a part answer a motion. */
 typedef enum kern_law_of {
-    KERN_LAW_RAYS, /* two rays of stiffness 1 that only press            */
+    KERN_LAW_RAYS, /* two rays of stiffness 1 that cannot pull           */
     KERN_LAW_STIFF /* stiff along n and t, with a price: >>raised        */
 } kern_law_of;
 
-/* Where Newton's method begins: at u = 0, or at the present u. A warm start
-   does without the round of a cold one, in which all contacts press. */
+/* Where Newton's method begins: at u = 0, or at the present u. A cold start has
+   one more round, the first, in which all contacts press. */
 typedef enum kern_start { KERN_START_COLD, KERN_START_WARM } kern_start;
 
 /* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
 typedef struct kern_dual {
     kern_law_of law;            /* of the contacts                         */
     kern_skyline matrix;        /* of the contacts that carry              */
-    kern_real *u, *step, *grad; /* three a group, and three of 0           */
+    kern_real *u, *step, *grad; /* three a group, then three of 0          */
     kern_real *b;               /* loads, three a group                    */
     kern_real *way, *turn;      /* two a contact: u and step along n and t */
-    int cost;                   /* of a step, in units of work             */
+    int cost;                   /* units of work of a step                 */
     kern_real *price;           /* of a stiff contact: mu slip (>>raised)  */
     kern_real *stiff_n;         /* of a stiff contact: stiffness along n   */
-    kern_real stiff;            /* of stiff contacts along t, in stiff_n   */
+    kern_real stiff;            /* stiffness along t / (mu stiff_n)        */
 } kern_dual;
 
-/* Eq. (5) of a part as a linear program (>>verdict). Without columns, as the
-   interior point has it, only rhs, rate and shrink mean anything. */
+/* Eq. (5) of a part as a linear program (>>verdict). The interior point has no
+   columns and uses only rhs, rate and shrink. */
 typedef struct kern_equations {
     kern_real *arc;   /* columns                                      */
     kern_real *rhs;   /* loads                                        */
@@ -4802,20 +4937,20 @@ typedef struct kern_equations {
 } kern_equations;
 
 typedef struct kern_part {
-    kern_take rest; /* work memory that the part has left           */
+    kern_take rest; /* work memory after the part                   */
     kern_dual dual;
     kern_model *m;
     int groups, contacts;
-    int supports; /* contacts that carry a group of the part: the
-                                 first; by the others, groups rest on it      */
-    int *group;   /* of the part; in >>norm in an order of its own */
-    int *contact; /* of the part                                  */
-    int *ends;    /* of a contact: groups of the part, or none    */
+    int supports; /* number of contacts that carry groups of the part. They
+                                 come first; the others carry groups above    */
+    int *group;   /* groups of the part; >>norm has its own order  */
+    int *contact; /* contacts of the part                         */
+    int *ends;    /* two a contact: groups of the part, or `groups` */
     kern_real *x; /* two a contact: forces along the edges of its
-                                 cone; then how far the place grows           */
+                                 cone; then the value of the place            */
     kern_real *y; /* three a group: prices of equilibrium, a motion */
     kern_equations eq;
-    kern_status found; /* what the program said, proven or not         */
+    kern_status found; /* result of the method, proven or not          */
 } kern_part;
 
 /* Lists the groups of the part at the ends of its contacts. Returns 0 if there
@@ -4833,8 +4968,8 @@ static int kern_part_ends(kern_part *p)
     return kern_take_fits(&p->rest);
 }
 
-/* Lists the part's contacts: its supports, which carry its groups, then those
-   by which other groups rest on it. */
+/* Lists the part's contacts: first its supports, which carry its groups, then
+   the contacts that carry groups above the part. */
 static void kern_part_list(kern_part *p)
 {
     const kern_model *m = p->m;
@@ -4866,8 +5001,8 @@ static void kern_part_list(kern_part *p)
 }
 
 /* Writes the loads of a part's groups for a query, three numbers each, in units
-   of force, as a program has them. Returns the residual that equilibrium may
-   leave. */
+   of force, as a program has them. Returns the residual of equilibrium that is
+   allowed. */
 static kern_real kern_part_load(const kern_part *p, const kern_query *q,
                                 kern_real *to)
 {
@@ -4884,7 +5019,8 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
     return KERN_PART_TOL * least / m->weight;
 }
 
-/* Takes the list of a part's groups. Returns 0 if there is no room. */
+/* Takes memory for the list of a part's groups. Returns 0 if there is no
+   room. */
 static int kern_part_begin(kern_part *p, kern_model *m, int groups,
                            const kern_take *rest)
 {
@@ -4905,7 +5041,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     if (!kern_part_begin(p, m, groups, &m->rest))
         return 0;
 
-    /* Numbers the marked groups in their order, from the last up. */
+    /* Numbers the marked groups in their order, beginning with the last. */
     for (g = last; n > 0; g--)
         if (m->graph.local[g] != KERN_OUT) {
             m->graph.local[g] = --n;
@@ -4919,7 +5055,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     return 1;
 }
 
-/* Writes y as the motion of the part, and rest for all other blocks. */
+/* Writes y as the motion of the part. All other blocks rest. */
 static void kern_part_motion(kern_part *p)
 {
     kern_model *m = p->m;
@@ -4941,7 +5077,7 @@ static int kern_part_falls(kern_part *p, const kern_query *q)
     return kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion));
 }
 
-/* Writes x, of a program of all groups, as contact forces. Negative rounding
+/* Writes x of a program of all groups as contact forces. Negative rounding
    becomes 0. */
 static void kern_part_forces(kern_part *p)
 {
@@ -4969,14 +5105,15 @@ static int kern_part_stands(kern_part *p, const kern_query *q)
 
        min |x|^2 / 2,  A x = b,  x >= 0.
 
-   The dual, max b.u - |max(0, A'u)|^2 / 2, has three unknowns for each group.
-   It is concave and has a piecewise constant curvature, and x = max(0, A'u). So
-   Newton's method ends after a few steps. Its matrix is A_S A_S', of the rays S
-   that press at u. Where no forces exist the dual grows without limit. */
+   The dual, max b.u - |max(0, A'u)|^2 / 2, has three unknowns for each group,
+   and x = max(0, A'u). It is concave and its curvature is piecewise constant,
+   so that Newton's method ends after a few steps. Its matrix is A_S A_S', of
+   the rays S that press at u. If no forces exist the dual grows without
+   limit. */
 
-/* Writes the approach of contact i at which its law exerts the force of the
-   answer, and returns the friction. Newton's method begins there, and so finds
-   the least change of the forces. */
+/* Writes to `way` the approach at which the law of contact i exerts the
+   answer's force. Newton's method begins there, and so finds the least change
+   of the forces. Returns the friction. */
 static inline kern_real kern_model_prior(const kern_model *m, int i,
                                          kern_real way[2])
 {
@@ -5053,13 +5190,13 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
     kern_row_exert(row + 1, f, r, b + 3 * p->ends[2 * k + 1]);
 }
 
-/* Motions whose approach is computed: all of u, or a step that is added to
-   it. */
+/* The motion of an approach: the whole u, or a step that is added to u. */
 typedef enum kern_way_of { KERN_WAY_OF_STEP, KERN_WAY_OF_U } kern_way_of;
 
-/* Writes the approach of the supports along n and t, to `way` or `turn`. That
-   of u begins at minus the price of a stiff contact, otherwise at the force
-   that the contact has already. */
+/* Writes the approach of the supports along n and t: that of u to `way`, that
+   of the step to `turn`. The approach of u begins at minus the price of a stiff
+   contact, otherwise at the approach of the force that the contact has
+   already. */
 KERN_SHARED static void kern_norm_ways(kern_part *p, kern_way_of of)
 {
     const kern_dual *d = &p->dual;
@@ -5076,8 +5213,8 @@ KERN_SHARED static void kern_norm_ways(kern_part *p, kern_way_of of)
     }
 }
 
-/* Writes the gradient of the dual at u: b less what the forces of u exert.
-   Returns the dual's value, and in *most the largest force. */
+/* Writes the gradient of the dual at u: b less the wrenches of the forces of u.
+   Returns the dual's value, and writes the largest force to *most. */
 static kern_real kern_norm_gradient(kern_part *p, kern_real *most)
 {
     const kern_dual *d = &p->dual;
@@ -5100,7 +5237,7 @@ static kern_real kern_norm_gradient(kern_part *p, kern_real *most)
     return value;
 }
 
-/* Adds to the matrix what the part's contact k couples by a law. */
+/* Adds the law of the part's contact k to the matrix. */
 static void kern_part_add(kern_part *p, int k, const kern_law *s)
 {
     kern_row row[2];
@@ -5108,8 +5245,8 @@ static void kern_part_add(kern_part *p, int k, const kern_law *s)
     kern_skyline_law(&p->dual.matrix, p->ends + 2 * k, row, s);
 }
 
-/* Writes the matrix of the contacts that press at u, or of all, with its
-   diagonal shifted. */
+/* Writes the matrix of the contacts that press at u, or on a cold start of all
+   contacts, and shifts its diagonal. */
 static void kern_norm_matrix(kern_part *p, kern_start start)
 {
     const int all = start == KERN_START_COLD;
@@ -5131,8 +5268,8 @@ static void kern_norm_matrix(kern_part *p, kern_start start)
     kern_skyline_shift(a, KERN_DUAL_SHIFT);
 }
 
-/* Returns the derivative of the dual along the step at u + share * step; `push`
-   is what the loads contribute. */
+/* Returns the derivative of the dual along the step at u + share * step. `push`
+   is the contribution of the loads. */
 static kern_real kern_norm_slope(const kern_part *p, kern_real push,
                                  kern_real share)
 {
@@ -5146,10 +5283,10 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
     return push;
 }
 
-/* Returns the share of the step at which the dual is largest: where its
-   derivative is at most an eighth of the first, or with stiff contacts a
-   thousandth, since the next price begins there. With these a place is work.
-   The dual is concave: regula falsi. */
+/* Returns the share of the step at which the dual is largest, by regula falsi,
+   since the dual is concave. It ends where the derivative is at most an eighth
+   of the first one, or with stiff contacts a thousandth, since the next prices
+   begin there. With stiff contacts each place is charged as work. */
 KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_dual *d = &p->dual;
@@ -5163,7 +5300,7 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
     int round;
 
     /* Grows the share until the derivative changes its sign, then cuts the
-       bracket where a straight derivative would be 0. */
+       bracket where a linear derivative would be 0. */
     for (round = 0;
          round < (hi < KERN_INFINITY ? KERN_SHARE_PLACES : KERN_SHARE_GROWS);
          round++) {
@@ -5180,9 +5317,9 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
                                      (p->supports + 12) / KERN_PLACE_UNIT)))
             break;
 
-        /* The end of the same sign moves. */
+        /* The end with the same sign of the derivative moves. */
         if (slope > 0) {
-            at_hi /= 3; /* otherwise the other end may stay for long */
+            at_hi /= 3; /* or the upper end might stay for many rounds */
             lo = at;
             at_lo = slope;
         } else {
@@ -5194,8 +5331,8 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 }
 
 /* Finds the minimum-norm forces of a part's supports under the loads p->dual.b.
-   Returns KERN_STANDS with u; KERN_FALLS, which is no proof, where the norm
-   exceeds `bound`; KERN_UNDECIDED after so many rounds; or KERN_LIMIT. */
+   Returns KERN_STANDS with u; KERN_FALLS, which is no proof, if the norm
+   exceeds `bound`; KERN_UNDECIDED after `rounds` rounds; or KERN_LIMIT. */
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                   kern_real bound, kern_start start, int rounds)
 {
@@ -5204,19 +5341,20 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     int i, round;
     KERN_ASSERT(p->supports <= p->contacts);
 
-    /* A cold start begins at rest; the three numbers of what is held are always
+    /* A cold start begins at rest. The three numbers of held blocks are always
        0. */
     for (i = start == KERN_START_COLD ? 0 : n; i < n + 3; i++)
         d->u[i] = d->step[i] = 0;
     kern_norm_ways(p, KERN_WAY_OF_U);
 
-    /* Each round balances what presses now. */
+    /* Each round balances the contacts that press now. */
     for (round = (int)start; round < rounds; round++) {
         kern_real most, share;
         const kern_real value = kern_norm_gradient(p, &most);
 
-        /* Equilibrium holds; or the dual has grown beyond what forces of the
-           bound allow, so that there are none. */
+        /* Ends in equilibrium, or if the dual exceeds bound^2 / 2, half the
+           square of the largest norm: then there are no forces within the
+           bound. */
         if (kern_largest(d->grad, n) <= tolerance + KERN_RESIDUAL * most)
             return KERN_STANDS;
         if (!(value <= bound * bound / 2))
@@ -5224,8 +5362,8 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
         if (!kern_model_spend(p->m, d->cost))
             return KERN_LIMIT;
 
-        /* Newton's step; a cold one in full, since all contacts are taken to
-           press. */
+        /* Takes Newton's step. That of a cold start is taken in full, since all
+           contacts are assumed to press. */
         kern_norm_matrix(p, round == 0 ? KERN_START_COLD : KERN_START_WARM);
         kern_skyline_factor(&d->matrix);
         kern_skyline_solve(&d->matrix, d->grad, d->step);
@@ -5247,8 +5385,8 @@ static int kern_graph_degree(const kern_graph *graph, int g)
 }
 
 /* Lists the groups that contacts connect to `first`, from place n of the part
-   down: of each listed group the neighbours that are not listed yet, those with
-   fewer contacts first. Returns the place below the last. */
+   down, by breadth-first search. Of the new neighbours of a group those with
+   fewer contacts come first. Returns the place below the last group. */
 static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
@@ -5274,8 +5412,8 @@ static int kern_norm_layers(kern_part *p, int first, int n)
 }
 
 /* Lists the groups that are not marked, which become the part, in an order that
-   makes rows of the factor short: breadth-first layers from a group that lies
-   at an end, from the last place down (reverse Cuthill-McKee). */
+   makes rows of the factor short: breadth-first layers from a group at an end
+   of the structure, from the last place down (reverse Cuthill-McKee). */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
@@ -5330,13 +5468,13 @@ static void kern_norm_write(kern_part *p)
 
 /* ---- The top-down pass ------------------------------------------- >>pass */
 /* The pass balances the groups from top to bottom. A group passes its load, and
-   what rests on it, on to the contacts that carry it, by the least change of
-   their forces: a problem in three unknowns. A group that cannot be balanced
+   the forces from above, on to the contacts that carry it, by the least change
+   of their forces: a problem in three unknowns. A group that cannot be balanced
    alone forms a cluster with the groups that rest on it. A group whose load
    changes is balanced again. Forces that balance every group prove that the
    structure stands. If a cluster cannot be balanced, and its motion parts it
-   from all that rests on it, no forces from above could hold it: then it is a
-   part that falls.
+   from all groups that rest on it, no forces from above could hold it: then it
+   is a part that falls.
 
    A cluster, or the whole pass, has one of three outcomes. KERN_STANDS: its
    groups are balanced. KERN_FALLS: a part that seems to fall is open.
@@ -5351,8 +5489,8 @@ static void kern_pass_mark_open(kern_model *m, int g)
         m->cluster.front = last;
 }
 
-/* Writes the force of contact i. Where it changed, the cluster of group
-   `carrier` is balanced again. */
+/* Writes the force of contact i. If it changed, the cluster of group `carrier`
+   must be balanced again. */
 static void kern_pass_write(kern_model *m, int i, int carrier, kern_force f,
                             kern_real tolerance)
 {
@@ -5386,8 +5524,8 @@ static int kern_pass_three(const kern_real h[9], const kern_real b[3],
 
 typedef struct kern_ray { /* an edge of a friction cone at the group      */
     kern_real a[3];       /* wrench of a unit of x                        */
-    kern_real x;          /* its force, in units; below 0: none           */
-    int press;            /* nonzero: it is among those that carry        */
+    kern_real x;          /* its force, in units; below 0: no force       */
+    int press;            /* nonzero: it is in the matrix                 */
 } kern_ray;
 
 /* Writes the two rays of a row, with their forces at the approach `way`, in
@@ -5404,9 +5542,10 @@ static inline void kern_ray_pair(kern_ray *to, const kern_row *row,
     to[0].press = to[1].press = 1;
 }
 
-/* Returns the unit of the forces of contact i: joints that stand upright take
-   less of a load than beds. Otherwise each stone of a course would push the
-   next, and the last of a long course could not be balanced alone. */
+/* Returns the unit of the forces of contact i, which is smaller for upright
+   joints, so that they take less of a load than beds. Otherwise each stone of a
+   course would push the next, and the last of a long course could not be
+   balanced alone. */
 static kern_real kern_pass_unit(const kern_model *m, int i)
 {
     const kern_vec g = m->s->gravity;
@@ -5414,7 +5553,8 @@ static kern_real kern_pass_unit(const kern_model *m, int i)
     return 4 * up * up < kern_vec_dot(g, g) ? KERN_SIDE_SHARE : KERN_R(1);
 }
 
-/* Writes b less what the pressing rays exert, and the matrix of these. */
+/* Writes b less the wrenches of the pressing rays, and the matrix of these
+   rays. */
 static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
                          kern_real left[3], kern_real h[9])
 {
@@ -5436,17 +5576,17 @@ static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
     }
 }
 
-/* Finds the least change that makes the rays exert b, by Newton's method with
-   full steps. Returns KERN_STANDS; KERN_FALLS where the rays cannot exert b; or
-   KERN_UNDECIDED where the method does not end. */
+/* Finds the least change of the rays' forces after which they exert b, by
+   Newton's method with full steps. Returns KERN_STANDS; KERN_FALLS if the rays
+   cannot exert b; or KERN_UNDECIDED if the method does not end. */
 static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
                                    kern_real tolerance)
 {
     kern_real left[3], h[9], step[3], u[3] = {0, 0, 0}, last = KERN_INFINITY;
-    int k, round, same = 0; /* nonzero: the same rays press as before */
+    int k, round, same = 0; /* 1: the same rays press as in the last round */
     for (round = 0; round < KERN_ALONE_ROUNDS; round++) {
-        /* What is left with the rays that press now. If they are those of the
-           last round the problem was linear: it is solved, or cannot be. */
+        /* Writes the residual of the rays that press now. If they are those of
+           the last round the problem was linear: it is solved, or cannot be. */
         const kern_real before = last / KERN_ALONE_PACE;
         int good, changed = 0;
         kern_ray_sum(c, n, b, left, h);
@@ -5456,8 +5596,8 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
         if (same && last > before)
             return KERN_FALLS;
 
-        /* A full step, after which other rays may press. While a solution is
-           refined they stay. */
+        /* Takes a full step. Other rays may press after it, except while a
+           solution is refined. */
         good = kern_pass_three(h, left, step);
         kern_add(u, 1, step, 3);
         for (k = 0; k < n; k++) {
@@ -5468,7 +5608,8 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
             }
         }
 
-        /* Nothing to refine, and no ray began or ceased to press: solved. */
+        /* If there is nothing to refine, and the same rays press as before, it
+           is solved. */
         if (good && !changed)
             return KERN_STANDS;
         same = !changed;
@@ -5476,9 +5617,8 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
     return KERN_UNDECIDED;
 }
 
-/* Balances group g alone. Returns KERN_FALLS where no forces of its contacts
-   do, KERN_UNDECIDED where it has too many contacts or the method does not
-   end. */
+/* Balances group g alone. Returns KERN_FALLS if no forces of its contacts do,
+   KERN_UNDECIDED if it has too many contacts or the method does not end. */
 static kern_status kern_pass_alone(kern_model *m, int g)
 {
     const kern_real tolerance = KERN_PASS_TOL * m->size[g];
@@ -5488,8 +5628,8 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     kern_status status;
     int e, k, n = 0;
 
-    /* The load is the group's own and what rests on it. The contacts that carry
-       it give two rays each, with the forces that they have. */
+    /* The load is that of the group and of the contacts above it. Each contact
+       that carries the group gives two rays, with the forces that it has. */
     kern_copy(b, m->load + 3 * g, 3);
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
         const kern_row row = kern_model_row(m, e);
@@ -5519,7 +5659,7 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     return status;
 }
 
-/* Joins two clusters. */
+/* Joins the clusters of groups g and h. */
 static void kern_pass_join(kern_model *m, int g, int h)
 {
     kern_clusters *c = &m->cluster;
@@ -5547,16 +5687,16 @@ static int kern_pass_mark(kern_model *m, int g, int mark)
     return n;
 }
 
-/* Adds the clusters that rest on that of `last`, which cannot be balanced,
-   and leaves it open. Returns 0 if there are none, or the cluster is too
-   large now. */
+/* Joins the clusters that rest on that of `last`, which cannot be balanced, to
+   it, and leaves it open. Returns 0 if there are none, or if the cluster is now
+   too large. */
 static int kern_pass_grow(kern_model *m, int last)
 {
     const kern_clusters *c = &m->cluster;
     int g = last, after, e, grown = 0;
 
-    /* Joins the cluster of every group above. A joined cluster's own upper
-       groups wait for the next time: `after` is what followed before. */
+    /* Joins the cluster of every group above. `after` is the next group before
+       the join: the groups of a joined cluster are not searched now. */
     do {
         after = c->next[g];
         for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
@@ -5573,9 +5713,9 @@ static int kern_pass_grow(kern_model *m, int last)
     return grown && kern_pass_mark(m, last, KERN_OUT) <= c->groups_most;
 }
 
-/* Writes the minimum-norm forces of a part. A group that rests on the part and
-   carries it joins it on the second attempt: otherwise the two would be
-   balanced in turns. */
+/* Writes the minimum-norm forces of a part. A group that both rests on the part
+   and carries it joins the part on the second attempt. Otherwise the two would
+   be balanced in turns. */
 static void kern_pass_keep(kern_part *p, kern_real tolerance)
 {
     kern_model *m = p->m;
@@ -5586,7 +5726,7 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
     open[last] |= KERN_TRIED;
 
     /* Writes the force of each support. A group of the part is balanced now, so
-       that only a group outside of it is balanced again. */
+       only groups outside of it are to be balanced again. */
     for (k = 0; k < p->supports; k++) {
         const int i = p->contact[k], *ends = m->graph.ends + 2 * i;
         const kern_real *w = p->dual.way + 2 * k;
@@ -5605,8 +5745,8 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
 }
 
 /* Returns 1 if u, the motion of a part that cannot be balanced, parts it from
-   all that rests on it, and its loads do work: then no force from above holds
-   it. */
+   all groups that rest on it, and its loads do work. Then no force from above
+   can hold it. */
 static int kern_pass_parts(kern_part *p)
 {
     const kern_real most = KERN_PARTS_TOL
@@ -5618,7 +5758,7 @@ static int kern_pass_parts(kern_part *p)
     for (n = 0; n < p->groups; n++)
         power += kern_dot(p->dual.u + 3 * n, p->m->load + 3 * p->group[n], 3);
 
-    /* No contact from above may be closed, not even at the edge of its cone. */
+    /* No contact from above may close, not even along the edge of its cone. */
     for (k = p->supports; k < p->contacts; k++) {
         kern_real w[2] = {0, 0};
         kern_part_speed(p, k, p->dual.u, w);
@@ -5629,7 +5769,8 @@ static int kern_pass_parts(kern_part *p)
 }
 
 /* Opens the part of a cluster, and writes its minimum-norm forces if they
-   balance it. Returns KERN_FALLS where no forces would, with all else held. */
+   balance it. Returns KERN_FALLS if no forces would balance it with all other
+   blocks held. */
 KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
                                               int last)
 {
@@ -5638,7 +5779,7 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     kern_take take;
     int n;
 
-    /* Ends where there is no room for the part, or too little of the pass'
+    /* Ends if there is no room for the part, or if the pass has too small a
        budget left for a step. */
     if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last))
         return KERN_NO_SPACE;
@@ -5647,8 +5788,8 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
         || p->dual.cost > m->cluster.budget_end - m->task->work->units)
         return KERN_NO_SPACE;
 
-    /* Its loads are those of the groups and of what rests on them. `load` is
-       their sum, and `least` tells which residual counts. */
+    /* The loads are those of the groups and of the contacts above them. `load`
+       is the sum of their magnitudes, and `least` sets the largest residual. */
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
@@ -5661,8 +5802,8 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.b[n]);
 
-    /* Where the norm grows without limit no forces exist. That the part falls
-       is proven only by a motion that parts from all that rests on it. */
+    /* If the norm grows without limit no forces exist. The part falls only if
+       its motion parts it from all groups that rest on it. */
     status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_CLUSTER_NORM * load,
                             KERN_START_COLD, KERN_NORM_ROUNDS);
     if (status == KERN_STANDS)
@@ -5673,7 +5814,7 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     return status;
 }
 
-/* Balances the cluster of `last`. Returns KERN_FALLS where a part that falls is
+/* Balances the cluster of `last`. After KERN_FALLS a part that falls is
    open. */
 static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
 {
@@ -5682,8 +5823,8 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
                            : KERN_UNDECIDED;
 
     /* A group that no forces hold falls as a part of its own if nothing rests
-       on it. What rests on it could hold it: then it is undecided, and the
-       cluster grows. */
+       on it. Otherwise the groups above could hold it: then it is undecided,
+       and the cluster grows. */
     if (status == KERN_FALLS) {
         if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last)
             || p->supports < p->contacts)
@@ -5696,8 +5837,9 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
     return status;
 }
 
-/* Makes the next pass begin with the known forces, if there are any. Where the
-   kerns are as large as then, only the last block is unbalanced. */
+/* Makes the next pass begin with the known forces, if there are any. If the
+   kerns are at least as large as those of the known forces, only the last block
+   is unbalanced. */
 static void kern_known_begin(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
@@ -5712,9 +5854,9 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
         m->cluster.changed = m->graph.group[m->s->blocks - 1];
 }
 
-/* Begins a pass from the forces of the answer, with all groups open, or only
-   the one that these may not balance. A cluster may have one `share`-th of all
-   groups. */
+/* Begins a pass with the forces of the answer. All groups are open, or only the
+   one that known forces may not balance. A cluster may have one `share`-th of
+   all groups. */
 static void kern_pass_begin(kern_model *m, int share)
 {
     kern_clusters *c = &m->cluster;
@@ -5731,8 +5873,8 @@ static void kern_pass_begin(kern_model *m, int share)
     }
 }
 
-/* Balances all groups that must be balanced, alone or in clusters, which grow
-   until they can be balanced, or fall. */
+/* Balances all open groups, alone or in clusters, which grow until they are
+   balanced or fall. */
 static kern_status kern_pass(kern_model *m, kern_part *p)
 {
     kern_clusters *c = &m->cluster;
@@ -5740,7 +5882,7 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
                   + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
 
     /* The front moves down, and back to a cluster that must be balanced again.
-       The budget ends what does not settle. */
+       The budget ends a pass that does not settle. */
     while (c->front < m->graph.groups) {
         const int g = c->front++;
         kern_status status;
@@ -5755,15 +5897,15 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
             return status;
         if (status != KERN_STANDS
             && !(status == KERN_UNDECIDED && kern_pass_grow(m, g)))
-            return KERN_UNDECIDED; /* or no room, no work */
+            return KERN_UNDECIDED; /* also without room or work */
     }
     return KERN_STANDS;
 }
 
 /* ---- Interior point ---------------------------------------------- >>ipm */
-/* The verdict on all groups at once, in about ten factorisations. The first
-   forces, x > 0, miss equilibrium by g. The program asks how much of g can be
-   made up:
+/* Gives the verdict on all groups at once, in about ten factorisations. The
+   first forces, x > 0, miss equilibrium by g. The program finds how much of g
+   can be removed:
 
        max s,  A x + s g = b,  x >= 0,  s <= 0,
 
@@ -5776,15 +5918,15 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
 
        M dy - g ds = A x~ + s g - b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
 
-   with x~ the forces that mu demands. They are solved twice with one factor
-   (Mehrotra): the predictor, with mu = 0, tells how small mu may be and what
-   the corrector has to take into account. Along a path x, y, z and s begin
-   where the last query left them. */
+   with x~ the forces for this mu. They are solved twice with one factor
+   (Mehrotra). The predictor, with mu = 0, tells how small mu may be and which
+   products dx dz the corrector has to include. Along a path the values x, y, z
+   and s of the last query are the start of the next. */
 
 typedef struct kern_ipm {
     kern_part *p; /* all groups; its x, y and eq.rhs are x, y, b  */
     kern_real s;
-    kern_real gap;     /* sum of x z: s is so near to the maximum      */
+    kern_real gap;     /* sum of x z: distance of s from the maximum   */
     kern_real *z;      /* of a ray: its opening speed                  */
     kern_real *dx;     /* of a ray: its step; z has its in dual.turn   */
     kern_real *d;      /* of a ray: D                                  */
@@ -5830,7 +5972,7 @@ static void kern_ipm_excess(kern_ipm *in)
     in->gap = kern_dot(p->x, in->z, 2 * p->contacts);
 }
 
-/* out := M^-1 b, with M of in->d, whose diagonal is shifted by a share of its
+/* out := M^-1 b, with D = in->d. The diagonal of M is shifted by a share of its
    mean. */
 static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
                             kern_real *out)
@@ -5853,7 +5995,7 @@ static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
     p->m->task->work->pivots++;
 }
 
-/* Returns how much of a step keeps v above 0; at most all of it. */
+/* Returns the largest share of a step, at most 1, that keeps v above 0. */
 static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
                                 int n)
 {
@@ -5865,7 +6007,7 @@ static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
     return share;
 }
 
-/* Lifts products x z that are near to 0 to the mean of a gap. */
+/* Raises products x z that are close to 0 to the mean of a gap. */
 static void kern_ipm_centre(kern_ipm *in, kern_real gap)
 {
     const int rays = 2 * in->p->contacts;
@@ -5903,8 +6045,8 @@ static kern_real kern_ipm_solve(kern_ipm *in)
     return ds;
 }
 
-/* Takes one step: first the predictor's, then the corrector's with what that
-   tells. Returns 0 where the limit or the digits do not reach for a step. */
+/* Takes one step: that of the predictor, then that of the corrector. Returns 0
+   if the limit of work or the digits are not enough for a step. */
 static int kern_ipm_step(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -5918,8 +6060,8 @@ static int kern_ipm_step(kern_ipm *in)
         || !kern_model_spend(p->m, p->dual.cost))
         return 0;
 
-    /* Factors M = A D A', once for both solutions. Where a row of it is all
-       rounding its diagonal is shifted. */
+    /* Factors M = A D A', once for both solutions. If M is singular its
+       diagonal is shifted. */
     for (i = 0; i < rays; i++) {
         in->d[i] = p->x[i] / in->z[i];
         dx[i] = dz[i] = 0;
@@ -5929,8 +6071,8 @@ static int kern_ipm_step(kern_ipm *in)
         kern_ipm_factor(in, KERN_IPM_SHIFT, in->g, in->gain);
     kern_ipm_ways(p, p->y, p->dual.way);
 
-    /* The predictor aims at mu = 0. The corrector aims at the mu that this
-       allows, and takes the products dx dz of the predictor into account. */
+    /* The predictor aims at mu = 0. The corrector aims at the mu that the
+       predictor allows, and includes its products dx dz. */
     for (corrects = 0;; corrects = 1) {
         for (i = 0; i < rays; i++)
             dx[i] = (mu - of_x * of_z * dx[i] * dz[i]) / in->z[i]
@@ -5947,14 +6089,14 @@ static int kern_ipm_step(kern_ipm *in)
         mu = in->gap * left * left * left / KERN_R(rays);
     }
 
-    /* Goes almost as far as x and z stay above 0; x needs no backing off where
-       the step does not reach its boundary. */
+    /* Goes almost as far as x and z stay above 0. If the whole step keeps x
+       above 0, it takes all of it. */
     left = kern_min(KERN_IPM_BACKOFF * left, KERN_IPM_BACKOFF);
     of_z -= of_z * left;
     if (of_x < 1)
         of_x -= of_x * left;
 
-    /* s is a sum that is rounded: it must not exceed 0. */
+    /* s is a rounded sum, which must not exceed 0. */
     in->s = kern_min(in->s + of_x * ds, 0);
     for (i = 0; i < rays; i++) {
         p->x[i] = kern_max(p->x[i] + of_x * dx[i], p->x[i] * KERN_IPM_KEEP);
@@ -5967,8 +6109,8 @@ static int kern_ipm_step(kern_ipm *in)
     return kern_is_finite(in->gap);
 }
 
-/* Removes A x - b by a correction of each force in proportion to it, so that M
-   is far from singular where x / z has entries of all sizes. Returns 1 if the
+/* Removes A x - b by changing each force in proportion to itself, so that M is
+   far from singular although x / z has entries of all sizes. Returns 1 if the
    forces then prove that the structure stands. */
 static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
 {
@@ -5985,8 +6127,8 @@ static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
     return kern_part_stands(p, q);
 }
 
-/* Lifts v above 0: by 1.5 times its least entry, if that is below 0, and by a
-   little of its largest. */
+/* Raises v above 0: by 1.5 times the magnitude of its least entry, if that is
+   negative, and by a small share of its largest. */
 static void kern_ipm_lift(kern_real *v, int n)
 {
     kern_real lift = 0;
@@ -5998,8 +6140,9 @@ static void kern_ipm_lift(kern_real *v, int n)
         v[i] += lift;
 }
 
-/* Begins with minimum-norm forces of both signs, and such motions, lifted above
-   0 (Mehrotra). Returns 0 where the forces miss nothing, or no work is left. */
+/* Writes a starting point: minimum-norm forces of both signs and a motion, both
+   raised above 0 (Mehrotra). Returns 0 if the forces are in equilibrium, or no
+   work is left. */
 static int kern_ipm_begin(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -6009,7 +6152,7 @@ static int kern_ipm_begin(kern_ipm *in)
     if (!kern_model_spend(p->m, p->dual.cost))
         return 0;
 
-    /* x: the least-norm solution of A x = b, all rays equally stiff, lifted. */
+    /* x: the least-norm solution of A x = b, all rays equally stiff, raised. */
     in->s = -1;
     for (i = 0; i < rays; i++) {
         in->z[i] = 0;
@@ -6020,11 +6163,11 @@ static int kern_ipm_begin(kern_ipm *in)
     kern_ipm_ways(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
 
-    /* g is what these forces miss. */
+    /* g: the residual of these forces. */
     kern_ipm_excess(in);
     kern_copy(in->g, in->excess, n);
 
-    /* y: the least motion with g.y = 1, and z its opening speeds, lifted. */
+    /* y: the least motion with g.y = 1. z: its opening speeds, raised. */
     kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
     power = kern_dot(in->g, in->gain, n);
     if (!(power > 0))
@@ -6044,8 +6187,8 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
 {
     int rays, n;
 
-    /* Makes the lists of the groups again if a program of all groups has taken
-       their memory. */
+    /* Lists the contacts of all groups again if a program of all groups has
+       taken that memory. */
     if (m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
@@ -6060,9 +6203,9 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     if (!kern_take_fits(&p->rest))
         return 0;
 
-    /* The arrays lie one after the other: four of rays, five of rows. Each
-       of the latter has three numbers more, for what is held; the last
-       needs none. */
+    /* The arrays lie one after the other: four of rays, then five of rows.
+       Those of rows have three more numbers for held blocks, except the
+       last. */
     in->z = p->x + rays;
     in->dx = in->z + rays;
     in->d = in->dx + rays;
@@ -6072,16 +6215,16 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     in->gain = in->g + n;
     p->eq.rhs = in->gain + n;
 
-    /* What the search reads of a program: no columns, and room for a rate. */
+    /* The search reads these of a program: no columns, and room for a rate. */
     p->eq.rate = p->dual.grad;
     p->eq.shrink = KERN_INFINITY; /* there are no columns */
-    kern_zero(p->y, 4 * n);       /* what is held rests */
+    kern_zero(p->y, 4 * n);       /* held blocks rest     */
     kern_zero(p->dual.step, n);
     return 1;
 }
 
-/* Takes steps until forces, where s is 0, or the motion prove a verdict, while
-   the gap is neither rounding nor above its pace. */
+/* Takes steps until forces with s = 0, or the motion, prove a verdict. Ends if
+   the gap is rounding, or if it falls more slowly than by KERN_IPM_PACE. */
 static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
                                 kern_real pace)
 {
@@ -6098,8 +6241,8 @@ static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
     return KERN_UNDECIDED;
 }
 
-/* Returns the verdict for a query: from the last one's x, y, z and s, otherwise
-   from the beginning. */
+/* Returns the verdict for a query. Starts with x, y, z and s of the last query,
+   and if that fails, from the beginning. */
 static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
 {
     kern_part *p = in->p;
@@ -6112,7 +6255,7 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
     kern_model_arms(m, q);
     kern_part_load(p, q, p->eq.rhs);
 
-    /* Starts from the solution of the last query, which is close; lifting it a
+    /* Starts with the solution of the last query, which is close. Raising it a
        little saves some rounds. */
     if (in->gap <= KERN_IPM_GAP_MOST) {
         in->s = kern_min(in->s, -KERN_IPM_S);
@@ -6133,7 +6276,7 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
     return kern_ipm_open(&in, m, p, q) ? kern_ipm_evaluate(&in, q)
                                        : KERN_UNDECIDED;
 }
-#else /* without it, nothing is decided here */
+#else /* without the interior point nothing is decided here */
 #define kern_ipm_open(in, m, p, q) 0
 #define kern_ipm_evaluate(in, q) KERN_UNDECIDED
 #define kern_ipm_verdict(m, p, q) KERN_UNDECIDED
@@ -6142,7 +6285,7 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 /* ---- Verdicts ------------------------------------------------- >>verdict */
 
 /* Lays out the linear program of a part, with as much room for factors as there
-   is. Returns 0 if there is not even the least. */
+   is. Returns 0 if there is not even the least room. */
 static int kern_part_lay(kern_part *p)
 {
     kern_equations *const eq = &p->eq;
@@ -6154,10 +6297,10 @@ static int kern_part_lay(kern_part *p)
     /* clang-format on */
     int room = KERN_EXTRAS(n);
     eq->lp = lp;
-    eq->shrink = KERN_INFINITY; /* none */
+    eq->shrink = KERN_INFINITY; /* there are no columns */
 
-    /* Takes as much room for factors as the work memory has: the less, the more
-       often the basis is factored again. */
+    /* Takes as much room for factors as the work memory has. With less room the
+       basis is factored again more often. */
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
         eq->lp.a = eq->arc = kern_take_reals(&take,
@@ -6176,7 +6319,7 @@ static int kern_part_lay(kern_part *p)
 }
 
 /* Writes Eq. (5) for a query: two columns a contact, along the edges n + mu t
-   and n - mu t of its friction cone, and the loads on the right. */
+   and n - mu t of its friction cone, and the loads as the right-hand side. */
 static void kern_part_set(kern_part *p, const kern_query *q)
 {
     kern_equations *const eq = &p->eq;
@@ -6190,8 +6333,8 @@ static void kern_part_set(kern_part *p, const kern_query *q)
         kern_model_unit(m, q, p->group[k]);
     kern_part_load(p, q, eq->rhs);
 
-    /* Columns depend on the shrinkage alone; with others the basis must be
-       factored again. */
+    /* Columns depend on the shrinkage alone. If it has changed the basis must
+       be factored again. */
     if (eq->shrink >= q->shrink && eq->shrink <= q->shrink)
         return;
     eq->shrink = q->shrink;
@@ -6216,7 +6359,7 @@ static int kern_part_is_whole(const kern_part *p)
 }
 
 /* Returns the verdict if its proof holds, otherwise KERN_UNDECIDED. A part that
-   stands needs no proof, since that is no verdict on the whole. */
+   stands needs no proof, since it gives no verdict on the whole. */
 static kern_status kern_part_prove(kern_part *p, const kern_query *q,
                                    kern_status status)
 {
@@ -6225,21 +6368,21 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     if (status < 0 || (status == KERN_STANDS && !whole))
         return status;
 
-    /* The motion proves a fall as it is, or after its prices were refined and
-       lifted off the columns. */
+    /* The motion proves a fall as it is, or after its prices have been refined
+       and lifted off the columns. */
     for (again = 0; status == KERN_FALLS && again < 2; again++)
         if ((!again || kern_prices_mend(&p->eq.simplex, p->y, KERN_LIFT))
             && kern_part_falls(p, q))
             return status;
 
-    /* Forces may hold it within the tolerance, also where the simplex method
-       found that none exist. */
+    /* Forces may hold the structure within the tolerance even if the simplex
+       method found that none exist. */
     return whole && kern_part_stands(p, q) ? KERN_STANDS : KERN_UNDECIDED;
 }
 
-/* Bounds the forces. Where their sum exceeds KERN_BOUND, finds the forces of
-   the least sum, by costs of 1. If even that is too large, their prices are a
-   motion that proves it, and KERN_FALLS is returned; otherwise KERN_STANDS. */
+/* Bounds the forces. If their sum exceeds KERN_BOUND, finds the forces of the
+   least sum, by costs of 1. If even that sum is too large, the prices are a
+   motion that proves it. Returns KERN_FALLS then, otherwise KERN_STANDS. */
 static kern_status kern_part_norm(kern_part *p, kern_solver solver)
 {
     kern_equations *const eq = &p->eq;
@@ -6259,7 +6402,7 @@ static kern_status kern_part_norm(kern_part *p, kern_solver solver)
                                                          : KERN_STANDS;
 }
 
-/* Returns how far rhs can grow at the rate -eq.rate; infinity: for ever. */
+/* Returns how far rhs can move at the rate -eq.rate, or infinity. */
 static kern_real kern_part_follow(kern_part *p)
 {
     kern_status status;
@@ -6271,7 +6414,7 @@ static kern_real kern_part_follow(kern_part *p)
     return status == KERN_LP_OPTIMAL ? p->x[p->eq.lp.cols] : KERN_INFINITY;
 }
 
-/* Returns what the simplex method says of a part, without a proof. */
+/* Returns the result of the simplex method for a part, without a proof. */
 static kern_status kern_part_ask(kern_part *p, const kern_query *q,
                                  kern_solver solver)
 {
@@ -6287,9 +6430,9 @@ static kern_status kern_part_ask(kern_part *p, const kern_query *q,
     return p->found = status;
 }
 
-/* Returns the verdict of the simplex method with its proof. A second solve,
-   from no basis and without the backend, follows if the first ended but had
-   none: a long series of pivots may have lost digits. */
+/* Returns the verdict of the simplex method with its proof. If the first solve
+   ends without a proof, a second follows without a basis and without the
+   backend, since a long series of pivots may have lost digits. */
 static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
 {
     kern_status status = kern_part_prove(p, q,
@@ -6302,14 +6445,15 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
     return status;
 }
 
-/* Passes the loads down for a query that is set, in clusters of at most one
-   `share`-th of all groups. Returns KERN_STANDS with a proof; KERN_FALLS with
-   an open part that seems to fall; KERN_UNDECIDED; or KERN_LIMIT. */
+/* Runs the top-down pass for a query that has been set, with clusters of at
+   most one `share`-th of all groups. Returns KERN_STANDS with a proof;
+   KERN_FALLS with an open part that seems to fall; KERN_UNDECIDED; or
+   KERN_LIMIT. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
     kern_status found;
-    for (;; m->answer.known = NULL) { /* the second round knows nothing */
+    for (;; m->answer.known = NULL) { /* the second round: no known forces */
         if (!kern_model_ask(m, 1))
             return KERN_LIMIT;
         m->task->work->solves++;
@@ -6320,9 +6464,9 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
             || (found == KERN_STANDS && kern_answer_holds(m, q)))
             return found;
 
-        /* Every group is balanced, and yet the forces prove nothing: the known
-           forces, of groups that were not balanced again, are of other loads.
-           Once more without them. */
+        /* Every group is balanced, but the forces prove nothing: the known
+           forces of groups that were not balanced again belong to other loads.
+           The pass is repeated without known forces. */
         if (found != KERN_STANDS || !m->answer.known)
             return KERN_UNDECIDED;
         kern_model_unload(m);
@@ -6330,7 +6474,7 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
 }
 
 /* Opens one linear program of all groups, which answers all later queries, each
-   from the last basis. It takes the place of all that the pass needs. */
+   beginning with the last basis. It overwrites the arrays of the pass. */
 static kern_status kern_model_whole(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
@@ -6352,8 +6496,8 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
     return m->whole ? KERN_OK : KERN_NO_SPACE;
 }
 
-/* Returns the verdict for a query, with a proof or KERN_UNDECIDED without one,
-   by the methods that >>method lists. After KERN_FALLS the part that falls is
+/* Returns the verdict for a query with a proof, or KERN_UNDECIDED without one,
+   by the methods listed in >>method. After KERN_FALLS the falling part is
    open. */
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q)
@@ -6364,20 +6508,20 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     if (!m->whole) {
         kern_model_set(m, q);
 
-        /* First the pass: forces for every group prove that the structure
-           stands. */
+        /* First the pass: if it balances every group the structure stands. */
         status = kern_model_pass(m, p, q, KERN_CLUSTER);
         if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
 
-        /* A part that seems to fall is small: its own program gives the motion
+        /* A part that seems to fall is small. Its own program gives the motion
            that proves it. If that fails the part proves nothing. */
         if (status == KERN_FALLS && kern_part_lay(p)
             && kern_part_evaluate(p, q) == KERN_FALLS)
             return KERN_FALLS;
 
-        /* All groups at once: many by the interior point, few, or what that
-           leaves undecided, by one program that stays for later queries. */
+        /* Then all groups at once. Many groups are solved by the interior
+           point. Few groups, or those that it leaves undecided, are solved by
+           one program, which is kept for later queries. */
         status = m->graph.groups > KERN_SMALL ? kern_ipm_verdict(m, p, q)
                                               : KERN_UNDECIDED;
         if (status != KERN_UNDECIDED)
@@ -6395,7 +6539,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
             || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
         status = kern_ipm_verdict(m, p, q);
-        p->found = KERN_UNDECIDED; /* y predicts less exactly than a basis */
+        p->found = KERN_UNDECIDED; /* its y predicts worse than a basis */
     }
     return status;
 }
@@ -6403,14 +6547,14 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 /* ==== Part V: What is measured =========================================== */
 
 /* ---- The kern -------------------------------------------------- >>kern */
-/* A path leads from a structure that stands to ones that fall: kerns shrink, a
-   load grows or gravity turns. s is the place on it. A mechanism y that falls
-   at s has the power
+/* A path leads from a structure that stands to structures that fall: kerns
+   shrink, a load grows or gravity turns. s is the place on it. A mechanism y
+   that falls at s has the power
 
-       P(s) = -y.rhs(s) > 0,   which changes by   P' = -y.(rhs' - A' x),
+       P(s) = -y.rhs(s) > 0,   whose derivative is   P' = -y.(rhs' - A' x),
 
    so it stops falling at s - P / P' (Newton's method). The steps converge
-   quadratically and from the side that falls. */
+   quadratically and from the falling side. */
 
 typedef enum kern_path_kind {
     KERN_PATH_SHRINK,
@@ -6418,56 +6562,58 @@ typedef enum kern_path_kind {
     KERN_PATH_TILT
 } kern_path_kind;
 
-/* What is evaluated: the whole; a part alone, all other blocks held; the whole by
-   its program, until the interior point takes over. */
+/* What a search evaluates: the whole; one part, with all other blocks held; or
+   the whole by its program, until the interior point takes over. */
 typedef enum kern_asked {
     KERN_ASKED_WHOLE,
     KERN_ASKED_PART,
     KERN_ASKED_PROGRAM
 } kern_asked;
 
-/* Farthest place where the whole is proven to stand, nearest where it is proven
-   to fall; -1, infinity: none. */
+/* The farthest place at which the whole is proven to stand, and the closest at
+   which it is proven to fall. Without a proof they are -1 and infinity. */
 typedef struct kern_range {
     kern_real low, high;
 } kern_range;
 
 typedef struct kern_path {
     kern_path_kind kind;
-    kern_query q;            /* at s = 0; the place replaces what it changes */
+    kern_query q;            /* at s = 0; kern_path_at() changes it for s    */
     kern_real unit;          /* of s: the mean block size, or 1              */
     kern_real start, end;    /* of the search                                */
     kern_real holds, fails;  /* the bracket: >>search                        */
-    kern_real critical;      /* value of the mechanism; none: <= holds       */
-    kern_real predicted;     /* value of the mechanism after that one        */
-    kern_range proven;       /* of the whole                                 */
+    kern_real critical;      /* value of the mechanism; <= holds: none       */
+    kern_real predicted;     /* predicted value of the next mechanism        */
+    kern_range proven;       /* for the whole                                */
     int never;               /* nonzero: it stands to the end                */
-    kern_part *part;         /* that fell last                               */
-    const kern_known *known; /* of a structure like it, or NULL              */
+    kern_part *part;         /* the part that fell last                      */
+    const kern_known *known; /* of a similar structure, or NULL              */
     kern_asked asked;        /* what is evaluated                            */
     struct kern_ipm *ipm;    /* evaluates the whole, or NULL                 */
-    const kern_proof *proof; /* the caller's: of the last verdict each way   */
+    const kern_proof *proof; /* the caller's: last proof of each verdict     */
 } kern_path;
 
-/* Returns the width that a bracket should have. */
+/* Returns the width to which a bracket is narrowed. */
 KERN_SHARED static kern_real kern_width(const kern_path *path)
 {
     return KERN_WIDTH * path->unit;
 }
 
-/* Returns the distance from the critical value to the places beside it. */
+/* Returns the distance between the critical value and the proofs on both
+   sides. */
 KERN_SHARED static kern_real kern_half_width(const kern_path *path)
 {
     return kern_width(path) / 2;
 }
 
-/* Returns the distance from the critical value at which aiming at it ends. */
+/* Returns the largest distance between two proofs at which the search aims at
+   the value between them. */
 KERN_SHARED static kern_real kern_widest(const kern_path *path)
 {
     return kern_width(path) * KERN_WIDEST;
 }
 
-/* Returns the place at that distance before the critical value, or the
+/* Returns the place at a distance before the critical value, but not before the
    start. */
 KERN_SHARED static kern_real kern_before(const kern_path *path,
                                          kern_real distance)
@@ -6476,8 +6622,8 @@ KERN_SHARED static kern_real kern_before(const kern_path *path,
     return kern_max(path->critical - distance, path->start);
 }
 
-/* Returns the query at place s. Gravity turns by 4 atan(s), so that s in [0, 1]
-   turns it through half a circle by arithmetic alone. */
+/* Returns the query at place s. Gravity turns by 4 atan(s): s in [0, 1] then
+   turns it through half a circle without trigonometric functions. */
 static kern_query kern_path_at(const kern_path *path, kern_real s)
 {
     kern_query q = path->q;
@@ -6511,38 +6657,39 @@ static kern_real kern_halved(kern_real t)
                  prove that it          prove that it
                      stands                 falls
 
-   Each verdict moves an end. A mechanism predicts where it stops falling, so
-   the next place lies just beyond that value; when nothing falls there any
-   more, the last one lies just before it. Four to eight verdicts suffice.
+   Each verdict moves an end. A mechanism predicts the value at which it stops
+   falling, so the next place lies just beyond that value. When nothing falls
+   there any more, the last place lies just before it. Four to eight verdicts
+   suffice.
 
-   Two ends may lack a proof. The start of a search where kerns are nested is
-   asked only when the critical value is near it. And a part that is evaluated
-   alone, all other blocks held, proves that the whole falls, never that it
-   stands: its lower end is forgotten afterwards.
+   Two ends may lack a proof. If kerns are nested, the start of a search is
+   evaluated only if the critical value is close to it. A part that is evaluated
+   alone, with all other blocks held, proves that the whole falls, never that it
+   stands. Its lower end is discarded afterwards.
 
-   A search asks the cheapest question first:
+   A search tries the cheapest method first:
 
-       known       the motion that failed a structure like it
+       known       the motion by which a similar structure fell
        bodies      the value of a block with what rests on it alone
-       parts       the pass just before that value: what it cannot hold falls
-       whole       one program, or the interior point, when the pass finds none
+       parts       the pass just before that value: a part that it finds falls
+       whole       one program, or the interior point, if the pass finds none
 
-   Each of them gives an upper bound, since holding other blocks never makes a
-   structure fall. Where kerns are not nested, verdicts may change many times:
-   a walk in even steps then finds the first place that falls. */
+   Each of them gives an upper bound, since fixing blocks never makes a
+   structure fall. Where kerns are not nested, verdicts may change many times. A
+   walk in even steps then finds the first place that falls. */
 
 /* ---- the value of a mechanism ---- */
 
-/* Returns the array that keeps how the forces of the basis change from where it
-   fell to the predicted value. It lies in the answer's forces, which only a
-   verdict that stands writes. */
+/* Returns the array that keeps the change of the forces of a basis from the
+   place where it fell to the predicted value. It is the memory of the answer's
+   forces, which only the verdict KERN_STANDS writes. */
 static kern_real *kern_path_change(const kern_model *m)
 {
     return (kern_real *)(void *)m->answer.force;
 }
 
-/* Adds to *power and *rate what the narrower friction of contact k changes, its
-   cone at q being set; x: forces along the two edges of the cone. */
+/* Adds the effect of the narrower friction of contact k to *power and *rate.
+   The cone at q must be set. x: forces along the two edges of the cone. */
 static void kern_shrink_narrow(const kern_part *p, const kern_query *q, int k,
                                kern_real to, const kern_real *x,
                                kern_real *power, kern_real *rate)
@@ -6565,10 +6712,10 @@ static void kern_shrink_narrow(const kern_part *p, const kern_query *q, int k,
         *rate += speed[1] * q->narrow * (1 + narrow * narrow) / (1 + by * by);
 }
 
-/* Returns how y.rhs changes when kerns, shrunk as in q, are shrunk by `to`, if y
-   stays: y.v with v = -(A(to) - A(q)) x. It is straight but where a kern
-   closes; a kern that was closed opens to the side that helps.
-   *rate: its slope at `to`; p->eq.rate: v. */
+/* Returns the change of y.rhs if y stays and kerns shrink from q to `to`: y.v
+   with v = -(A(to) - A(q)) x. It is piecewise linear in `to`, with a kink where
+   a kern closes. For a kern that is closed at q the sign is the favourable one.
+   Writes the slope at `to` to *rate, and v to p->eq.rate. */
 static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
                                    kern_real to, const kern_real *x,
                                    kern_real *rate)
@@ -6607,10 +6754,11 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
     return sum;
 }
 
-/* Returns the shrinkage at which the mechanism y that falls at q stops falling,
-   at least path->holds. power: y.rhs < 0. Its power is straight but for bends
-   where kerns close. Predicts where the next mechanism does, since the basis
-   turns y on the way (Halley's method). */
+/* Returns the shrinkage at which the mechanism y, which falls at q, stops
+   falling. It is at least path->holds. power: y.rhs < 0. The power of y is
+   piecewise linear, with kinks where kerns close. Writes the value of the next
+   mechanism to path->predicted, since the basis turns y on the way (Halley's
+   method). */
 static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
                                       kern_real power)
 {
@@ -6620,7 +6768,7 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     kern_real lo = path->holds, hi = q->shrink, at = hi, rate, step;
     int round;
 
-    /* Newton's method from bend to bend, kept in [lo, hi] */
+    /* Newton's method from kink to kink, kept in [lo, hi] */
     for (round = 0;; round++) {
         const kern_real left = power + kern_shrink_power(p, q, at, p->x, &rate);
         step = left / rate;
@@ -6633,7 +6781,7 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     }
     at = round < KERN_BENDS ? at - step : path->holds;
 
-    /* the step grows by the power that the change of the forces takes */
+    /* the change of the forces takes power, which makes the step longer */
     path->predicted = at;
     if (p->eq.shrink <= q->shrink
         && kern_simplex_along(&p->eq.simplex, p->eq.rate, change)) {
@@ -6646,8 +6794,8 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     return at;
 }
 
-/* Writes the rate at which rhs falls when the load, or the tangent of the angle
-   by which gravity turns, grows: to[0..3 groups). */
+/* Writes the rate at which rhs falls when the load grows, or the tangent of the
+   angle of gravity: to[0..3 groups). */
 static void kern_path_rate(const kern_part *p, const kern_query *q,
                            kern_real *to)
 {
@@ -6662,8 +6810,8 @@ static void kern_path_rate(const kern_part *p, const kern_query *q,
     kern_scale(to, 3 * n, 1 / m->weight);
 }
 
-/* Returns the place beyond s where a load has grown by t, or gravity has turned
-   by atan(t). */
+/* Returns the place beyond s at which a load has grown by t, or gravity has
+   turned further by atan(t). */
 static kern_real kern_path_pushed(const kern_path *path, kern_real s,
                                   kern_real t)
 {
@@ -6673,9 +6821,9 @@ static kern_real kern_path_pushed(const kern_path *path, kern_real s,
     return (s + t) / (1 - s * t);
 }
 
-/* Returns the place where the mechanism p->y that falls at s stops falling, by
-   one step of Newton's method: exact but for bends, and for loads that stay
-   when gravity turns. */
+/* Returns the place at which the mechanism p->y, which falls at s, stops
+   falling, by one step of Newton's method. It is exact except for kinks, and
+   for loads that stay when gravity turns. */
 static kern_real kern_path_newton(kern_path *path, const kern_query *q,
                                   kern_real s)
 {
@@ -6691,8 +6839,9 @@ static kern_real kern_path_newton(kern_path *path, const kern_query *q,
 
 /* ---- verdicts, which move the ends ---- */
 
-/* Returns 1 if the answer's motion proves that the whole falls at s. Points
-   that the path leaves out may stop it: then it proves the path's end alone. */
+/* Returns 1 if the answer's motion proves that the whole falls at s. If the
+   path leaves out points that would stop the motion, it proves only a fall
+   without them. */
 static int kern_path_falls_whole(const kern_model *m, const kern_path *path,
                                  kern_real s)
 {
@@ -6703,9 +6852,9 @@ static int kern_path_falls_whole(const kern_model *m, const kern_path *path,
     return kern_model_proven(m, kern_prove_motion(m->s, &q, m->answer.motion));
 }
 
-/* Records the verdict at s as an end of the bracket, and hands its proof to the
-   caller if it is one of the whole. The caller's motion stays that of the
-   nearest place that falls. */
+/* Records the verdict at s as an end of the bracket. If it is a verdict on the
+   whole its proof goes to the caller. The caller's motion is always that of the
+   closest place that falls. */
 static void kern_path_note(const kern_model *m, kern_path *path,
                            kern_status status, kern_real s)
 {
@@ -6723,9 +6872,9 @@ static void kern_path_note(const kern_model *m, kern_path *path,
     kern_proof_out(m, path->proof, status);
 }
 
-/* Returns the verdict at s, an end of the bracket if it has a proof. The value
-   of a mechanism becomes the path's even without one, since near that value
-   rounding spoils proofs first. */
+/* Returns the verdict at s, and records it if it has a proof. The value of its
+   mechanism becomes the path's even without a proof, since rounding spoils
+   proofs near that value first. */
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s)
 {
@@ -6742,8 +6891,8 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 }
 
 /* Returns 1 if the forces of the basis that fell just beyond the critical value
-   prove that it stands at s, just before it. There they differ by the change
-   that kern_shrink_critical() left, and kerns are larger. */
+   prove that the structure stands at s, just before it. At s they differ by the
+   change that kern_shrink_critical() wrote, and kerns are larger. */
 static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 {
     kern_part *p = path->part;
@@ -6765,9 +6914,10 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 
 /* ---- the bracket ---- */
 
-/* Returns the place that halves the wider end of the bracket outside of the
-   places that were undecided; infinity if these are most of it. The first place
-   is near the lower end, where forces are small. */
+/* Returns the place at which a bracket is cut. The first place is close to the
+   lower end, where forces are small. Later places halve the wider of the two
+   ranges below and above the undecided places. Returns infinity if both are
+   narrow. */
 static kern_real kern_path_cut(const kern_path *path, const kern_range *dark)
 {
     const kern_real lo = path->holds, hi = path->fails;
@@ -6782,8 +6932,8 @@ static kern_real kern_path_cut(const kern_path *path, const kern_range *dark)
 }
 
 /* Returns the place of the next verdict, or infinity if the bracket is done.
-   offset: from the critical value to the places beside it; dark: first and last
-   place in the bracket that was undecided. */
+   offset: distance from the critical value to the places beside it. dark: first
+   and last undecided place in the bracket. */
 KERN_SHARED static kern_real kern_path_next(const kern_path *path,
                                             kern_real offset,
                                             const kern_range *dark)
@@ -6792,7 +6942,7 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     const kern_real critical = path->critical, predicted = path->predicted;
     kern_real aim;
 
-    /* 1. The start has no proof yet, and the critical value is near it. */
+    /* 1. The start has no proof yet, and the critical value is close to it. */
     if (path->asked != KERN_ASKED_PART && path->proven.low < lo
         && kern_min(critical, hi) < lo + 2 * offset)
         return lo;
@@ -6801,26 +6951,28 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     if (hi - lo <= offset / 8)
         return KERN_INFINITY;
 
-    /* 3. No mechanism has its value in it, or none that proofs come near. */
+    /* 3. The bracket has no value of a mechanism, or proofs fail too far around
+       it. */
     if (!(critical > lo && critical <= hi) || 2 * offset > kern_widest(path))
         return kern_path_cut(path, dark);
 
-    /* 4. The upper end is far: go just beyond the value that is predicted. */
+    /* 4. The upper end is far away: go just beyond the predicted value. */
     aim = predicted > lo && hi - predicted > 2 * offset ? predicted : critical;
     if (hi - aim > 2 * offset)
         return aim + offset;
 
-    /* 5. It is near: prove that the whole stands just before the value. */
+    /* 5. The upper end is close: prove that the whole stands just before the
+       value. */
     if (path->asked != KERN_ASKED_PART && critical - lo > KERN_R(1.05) * offset)
         return kern_before(path, offset);
     return KERN_INFINITY;
 }
 
 /* Narrows [holds, fails] to the tolerance around path->critical. Returns
-   KERN_STANDS then; KERN_FALLS if the structure falls at the start, which had
-   no proof. In a jam no proof comes near the value: each place without one
-   doubles the distance. From then on the least value is kept, since mechanisms
-   of places farther away predict it less well. */
+   KERN_STANDS then, or KERN_FALLS if the structure falls at the start, which
+   had no proof. In a jam there are no proofs close to the value. Each place
+   without a proof doubles the distance. From then on the least value is kept,
+   since mechanisms of places farther away predict it less well. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
     kern_real offset = kern_half_width(path);
@@ -6833,7 +6985,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         if (!(at < KERN_INFINITY))
             break;
 
-        /* Just before the value the forces of its basis may prove it. */
+        /* Just before the value the forces of the last basis may be a proof. */
         if (!(at < value && kern_path_forces(m, path, at)))
             status = kern_path_evaluate(m, path, at);
         if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
@@ -6845,7 +6997,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         if (path->asked == KERN_ASKED_PROGRAM && !m->whole)
             return KERN_UNDECIDED;
 
-        /* No proof here: go farther away, and remember what stays dark. */
+        /* No proof here: go farther away, and record the undecided places. */
         if (status == KERN_UNDECIDED) {
             offset *= 2;
             dark.low = kern_min(dark.low, at);
@@ -6853,7 +7005,8 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         }
     }
 
-    /* A bracket that stayed wide is no answer; the value lies inside it. */
+    /* A bracket that stayed wide is no answer. The value lies inside of the
+       bracket. */
     if (path->fails - path->holds > KERN_ANSWER * kern_width(path)
         && path->asked != KERN_ASKED_PART)
         return KERN_UNDECIDED;
@@ -6872,9 +7025,10 @@ static kern_status kern_path_saturate(kern_path *path)
     return KERN_STANDS;
 }
 
-/* Returns 1 if gravity that turns under loads that stay is held from `at` to the
-   end of a step. The gravities that are held are a convex set, and the arc lies
-   in the triangle of its ends and of the corner where their tangents meet. */
+/* Returns 1 if the structure stands at every place from `at` to path->holds
+   while gravity turns under loads that stay. The gravities under which it
+   stands are a convex set. The arc lies in the triangle of its ends and of the
+   point where their tangents intersect. */
 static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
 {
     kern_query q = kern_path_at(path, path->holds);
@@ -6885,10 +7039,10 @@ static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
     return kern_model_evaluate(m, path->part, &q) == KERN_STANDS;
 }
 
-/* Climbs from a place that stands until the whole falls; then finds the critical
-   value. Steps begin with `first`, grow from `step`, and are halved where
-   nothing can be proven. even: the least step where verdicts may change more
-   than once, or 0. */
+/* Climbs from a place that stands until the whole falls, and then finds the
+   critical value. The first step is `first`, later ones grow from `step`, and a
+   step without a proof is halved. even: the least step if verdicts may change
+   more than once, or 0. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step,
                                    kern_real even)
@@ -6912,13 +7066,14 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
             continue;
         }
 
-        /* the verdict changes between them, once */
+        /* the verdict changes once between them */
         if (status == KERN_FALLS && sure)
             return kern_path_critical(m, path);
         if (status < KERN_UNDECIDED || small)
             return status;
 
-        /* unknown: a smaller step from the same place, with its proof */
+        /* unknown: a smaller step from the same place, with the proof of that
+           place */
         step = first /= 2;
         path->holds = at;
         if (status == KERN_STANDS)
@@ -6928,13 +7083,14 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
 }
 
 /* ---- bodies ---- */
-/* A body is a block with all that rests on it alone, moved as one. On a single
-   line it tips where its load leaves the kern, with all others held, and then
-   the whole falls. The critical value of most structures is that of a body. */
+/* A body is a block with all blocks that rest on it alone, moved as one. If a
+   single line carries it, it tips where its load leaves the kern, with all
+   other blocks held, and then the whole falls. Most structures have the
+   critical value of a body. */
 
-/* Returns the first contact of the line that carries body g, as an end; KERN_OUT
-   if other contacts carry it. Sets graph.carrier: the group that carries it
-   alone. */
+/* Returns the end at body g of the first contact of the line that carries it,
+   or KERN_OUT if other contacts carry it. Sets graph.carrier to the group that
+   alone carries the body. */
 KERN_SHARED static int kern_body_line(kern_model *m, int g)
 {
     int e, n = 0, first = KERN_OUT, on = KERN_OUT;
@@ -6952,9 +7108,10 @@ KERN_SHARED static int kern_body_line(kern_model *m, int g)
              : KERN_OUT;
 }
 
-/* Returns the place where body g tips under load b on the line that begins with
-   end *e, and sets *e to the end about which it tips. Infinity: it is not
-   pressed, or stands on a closed kern. */
+/* Returns the place at which body g tips under load b on the line that begins
+   with end *e, and sets *e to the end about which it tips. Returns infinity if
+   the body is not pressed to the line, or still stands when its kern is
+   closed. */
 static kern_real kern_body_critical(const kern_model *m, int g, int *e,
                                     const kern_real *b, kern_real offset)
 {
@@ -6973,8 +7130,8 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
     if (!(normal > 0))
         return KERN_INFINITY;
 
-    /* Each end moves toward the load at its rate; the one that meets it first
-       is the hinge. */
+    /* Each end moves toward the load at its rate. The end that meets the load
+       first is the hinge. */
     place = (b[2] - along * row.turn) / normal; /* of the load, as an arm */
     crit = (place - row.n[2]) / rate;
     other = (last.n[2] - place) / rate;
@@ -6983,13 +7140,13 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
         *e += 2;
     }
 
-    /* The kern closes at `most`. If no end has met the load by then, none
+    /* The kern closes at `most`. If no end has met the load before, none
        does. */
     return crit + offset <= most ? crit : KERN_INFINITY;
 }
 
-/* Writes the motion of a body about the end e of its line at s; its largest
-   speed is 1. */
+/* Writes the motion of a body about end e of its line at s, scaled so that its
+   largest speed is 1. */
 static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
 {
     const kern_contact *c = m->s->contact + (e >> 1);
@@ -7028,21 +7185,22 @@ static void kern_body_load(const kern_model *m, int g, int on, kern_real *load)
            * m->unit[on];
 }
 
-/* Finds the body with the least critical value: its value, the places beside it
-   and its motion, in the answer. out->margin is infinity if none tips. */
+/* Finds the body with the least critical value. Writes its value, the places
+   beside it, and its motion, which is the answer's. out->margin is infinity if
+   no body tips. */
 static void kern_body_first(kern_model *m, const kern_path *path,
                             kern_known *out)
 {
     const kern_real offset = kern_half_width(path);
-    kern_real *load = m->answer.sum; /* of a body: three, in its units */
+    kern_real *load = m->answer.sum; /* three a body, in its units */
     int g, first = KERN_OUT, about = 0;
     out->margin = KERN_INFINITY;
     out->motion = m->answer.motion;
     if (!kern_model_ask(m, 1))
         return;
 
-    /* From top to bottom, so that the load of a body is complete when its turn
-       comes; then it is added to the body that carries it. */
+    /* The order is from top to bottom, so that the load of a body is complete
+       before it is added to the body that carries it. */
     kern_copy(load, m->load, 3 * m->graph.groups);
     for (g = 0; g < m->graph.groups; g++) {
         int end = kern_body_line(m, g);
@@ -7060,7 +7218,8 @@ static void kern_body_first(kern_model *m, const kern_path *path,
             kern_body_load(m, g, on, load);
     }
 
-    /* The least value, the places beside it, and the motion at the upper. */
+    /* The least value, the places beside it, and the motion at the upper
+       one. */
     out->holds = out->margin - offset;
     out->fails = out->margin + offset;
     if (first != KERN_OUT)
@@ -7069,8 +7228,8 @@ static void kern_body_first(kern_model *m, const kern_path *path,
 
 /* ---- parts, and where a search begins ---- */
 
-/* Returns 1 if the known motion proves that it falls, which becomes the
-   answer's. */
+/* Returns 1 if the known motion proves that the structure falls, and copies it
+   to the answer. */
 static int kern_known_falls(kern_model *m, const kern_query *q,
                             const kern_known *known)
 {
@@ -7080,8 +7239,9 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
     return 1;
 }
 
-/* Returns 1 if the motion proves that the structure falls at the place after its
-   value: that is the upper end, and the value the critical one. */
+/* Returns 1 if the motion of `value` proves that the structure falls at
+   value->fails. Then that is the upper end, and value->margin the critical
+   value. */
 static int kern_start_falls(kern_model *m, kern_path *path,
                             const kern_known *value)
 {
@@ -7093,9 +7253,10 @@ static int kern_start_falls(kern_model *m, kern_path *path,
     return 1;
 }
 
-/* Returns the verdict on the open part alone at s, all other blocks held; after
-   KERN_FALLS path->critical is its critical value. That the part stands proves
-   nothing about the whole: then returns KERN_UNDECIDED and leaves `holds`. */
+/* Returns the verdict on the open part alone at s, with all other blocks held.
+   After KERN_FALLS path->critical is the critical value of the part. A part
+   that stands proves nothing about the whole: then it returns KERN_UNDECIDED.
+   `holds` is unchanged. */
 static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_real holds = path->holds;
@@ -7111,12 +7272,13 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
         status = kern_path_critical(m, path) == KERN_STANDS ? KERN_FALLS
                                                             : KERN_UNDECIDED;
     path->asked = KERN_ASKED_WHOLE;
-    path->predicted = path->holds = holds; /* predicts nothing */
+    path->predicted = path->holds = holds; /* nothing is predicted */
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
-/* Returns 1 if what moved in the known structure, if it is a small part, falls
-   with the last block at s; its critical value is the path's. */
+/* Returns 1 if the blocks that moved in the known structure, together with the
+   last block, are a small part that falls at s. Its critical value becomes the
+   path's. */
 static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_motion *motion = m->answer.known->motion;
@@ -7133,7 +7295,8 @@ static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
         && kern_path_part(m, path, s) == KERN_FALLS;
 }
 
-/* Returns 1 if the known bracket is one of this path, narrow and in order. */
+/* Returns 1 if the known bracket belongs to this path, is narrow and in
+   order. */
 static int kern_known_fits(const kern_path *path)
 {
     const kern_known *known = path->known;
@@ -7142,7 +7305,8 @@ static int kern_known_fits(const kern_path *path)
         && known->holds <= known->margin && known->margin <= known->fails;
 }
 
-/* Returns the place where a search begins, with an upper end if it has one. */
+/* Returns the place where a search begins. Sets an upper end if there is
+   one. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
@@ -7158,8 +7322,7 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     if (known && kern_start_falls(m, path, known))
         return at;
 
-    /* 2. A body tips: just before its value. The start itself if the value
-       does not lie beyond it. */
+    /* 2. A body tips: just before its value, but not before the start. */
     kern_body_first(m, path, &body);
     if (body.margin < most) {
         if (body.holds > path->start)
@@ -7167,20 +7330,22 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
         return kern_max(path->start, body.holds);
     }
 
-    /* 3. What moved in the known structure falls with the new block. */
+    /* 3. The blocks that moved in the known structure fall with the new
+       block. */
     if (m->answer.known && kern_known_part(m, path, most))
         return kern_before(path, kern_half_width(path));
 
-    /* 4. Nothing is known to fall: where it held, or a step away. */
+    /* 4. Nothing is known to fall: where it stood, or a step from the start. */
     path->fails = KERN_INFINITY;
     return at;
 }
 
 /* ---- the search: which method is asked when ---- */
 
-/* Finds the critical value of the whole where a load grows or gravity turns by
-   one program: the largest place, or the tangent of the largest angle, that rhs
-   can reach. Its prices are the mechanism. KERN_UNDECIDED where there is none. */
+/* Finds the critical value of the whole where a load grows or gravity turns, by
+   one program: the largest place, or the largest tangent of an angle, that rhs
+   can reach. The prices are the mechanism. Returns KERN_UNDECIDED if the path
+   ends first. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path)
 {
     kern_part *p = path->part;
@@ -7202,7 +7367,8 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     return kern_path_critical(m, path);
 }
 
-/* Finds the critical value in the bracket, if there is one, or by a climb. */
+/* Finds the critical value in the bracket, or by a climb if there is no
+   bracket. */
 static kern_status kern_path_narrow(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
@@ -7215,7 +7381,7 @@ static kern_status kern_path_narrow(kern_model *m, kern_path *path,
     return kern_path_climb(m, path, first, step, KERN_R(0));
 }
 
-/* Begins a program of all groups with the known forces. */
+/* Makes a basis for the program of all groups from the known forces. */
 static void kern_known_start(kern_model *m, kern_part *p)
 {
     int k;
@@ -7229,8 +7395,8 @@ static void kern_known_start(kern_model *m, kern_part *p)
     kern_simplex_start(&p->eq.simplex, p->x, KERN_BASIS_NOISE * m->weight);
 }
 
-/* Finds the critical value of the whole beyond path->holds, at q, by the
-   interior point. */
+/* Finds the critical value of the whole beyond path->holds by the interior
+   point. q is the query there. */
 static kern_status kern_path_interior(kern_model *m, kern_path *path,
                                       const kern_query *q, kern_real first,
                                       kern_real step)
@@ -7245,9 +7411,9 @@ static kern_status kern_path_interior(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Finds the critical value of the whole beyond path->holds, at q, by its linear
-   program. Returns KERN_UNDECIDED at the first place that the program cannot
-   decide if the interior point can continue from there. */
+/* Finds the critical value of the whole beyond path->holds by its linear
+   program. q is the query there. Returns KERN_UNDECIDED at the first place that
+   the program cannot decide if the interior point can continue from there. */
 static kern_status kern_path_program(kern_model *m, kern_path *path,
                                      const kern_query *q, kern_real first,
                                      kern_real step)
@@ -7256,7 +7422,7 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
                                   : kern_model_whole(m, path->part, q);
     if (status != KERN_OK)
         return status;
-    /* a basis that is filled up may not have the columns of points left out */
+    /* without the points that are left out the basis may lack columns */
     if (m->answer.known && path->q.carry == KERN_CARRY_ALL)
         kern_known_start(m, path->part);
     if (path->kind != KERN_PATH_SHRINK)
@@ -7266,10 +7432,11 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Finds the critical value of the whole beyond path->holds. Many groups: by the
-   interior point, which shrinks half as far first, where fewer mechanisms fall;
-   by the program where that finds none. Few: by the program; once that cannot
-   decide a place, as in a jam, the interior point narrows what is left. */
+/* Finds the critical value of the whole beyond path->holds. Many groups are
+   solved by the interior point, which first shrinks kerns half as far, since
+   fewer mechanisms fall there. If it finds nothing the program follows. Few
+   groups are solved by the program. If it cannot decide a place, as in a jam,
+   the interior point narrows the remaining bracket. */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
@@ -7277,7 +7444,7 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     const int many = m->graph.groups > KERN_SMALL;
     kern_status status = KERN_UNDECIDED;
 
-    /* Many groups: the interior point first. */
+    /* Many groups are solved by the interior point. */
     if (many && !m->whole)
         status = kern_path_interior(
             m, path, &q, path->kind == KERN_PATH_SHRINK ? first / 2 : first,
@@ -7285,8 +7452,8 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     if (status != KERN_UNDECIDED)
         return status;
 
-    /* The program; of few groups, in double, the interior point takes over where
-       a place stays without a proof. */
+    /* The program. For few groups, in double, the interior point continues
+       where a place has no proof. */
     if (!many && KERN_PICK(1, 0) > 0)
         path->asked = KERN_ASKED_PROGRAM;
     status = kern_path_program(m, path, &q, first, step);
@@ -7296,9 +7463,9 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
              : status;
 }
 
-/* Finds the critical value from a place `at` where all blocks are passed: each
-   part that falls lowers it, and the pass is asked again just before, until no
-   part falls. Then the whole is asked. */
+/* Finds the critical value by the pass, beginning at a place `at`. Each part
+   that falls lowers the value, and the next pass is just before it, until no
+   part falls. Then the whole is solved. */
 static kern_status kern_path_parts(kern_model *m, kern_path *path,
                                    kern_real step)
 {
@@ -7317,7 +7484,7 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
         else if (status == KERN_FALLS)
             status = kern_path_part(m, path, at);
 
-        /* a part falls: again before its value */
+        /* a part falls: the next pass is before its value */
         if (status == KERN_FALLS && path->fails > path->start) {
             at = kern_before(path, kern_half_width(path));
             kern_model_unload(m);
@@ -7326,7 +7493,7 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
             continue;
         }
 
-        /* it stands before the value, or the pass cannot tell, or it falls at
+        /* it stands before the value, or the pass cannot decide, or it falls at
            the start */
         if (status != KERN_STANDS || path->fails < KERN_INFINITY)
             break;
@@ -7342,9 +7509,9 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
              : kern_path_whole(m, path, at - path->holds, step);
 }
 
-/* Finds the critical value of a path from path->holds, which stands, or is
-   asked if kerns are nested. even: the width of a walk's steps where verdicts
-   may change more than once, or 0. */
+/* Finds the critical value of a path beyond path->holds. There the structure
+   stands, or is evaluated if kerns are nested. even: the width of a walk's
+   steps if verdicts may change more than once, or 0. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real even)
 {
@@ -7354,12 +7521,12 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     kern_status status;
     path->start = path->critical = path->predicted = path->holds;
     path->fails = path->proven.high = KERN_INFINITY;
-    if (even > 0) { /* gravity turns in larger steps, if the arc is held */
+    if (even > 0) { /* gravity may turn in larger steps if the arc is held */
         const kern_real turn = step * KERN_R(path->kind == KERN_PATH_TILT);
         status = kern_path_climb(m, path, turn, turn, even);
     } else if (m->whole || !shrinks)
         status = kern_path_whole(m, path, step, step);
-    else /* of few groups a part that falls ends a longer step soon */
+    else /* with few groups a falling part ends a longer step soon */
         status = kern_path_parts(
             m, path,
             m->graph.groups <= KERN_SMALL ? step * KERN_CLIMB_GROWS : step);
@@ -7376,18 +7543,18 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 }
 
 /* ---- nested first ---- */
-/* A lone point that travels makes kerns not nested, but few structures need
-   it. Without these points kerns are nested, and a search takes a walk's place:
+/* Points that travel make kerns not nested, but few structures need them.
+   Without these points kerns are nested, and a search replaces the walk:
 
-       forces without the points    are forces of the whole, at every smaller
-                                    place too: the whole stands up to there
-       a motion without the points  may close one of them: if it passes with all,
-                                    the whole falls there
+       forces without the points    also hold the whole, at every smaller place
+                                    too: the whole stands up to there
+       a motion without the points  may close one of them. If it is a proof with
+                                    all points, the whole falls there
 
-   If it does not pass, a walk goes on from the place that is proven. */
+   If it is not, a walk continues from the place that is proven. */
 
-/* Leaves points that travel out of the path, or takes them in again. Known
-   forces that load such a point are no help without it. */
+/* Leaves points that travel out of the path, or includes them again. Known
+   forces that load such a point are no use without it. */
 static void kern_path_carry(kern_model *m, kern_path *path, kern_carry carry)
 {
     int i;
@@ -7399,8 +7566,8 @@ static void kern_path_carry(kern_model *m, kern_path *path, kern_carry carry)
             m->answer.known = NULL;
 }
 
-/* Finds the critical value where kerns are not nested, first without the points
-   that travel. even: width of the walk's steps, from 0. */
+/* Finds the critical value if kerns are not nested, first without the points
+   that travel. even: width of the walk's steps, which begin at 0. */
 static kern_status kern_path_scan(kern_model *m, kern_path *path,
                                   kern_real even)
 {
@@ -7417,7 +7584,7 @@ static kern_status kern_path_scan(kern_model *m, kern_path *path,
         || (status == KERN_FALLS && path->proven.high <= 0))
         return status;
 
-    /* the places of a walk from 0, from the last that is proven */
+    /* the walk has steps from 0 and begins with the last one that is proven */
     path->never = 0;
     path->holds = KERN_R(0);
     if (path->proven.low < 0)
@@ -7442,7 +7609,7 @@ KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
     path->unit = 1;
 }
 
-/* What a call works on. */
+/* The state of a call. */
 typedef struct kern_call {
     kern_model m;
     kern_part part;
@@ -7450,7 +7617,7 @@ typedef struct kern_call {
 } kern_call;
 
 /* Checks the task, charges for that, and opens its path, on which kerns shrink.
-   `out` is where the answer goes. */
+   `out` is the address of the result. */
 static kern_status kern_call_open(kern_call *c, const kern_task *task,
                                   kern_real shrink, const void *out)
 {
@@ -7467,7 +7634,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* A path without a bracket, a proof or anything known. */
+    /* A path without a bracket, a proof or known forces. */
     path->kind = KERN_PATH_SHRINK;
     path->part = &c->part;
     path->proof = NULL;
@@ -7483,7 +7650,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     return kern_model_open(&c->m, task, &path->q);
 }
 
-/* Opens a call whose answer is a number, which is -1 where the limit ends the
+/* Opens a call whose result is a number. The number is -1 if the limit ends the
    call before the task is read. */
 KERN_SHARED static kern_status kern_number_open(kern_call *c,
                                                 const kern_task *task,
@@ -7504,16 +7671,16 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     if (status != KERN_OK)
         return status;
 
-    /* Answers the path's first query, which is the task at `shrink`. */
+    /* The path's first query is the task at `shrink`. */
     status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
     kern_proof_out(&c.m, proof, status);
     return kern_ended(task, status);
 }
 
 /* Finds the level by Algorithm 1 of the paper: the first k at which kerns
-   shrunk by k steps no longer hold; last + 1 if they always do, -1 if a verdict
-   is undecided. Up to path->holds all hold. Where kerns are nested, none holds
-   from path->fails on. */
+   shrunk by k steps do not hold; last + 1 if there is none, -1 if a verdict is
+   undecided. All steps up to path->holds hold. If kerns are nested no step from
+   path->fails on does. */
 static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                             int last, kern_margin *out)
 {
@@ -7532,8 +7699,9 @@ static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                                        : -1;
 }
 
-/* Computes the measure of an open task, with what is known of a structure like
-   it. Where kerns are not nested, all levels are among the even steps. */
+/* Computes the margin of an open task, from what is known of a similar
+   structure. If kerns are not nested every level is at one of the even
+   steps. */
 static kern_status kern_measure_task(kern_call *c, const kern_known *known,
                                      kern_margin *out, const kern_proof *proof)
 {
@@ -7550,7 +7718,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     kern_model_know(&c->m, known);
     path->end = r.most;
 
-    /* The steps of the level; the last is the one at which every kern is
+    /* The number of steps of the level. At the last step every kern is
        closed. */
     if (!(r.epsilon > 0))
         r.epsilon = path->q.relative ? KERN_LEVEL_SHARE
@@ -7559,12 +7727,12 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     if (!(steps <= KERN_POINTS_MOST))
         return KERN_BAD_STEP;
     last = (int)steps;
-    last += KERN_R(last) < steps; /* until every kern is closed */
+    last += KERN_R(last) < steps; /* rounded up */
     first = kern_min(r.epsilon, r.most);
 
-    /* Where kerns are nested the search begins where a body falls, and asks the
-       start only if the value is near it. Where they are not, it may walk in even steps, a whole number to a
-       step of the level. */
+    /* If kerns are nested the search begins where a body falls, and evaluates
+       the start only if the value is close to it. Otherwise it may walk in even
+       steps, of which a whole number is a step of the level. */
     status = nested ? kern_path_search(&c->m, path, 0)
                     : kern_path_scan(
                         &c->m, path,
@@ -7579,8 +7747,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
         kern_level_scan(&c->m, path, nested, last, &r);
     }
 
-    /* Where the limit ended the call, what has a proof by then is the
-       answer. */
+    /* If the limit ended the call, the result is what has a proof so far. */
     status = kern_ended(task, status);
     if (status == KERN_LIMIT) {
         r.fails = kern_min(path->proven.high, r.most);
@@ -7594,7 +7761,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     return status;
 }
 
-/* Computes the measure of a task that is not open yet. */
+/* Opens a task and computes its margin. */
 static kern_status kern_measure_anew(const kern_task *task,
                                      const kern_known *known, kern_margin *out,
                                      const kern_proof *proof)
@@ -7621,16 +7788,16 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     if (!task)
         return KERN_BAD_POINTER;
 
-    /* Without arrays for it nothing is remembered. */
+    /* Without the two arrays nothing is remembered. */
     known = task->known;
     if (!known.motion || !known.force) {
         known.fails = 0;
         return kern_measure_anew(task, &known, out, proof);
     }
 
-    /* The arrays of what is known take the new proof. So the old forces are
-       lost on the way and cannot begin the search; the old motion, which is
-       read first, can. */
+    /* The arrays of the known forces and motion take the new proof. The old
+       forces are overwritten before they could be used, so they do not begin
+       the search. The old motion, which is read first, does. */
     kept.force = known.force;
     kept.motion = known.motion;
     known.force = NULL;
@@ -7639,13 +7806,13 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
         task->known.fails = 0;
 
-    /* The caller's proof is a copy of it. */
+    /* The caller's proof is a copy. */
     if (status >= 0 && proof && proof->force)
         kern_copy(proof->force, kept.force, 2 * task->s.contacts);
     if (status >= 0 && !out->saturated && proof && proof->motion)
         kern_copy(proof->motion, kept.motion, 3 * task->s.blocks);
 
-    /* The bracket is remembered with its proof. */
+    /* Remembers the bracket. Its proof is in the arrays already. */
     if (status == KERN_STANDS) {
         if (out->saturated)
             kern_zero(kept.motion, 3 * task->s.blocks);
@@ -7656,9 +7823,10 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     return status;
 }
 
-/* Grows the kerns of a structure that falls until it stands, at most to the
-   bound in >>rules, and finds the critical value in between. Returns KERN_FALLS
-   with path->critical, -infinity where it falls even at the bound. */
+/* Grows the kerns of a structure that falls until it stands, up to the bound in
+   >>rules, and finds the critical value in between. Returns KERN_FALLS with
+   path->critical, which is -infinity if the structure falls even at the
+   bound. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     kern_real range[2], grown = path->unit * KERN_GROW_FIRST, limit;
@@ -7669,8 +7837,8 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     kern_status status;
     int i;
 
-    /* The bound is a multiple of the structure's extent, or of that over the
-       shortest travel. */
+    /* The bound is a multiple of the structure's extent, with relative kerns of
+       the extent over the shortest travel. */
     for (i = 0; i < 2 * m->graph.groups; i++) {
         const kern_block *b = m->s->block + m->graph.block[i / 2];
         const kern_real way = kern_block_size(b) * KERN_R(i & 1 ? 0.5 : -0.5);
@@ -7684,7 +7852,8 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     if (path->q.relative)
         limit = range[0] < KERN_INFINITY ? limit / range[0] : 1;
 
-    /* Grows by a factor, small where a range that stands may be narrow. */
+    /* Grows by a factor, which is small if a range that stands may be
+       narrow. */
     path->start = -limit;
     for (;; grown = kern_min(grown * growth, limit)) {
         status = kern_path_evaluate(m, path, -grown);
@@ -7719,7 +7888,7 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
 }
 
 /* Returns the contact length between lo and hi that is next above their
-   logarithmic middle; 0 if there is none. */
+   logarithmic middle, or 0 if there is none. */
 static kern_real kern_length_between(const kern_structure *s, kern_real mean,
                                      kern_real lo, kern_real hi)
 {
@@ -7750,16 +7919,16 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
     if (status != KERN_OK)
         return status;
 
-    /* Round 0 asks with all contacts, round 1 without those that have a length.
-       Further rounds halve the lengths in between, on a logarithmic scale. */
+    /* Round 0 has all contacts, round 1 only those without a length. Further
+       rounds halve the range of lengths in between, on a logarithmic scale. */
     for (round = 0; round < 2 || at > 0; round++) {
         c.path.q.shortest = at;
         kern_model_group(&c.m, &c.path.q);
         status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
         kern_proof_out(&c.m, proof, status);
 
-        /* An end of [lo, hi). That not even all contacts hold it ends the
-           search. */
+        /* Each verdict is an end of [lo, hi). If the structure falls with all
+           contacts the search ends. */
         if (status == KERN_STANDS)
             lo = at;
         else if (lo < 0 || status < KERN_UNDECIDED)
@@ -7767,7 +7936,7 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
         else
             hi = at;
 
-        /* No motion has a proof then. */
+        /* An undecided verdict has no motion. */
         if (status == KERN_UNDECIDED && proof && proof->motion)
             kern_zero(proof->motion, 3 * task->s.blocks);
 
@@ -7782,15 +7951,15 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
     return status;
 }
 
-/* Returns 1 if there is gravity and a side to turn it to. */
+/* Returns 1 if there is gravity and the side is left or right. */
 static int kern_has_side(const kern_structure *s, kern_side side)
 {
     return (side == KERN_RIGHT || side == KERN_LEFT)
         && kern_vec_largest(s->gravity) > 0;
 }
 
-/* Returns the angle whose tangent is s >= 0: halves it three times, then takes
-   the series. */
+/* Returns the angle whose tangent is s >= 0: halves the angle three times, then
+   sums its series. */
 static kern_real kern_angle_of(kern_real s)
 {
     kern_real sum = 0, t2;
@@ -7802,8 +7971,8 @@ static kern_real kern_angle_of(kern_real s)
     return 8 * s * sum;
 }
 
-/* Opens a call whose answer is how far a pattern grows, or where that is NULL a
-   load or tilt to a side. */
+/* Opens a call whose result is the growth of a pattern or, if that is NULL, of
+   a horizontal load or a tilt to a side. */
 KERN_SHARED static kern_status kern_growth_open(kern_call *c,
                                                 const kern_task *task,
                                                 kern_real shrink,
@@ -7839,13 +8008,13 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* under loads that stay a tilt may stand again after it fell */
+    /* under loads that stay a structure may stand again at a larger tilt */
     loaded = tilt && kern_model_loaded(&c->m);
     kern_path_push(path, kind, pattern, side);
     path->proof = proof;
     path->end = tilt ? 1 : KERN_FACTOR_MOST;
 
-    /* Few groups: one linear program, whose value is exact. */
+    /* Few groups are solved by one linear program, whose value is exact. */
     if (!loaded && kern_model_is_small(&c->m))
         kern_model_whole(&c->m, path->part, &path->q);
 
@@ -7884,8 +8053,8 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                    : KERN_BAD_POINTER;
 }
 
-/* Returns the factor of the pattern up to which the motion of the answer makes
-   the structure fall, as it does at q; infinity if at every larger one. */
+/* Returns the factor of the pattern below which the answer's motion makes the
+   structure fall, or infinity if the pattern does not resist the motion. */
 static kern_real kern_least_of(const kern_model *m, const kern_query *q)
 {
     kern_query unloaded = *q;
@@ -7905,8 +8074,8 @@ static kern_real kern_least_of(const kern_model *m, const kern_query *q)
     return held > 0 ? power / held : KERN_INFINITY;
 }
 
-/* Uses Newton's method from below: each mechanism tells how much load holds it,
-   and just beyond that load the next one falls, or all stand. */
+/* Uses Newton's method from below: each mechanism gives the load that holds it.
+   Just beyond that load another mechanism falls, or the structure stands. */
 KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         const kern_wrench *pattern,
                                         kern_real *factor,
@@ -7922,7 +8091,7 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
     if (status != KERN_OK)
         return status;
 
-    /* Where a place has no proof the next lies twice as far beyond. */
+    /* After a place without a proof the next lies twice as far beyond. */
     kern_path_push(&c.path, KERN_PATH_LOAD, pattern, KERN_SHRINK);
     for (round = 0; round < KERN_LEAST_ROUNDS && falls < KERN_FACTOR_MOST;
          round++) {
@@ -7937,7 +8106,7 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
         q->factor = falls + beyond * (1 + falls);
     }
 
-    /* It falls at every factor only if no load up to the largest holds it. */
+    /* It falls at every factor only if that is proven up to the largest. */
     if (status == KERN_FALLS && falls < KERN_FACTOR_MOST)
         status = KERN_UNDECIDED;
     status = kern_ended(task, status);
@@ -7969,7 +8138,7 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                                     KERN_BOUND, KERN_START_COLD,
                                     KERN_NORM_ROUNDS)
                    : KERN_NO_SPACE;
-        if (status == KERN_FALLS) /* unproven */
+        if (status == KERN_FALLS) /* without a proof */
             status = KERN_UNDECIDED;
         if (status == KERN_STANDS) {
             kern_norm_write(p);
@@ -7984,22 +8153,22 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
 
 /* ---- The profile --------------------------------------------- >>profile */
 /* Progressive collapse: the path continues past its critical value, without the
-   blocks that move there. A model of fewer blocks is the same model with fewer
-   groups. */
+   blocks that move there. Without blocks the model has fewer groups and is
+   otherwise the same. */
 
 typedef struct kern_fall {
-    int weak;         /* places in the weaker half that are not taken */
+    int weak;         /* values of the weaker half that are missing   */
     kern_real sum;    /* of the values of that half                   */
-    kern_real *value; /* of each block, -1 as long as it stands       */
+    kern_real *value; /* of a block, -1 while it stands               */
 } kern_fall;
 
-/* Which of the blocks that are left fall. */
+/* The blocks that fall, among those that are left. */
 typedef enum kern_fall_which {
     KERN_FALL_MOVING, /* those that move in the mechanism                 */
     KERN_FALL_ALL
 } kern_fall_which;
 
-/* Records `at` as the value of the blocks that are left and fall there. */
+/* Records `at` as the value of every remaining block that falls there. */
 static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
                           kern_fall_which which)
 {
@@ -8016,8 +8185,8 @@ static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
         }
 }
 
-/* Evaluates the place where the structure fell last, and places beyond it while
-   the verdict is undecided. */
+/* Evaluates the place where the structure fell last, then places beyond it
+   while the verdict is undecided. */
 static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 {
     kern_real beyond = path->fails;
@@ -8030,10 +8199,11 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
     return status;
 }
 
-/* Follows the whole collapse along a path, from one critical value to the next,
-   and to the mechanism there: the last verdict of a search may be of another
-   place. Rounds that take nothing away, where both verdicts have a proof at one
-   place, are bounded. */
+/* Follows the whole collapse along a path: from one critical value to the
+   mechanism there, and on to the next value. The mechanism needs a verdict of
+   its own, since the last verdict of a search may be at another place. Rounds
+   that remove no block are bounded; they occur if both verdicts have a proof at
+   one place. */
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
@@ -8047,14 +8217,14 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
 
         /* Removes the blocks that move in the mechanism. The verdict on the
            others is just beyond the proof. */
-        if (status == KERN_FALLS) { /* the rest, just beyond the proof */
+        if (status == KERN_FALLS) {
             kern_fall_add(m, fall, at, KERN_FALL_MOVING);
             kern_model_group(m, &path->q);
             if (m->graph.groups > 0)
                 status = kern_fall_beyond(m, path);
 
         } else if (status == KERN_STANDS) {
-            /* They stand: the search continues to their critical value and to
+            /* They stand: the search continues to their critical value, and to
                the mechanism just beyond it. */
             status = kern_path_search(m, path,
                                       path->kind != KERN_PATH_SHRINK
@@ -8068,14 +8238,14 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
             return status;
     }
 
-    /* What is left stands to the end. */
+    /* The blocks that are left stand to the end. */
     kern_fall_add(m, fall, path->end, KERN_FALL_ALL);
     return KERN_OK;
 }
 
-/* Returns e^-x for x >= 0, by the first terms of the series of e^x squared ten
-   times, since libm differs from machine to machine. The error is within 2e-4
-   of the value for x up to 10. */
+/* Returns e^-x for x >= 0, by the first terms of the series of e^t, t = x /
+   1024, squared ten times, since libm differs between machines. The error is
+   within 2e-4 of the value for x up to 10. */
 static kern_real kern_decay(kern_real x)
 {
     const kern_real t = x / KERN_R(1024);
@@ -8118,15 +8288,15 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     int i, free_blocks, half;
     kern_status status = kern_call_open(&c, task, 0, value ? out : NULL);
 
-    /* Every value is -1 until its block falls; also where the call ends
-       early. */
+    /* Every value is -1 until its block falls, also if the call ends early. */
     for (i = 0;
          (status == KERN_OK || status == KERN_LIMIT) && i < task->s.blocks; i++)
         value[i] = -1;
     if (status != KERN_OK)
         return status;
 
-    /* Chooses the path: kerns shrink to the longest travel, or a load grows. */
+    /* Chooses the path: kerns shrink up to the longest travel, or a load
+       grows. */
     kern_is_nested(&c.m, range);
     if (side != KERN_SHRINK && !kern_has_side(&task->s, side))
         return KERN_BAD_OPTION;
@@ -8134,7 +8304,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
         kern_path_push(&c.path, KERN_PATH_LOAD, NULL, side);
     c.path.end = side ? KERN_PROFILE_MOST : range[1];
 
-    /* The query reads the values, so that a block with one counts as gone. */
+    /* The query reads the values: a block that has one counts as gone. */
     c.path.q.fallen = value;
     free_blocks = c.m.graph.groups;
     fall.weak = half = (free_blocks + 1) / 2;
@@ -8142,7 +8312,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     fall.value = value;
     status = kern_ended(task, kern_fall_follow(&c.m, &c.path, &fall));
 
-    /* Least and sum of the values of free blocks. */
+    /* Computes the least value and the sum of the values of free blocks. */
     for (i = 0; i < task->s.blocks; i++) {
         if (task->s.block[i].fixed)
             value[i] = KERN_INFINITY;
@@ -8163,7 +8333,8 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 
 /* ---- What is critical ---------------------------------------- >>critical */
 
-/* Returns how a contact meets: opens, slides, hinges or rests. */
+/* Returns what a contact does in a motion: it opens, slides, hinges or
+   rests. */
 static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
                                     kern_vec u, kern_real turn)
 {
@@ -8175,19 +8346,19 @@ static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
     return kern_abs(turn) > KERN_REST ? KERN_HINGES : KERN_RESTS;
 }
 
-/* Writes how contacts meet in the mechanism and how much each limits, and finds
-   the first that limits most. The measure is the first of these that is above 0
-   for any contact: (0) the power f w that moving inward with a force f costs
-   while the blocks turn at w, unless its kern is closed; (1) the rate of a
-   hinge; (2) the speed of a slide. */
+/* Writes what contacts do in the mechanism and how much each limits, and finds
+   the first that limits most. The measure of limiting is the first of these
+   that is above 0 for any contact: (0) the power f w that moving the force f
+   inward costs while the blocks turn at w, unless the kern is closed; (1) the
+   rate at which a hinge turns; (2) the speed at which a contact slides. */
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
     kern_real most = 0, narrow = kern_reduction(q), rate;
     int measure, i;
 
-    /* Without forces measure 0 is left out. Measures 1 and 2 are tried where no
-       contact has been found so far. */
+    /* Without forces measure 0 is left out. Measures 1 and 2 are used only if
+       no contact has been found before. */
     for (measure = !proof->force; measure < 3 && out->contact < 0; measure++)
         for (i = 0; i < s->contacts; i++) {
             const kern_contact *c = s->contact + i;
@@ -8216,7 +8387,7 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
             }
         }
 
-    /* The largest becomes 1. */
+    /* Scales the limits so that the largest is 1. */
     for (i = 0; i < s->contacts && out->limit && most > 0; i++)
         out->limit[i] /= most;
 }
@@ -8234,8 +8405,8 @@ static int kern_as_one(const kern_structure *s, const kern_motion *motion,
     return kern_block_speed(s->block + j, &apart) < KERN_REST;
 }
 
-/* Numbers the groups of blocks that move as one, each begun by the fastest
-   block that is in none; -1 for blocks that rest. */
+/* Numbers the groups of blocks that move as one. Each group begins with the
+   fastest block that is in none. Blocks that rest have -1. */
 static void kern_critical_blocks(const kern_structure *s,
                                  const kern_motion *motion, kern_critical *out)
 {
@@ -8286,12 +8457,12 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 }
 
 /* ---- Sensitivity ------------------------------------------- >>sensitivity */
-/* At the margin d* the power G of forces and loads on the mechanism is 0, and
-   it stays 0 when a datum q changes: d*' = -G_q / G_d, with the forces and the
+/* At the margin d* the power G of forces and loads on the mechanism is 0. It
+   stays 0 when a datum q changes, so d*' = -G_q / G_d, with the forces and the
    motion of the proof. */
 
-/* Writes G_q for the data of contact i. Returns its share of G_d. Both are 0
-   without a force or a motion. */
+/* Writes G_q for the data of contact i. Returns the contact's term of G_d. Both
+   are 0 without a force or a motion. */
 static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
                                    int i, const kern_proof *proof,
                                    kern_contact_rate *out)
@@ -8319,11 +8490,11 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
     return -rate * spin * f;
 }
 
-/* Adds what the poses of the blocks of contact i do to it, as the contact
-   search would find it. `pair` is the other end of its line, or i. A line:
-   corners take ends along, the ends stay midway between the edges, and normal
-   and middle take half of what an end does. A point: a corner takes it along,
-   an edge turns the normal. */
+/* Adds the effect on contact i of the poses of its blocks, as the contact
+   search would find it, to the rates of the blocks. `pair` is the other end of
+   its line, or i. In a line, a corner moves its end along, the ends stay midway
+   between the edges, and normal and middle change by half as much as an end. In
+   a point, a corner moves the point and an edge turns the normal. */
 KERN_SHARED static void kern_pose_gain(const kern_task *task,
                                        const kern_contact_rate *rate, int i,
                                        int pair, kern_block_rate *out)
@@ -8339,8 +8510,8 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
     if (!(kern_abs(along) + kern_abs(across) + kern_abs(rate[i].turn) > 0))
         return;
 
-    /* Which block's corner is the end of the contact: the distance along it to
-       the nearest vertex near its line. */
+    /* Finds whose corner is the end of the contact: the distance along the
+       contact to the nearest vertex that is close to its line. */
     for (end = 0; end < 2; end++) {
         const kern_block *b = task->s.block + (end ? c->b : c->a);
         off[end] = KERN_INFINITY;
@@ -8355,9 +8526,9 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
         }
     }
 
-    /* The block of the corner moves the end along the contact, and either block
-       its part across. What the turn of the normal does is left to the other
-       part. */
+    /* The block of the corner moves the end along the contact. Across it each
+       block of a line moves it by half, and of a point only that block. The
+       turn of the normal is left to the remaining share. */
     for (end = 0; end < 2; end++) {
         const int on = end ? c->b : c->a;
         const kern_block *b = task->s.block + on;
@@ -8395,7 +8566,8 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* Rates by the contacts' own data, and G_d as the sum of their shares. */
+    /* Writes the rates of the contacts' own data, and sums their terms of
+       G_d. */
     for (i = 0; i < task->s.contacts; i++) {
         const kern_real g = kern_contact_gain(&task->s, &q, i, proof,
                                               contact + i);
@@ -8403,12 +8575,12 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         most += kern_abs(g);
     }
 
-    /* Without a change of the power along the path there is no margin to
-       change. */
+    /* If the power does not change along the path the margin does not
+       either. */
     if (margin->saturated || !(kern_abs(gain) > KERN_RATE_LEAST * most))
         return KERN_UNDECIDED;
 
-    /* Rates by loads, masses and centres of mass: the power of what acts. */
+    /* Rates of loads, masses and centres of mass: the power of the loads. */
     for (i = 0; i < task->s.blocks; i++) {
         const kern_block *b = task->s.block + i;
         const kern_real mass = b->fixed ? 0 : b->mass;
@@ -8421,82 +8593,86 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         block[i].mass = g.x * v->vx + g.y * v->vy;
     }
 
-    /* Rates by the poses of the blocks, from those of the contacts. A line's
-       two ends belong together. */
+    /* Rates of the poses of blocks, from those of contacts. The two ends of a
+       line are treated together. */
     for (i = 0; i < task->s.contacts; i += 1 + line) {
         line = kern_line_begins(task->s.contact, task->s.contacts, i);
         for (end = 0; end <= line; end++)
             kern_pose_gain(task, contact, i + end, i + line - end, block);
     }
 
-    /* All were G_q; the rates of the margin are -G_q / G_d. */
+    /* So far all rates are G_q; those of the margin are -G_q / G_d. */
     kern_scale(contact, 5 * task->s.contacts, -1 / gain);
     kern_scale(block, 9 * task->s.blocks, -1 / gain);
     return KERN_OK;
 }
 
 /* ---- Raised ----------------------------------------------------- >>raised */
-/* Forces that a load puts on unstressed contacts of some stiffness. Groups are
-   displaced by u under loads b; a contact approaches by wn along n and shears
-   by wt along t, w = A' u. Coulomb's law for a stiffness k, and along t c mu k:
+/* Finds forces that a load raises on unstressed contacts of some stiffness. The
+   displacement u of the groups is caused by loads b. Let wn be the approach of
+   a contact along n and wt its shear along t, w = A' u. Coulomb's law with a
+   stiffness k along n and c mu k along t (k = dual.stiff_n, c = dual.stiff) is
 
-       f = k max(0, wn),   r = c mu k wt, but within -mu f and mu f      (law)
+       f = k max(0, wn),   r = c mu k wt, cut off at -mu f and mu f      (law)
        A (f, r) = b                                                  (balance)
 
-   No linear or convex program has this law: in theirs, that of limit analysis,
-   sliding blocks also part. A price p on a contact takes the parting away. For
-   given prices >>norm finds the u at which the forces of that law, with wn - p
-   for wn, balance b. A contact that slides there by s beyond its elastic shear
-   parts by mu s, so that (law) and (balance) hold where
+   No linear or convex program has this law: in the law of limit analysis
+   sliding blocks also part. A price p on a contact removes this parting. For
+   given prices >>norm finds the u at which the forces of limit analysis, with
+   wn - p instead of wn, balance b. A contact that slides by s beyond its
+   elastic shear then parts by mu s, so (law) and (balance) hold where
 
        p = F(p) = max(0, mu s(p))                               (fixed point)
 
-   (Acary, Cadoux, Lemarechal and Malick). A search repeats rounds: balance for
-   the prices, then new prices. Once few contacts change between sticking,
-   sliding and open, Newton's method on (law) and (balance) ends it. Prices need
-   not be exact: the proof is a check of forces and u (kern_prove_raised()).
+   (Acary, Cadoux, Lemarechal and Malick). A search repeats rounds: forces that
+   balance for the present prices, then new prices. Once few contacts change
+   between sticking, sliding and open, Newton's method on (law) and (balance)
+   finishes it. Prices need not be exact, since the proof is a check of forces
+   and u (kern_prove_raised()).
 
-   A search ends where it is lost: u runs away, or nothing gains
+   A search is given up if u runs away, or if prices no longer settle
    (kern_settling). */
 
 typedef struct kern_raise {
-    kern_part *p;            /* all groups, or those near a block            */
-    int around;              /* the block asked about, or KERN_OUT           */
-    const kern_proof *proof; /* that each step along a load writes, or NULL  */
+    kern_part *p;            /* all groups, or those around a block          */
+    int around;              /* the block of kern_stays(), or KERN_OUT       */
+    const kern_proof *proof; /* where each shown step writes it, or NULL     */
     kern_end end;            /* why the last search ended                    */
-    int size;                /* numbers of u and prices, one after the other */
-    kern_real *held;         /* u and prices of the last place that was shown */
-    kern_real *earlier; /* those of a place before it, to go on from          */
-    kern_real *last;    /* two a contact: last F(p), and its change           */
-    kern_real *kept;    /* u before Newton's method                           */
-    kern_skyline up;    /* columns of its matrix; p->dual.matrix has the rows */
-    int *state;         /* of a contact: open, sticks, slides one way, other  */
+    int size;                /* count of u and prices together               */
+    kern_real *held;         /* u and prices of the last load that was shown */
+    kern_real *earlier; /* u and prices of a load shown before that          */
+    kern_real *last;    /* two a contact: last F(p), and its change          */
+    kern_real *kept;    /* u before Newton's method                          */
+    kern_skyline up;    /* columns of Newton's matrix; dual.matrix: rows    */
+    int *state;         /* of a contact: 0 open, 1 sticks, 2 and 3 slides    */
 } kern_raise;
 
-/* How a search begins: unloaded, or from u and prices as they are. */
+/* How a search begins: unloaded, or with the present u and prices. */
 typedef enum kern_begin { KERN_BEGIN_UNLOADED, KERN_BEGIN_HERE } kern_begin;
 
-/* A search, and what tells that it is lost. */
+/* A search, and the numbers that tell when to give it up. */
 typedef struct kern_settling {
-    kern_real tolerance; /* what equilibrium may miss                         */
-    int warm;            /* nonzero: u and prices are near                    */
+    kern_real tolerance; /* residual of equilibrium that is allowed          */
+    int warm;            /* nonzero: u and prices are close already          */
     int round;
-    int units;       /* of work, before it                                    */
-    kern_real first; /* how far groups go in its first round                  */
-    kern_real held;  /* how far they go where it was shown last; 0: never     */
-    kern_real least; /* least change of prices of a round, squared            */
-    int since;       /* rounds since then                                     */
+    int units;       /* of work, before the search                           */
+    kern_real first; /* largest displacement of a group in the first round   */
+    kern_real held;  /* the same in the last load that was shown; 0: none    */
+    kern_real least; /* least change of prices in a round, squared           */
+    int since;       /* rounds since that one                                */
 } kern_settling;
 
-/* Leaves the n groups within KERN_STAYS_NEAR contacts of block i unmarked, for
-   kern_norm_open(); marks all others, and the ground, with n: they are held. */
+/* Marks the groups that are held: all but the n groups within KERN_STAYS_NEAR
+   contacts of block i. These stay unmarked, for kern_norm_open(). The mark is
+   n, also for the ground. */
 static void kern_raise_near(kern_model *m, int i)
 {
     const int *ends = m->graph.ends, groups = m->graph.groups;
     int *local = m->graph.local, g, e, at, n = 1;
 
-    /* Number the groups by their distance from the block, from 1 on; 0: not
-       reached yet. Paths do not lead through the ground: it counts as reached. */
+    /* Numbers the groups by their distance from the block, from 1 on; 0: not
+       reached so far. Paths do not lead through the ground, which counts as
+       reached. */
     for (g = 0; g < groups; g++)
         local[g] = 0;
     local[groups] = local[m->graph.group[i]] = 1;
@@ -8509,15 +8685,16 @@ static void kern_raise_near(kern_model *m, int i)
                     n++;
                 }
 
-    /* Turn the numbers into marks. */
+    /* Turns the numbers into marks. */
     for (g = 0; g < groups; g++)
         local[g] = local[g] > 0 ? KERN_OUT : n;
     local[groups] = n;
 }
 
-/* Opens the groups as one part, without prices. Returns 0 if there is no room.
-   Stiffness is a tenth plus the length in mean sizes: of the laws tried nearest
-   to a simulator. */
+/* Opens the groups as one part, with prices of 0. Returns 0 if there is no
+   room. The stiffness of a contact point is a tenth plus, at the end of a line,
+   its travel in mean sizes. Of the laws that were tried this is the closest to
+   a simulator. */
 static int kern_raise_open(kern_raise *r, kern_model *m)
 {
     kern_part *p = r->p;
@@ -8527,15 +8704,15 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     if (!kern_norm_open(p, m))
         return 0;
 
-    /* A proof asks that contacts stick within KERN_STICKS; the law of a chance
-       to stay asks for no proof. */
-    p->y = p->dual.step; /* no program is open: y is where a motion goes */
-    p->dual.stiff = r->around < 0 ? KERN_R(1.1) / KERN_STICKS /* it proves */
+    /* A proof requires that contacts stick within KERN_STICKS. kern_stays()
+       needs no proof. */
+    p->y = p->dual.step; /* no program is open: y is the room for a motion */
+    p->dual.stiff = r->around < 0 ? KERN_R(1.1) / KERN_STICKS
                                   : KERN_STAYS_STIFF;
 
-    /* Newton's matrix is not symmetric: its upper half has a room of its own.
-       The vectors of a search follow. Prices lie behind u in one array, so that
-       a search copies both at once. */
+    /* Newton's matrix is not symmetric, so its upper half has memory of its
+       own. The vectors of a search follow. Prices come after u in one array, so
+       that both are copied at once. */
     for (g = 0; g < p->groups; g++)
         entries += 9 * (g - p->dual.matrix.first[g] + 1);
     r->up = p->dual.matrix;
@@ -8553,7 +8730,7 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     if (!kern_take_fits(&p->rest))
         return 0;
 
-    /* no prices yet; longer contacts are stiffer */
+    /* no prices yet; the ends of longer lines are stiffer */
     kern_zero(p->dual.price, p->contacts);
     for (k = 0; k < p->contacts; k++) {
         const kern_contact *c = m->s->contact + p->contact[k];
@@ -8567,20 +8744,21 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
 
 /* ---- a round of prices ---- */
 
-/* Returns how far contact k slides beyond its elastic shear; below 0 it sticks
-   or does not press. */
+/* Returns how far contact k slides beyond its elastic shear. A negative value
+   means that it sticks or does not press. */
 static kern_real kern_raise_slip(const kern_part *p, int k, kern_real approach)
 {
     return kern_abs(p->dual.way[2 * k + 1])
          - kern_max(approach, 0) / p->dual.stiff;
 }
 
-/* Writes the forces, and to dual.turn F(p) and its change. Returns 1 if they
-   may be a proof: every loaded contact approaches, and none slides as far as a
-   stone that falls into a jam. Prices fall slowly, since those of joints that
-   lean on each other alternate. Where forces were `found`, a contact that
-   parts keeps its price, and one that should part and presses gets twice what
-   is missing: otherwise a joint that no longer presses stays loaded. */
+/* Writes the forces, and F(p) and its change to dual.turn. Returns 1 if the
+   forces may be a proof: every loaded contact approaches, and none slides as
+   far as a stone that falls into a jam. Prices fall slowly, since prices of
+   joints that lean on each other alternate. `found` means that the forces
+   balance. Then a contact that parts keeps its price, and one that should part
+   but presses gets twice the missing price. Otherwise a joint that no longer
+   presses would stay loaded. */
 static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
 {
     kern_part *p = r->p;
@@ -8594,16 +8772,16 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
         const kern_real slip = kern_raise_slip(p, k, approach);
         kern_real to = kern_model_mu(p->m, p->contact[k]) * kern_max(slip, 0);
 
-        /* A loaded contact must approach; how far it slides is compared with how
-           far the softest of them approaches. */
+        /* A loaded contact must approach. The longest slide is compared with
+           the largest approach. */
         if (p->m->answer.force[p->contact[k]].normal > least) {
             pressed &= approach > 0;
             slid = kern_max(slid, slip);
             most = kern_max(most, approach);
         }
 
-        /* A contact that parts keeps its price, and gets more where it presses;
-           other prices fall by a share of the way. */
+        /* A contact that parts keeps its price, or gets a higher one where it
+           presses. Other prices fall by a share of the way. */
         if (found && !(approach > 0))
             to = kern_max(to, price)
                + 2 * kern_max(wn + kern_max(to, price), 0);
@@ -8615,10 +8793,11 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
     return pressed && slid <= KERN_SLIDE_MOST * most;
 }
 
-/* Makes new prices of the last two rounds. Where F is linear the change is
+/* Computes new prices from the last two rounds. If F is linear, the change is
    least if a share `back` of the last difference is taken back (Anderson's
-   method). A change that grows and keeps its direction is a slide that has
-   only begun: then prices go forward. Returns their change, squared. */
+   method). If a change grows and keeps its direction a slide has only begun:
+   then prices are extrapolated forward. Returns the square of the change of
+   prices. */
 static kern_real kern_raise_extrapolate(kern_raise *r, int round)
 {
     const kern_part *p = r->p;
@@ -8645,8 +8824,8 @@ static kern_real kern_raise_extrapolate(kern_raise *r, int round)
     return is;
 }
 
-/* Returns how many contacts have changed between open, sticking, sliding one
-   way and the other since it was called last. */
+/* Returns how many contacts have changed their state since the last call: open,
+   sticking, or sliding one way or the other. */
 static int kern_raise_changes(kern_raise *r)
 {
     const kern_part *p = r->p;
@@ -8665,8 +8844,9 @@ static int kern_raise_changes(kern_raise *r)
 
 /* ---- Newton's method ---- */
 
-/* Takes what contact k exerts by Coulomb's law from grad, and adds its change
-   with u to the matrix, whose columns are those of `up`. Returns its force. */
+/* Subtracts the wrenches of contact k by Coulomb's law from grad, and adds
+   their derivatives by u to the matrix, whose columns are in `up`. Returns the
+   normal force. */
 static kern_real kern_raise_contact(kern_raise *r, int k)
 {
     static const kern_real approach[2] = {1, 0}, shear[2] = {0, 1};
@@ -8694,8 +8874,8 @@ static kern_real kern_raise_contact(kern_raise *r, int k)
     return stiff * w[0];
 }
 
-/* grad := b less what the contacts exert by Coulomb's law; the matrix and `up`
-   := its change with u. Returns the largest force. */
+/* grad := b less the wrenches of the contacts by Coulomb's law. The matrix and
+   `up` := its derivative by u. Returns the largest normal force. */
 static kern_real kern_raise_linearise(kern_raise *r)
 {
     kern_part *p = r->p;
@@ -8713,9 +8893,9 @@ static kern_real kern_raise_linearise(kern_raise *r)
     return most;
 }
 
-/* Newton's method on (law) and (balance) from u, in whole steps, as long as
-   they come nearer to balance. Returns 1 if it balances, with the prices of
-   its slips; otherwise u is as it was. */
+/* Runs Newton's method on (law) and (balance) from u, in whole steps, as long
+   as they come closer to balance. Returns 1 if they reach it, with the prices
+   of the slips. Otherwise u is as it was. */
 static int kern_raise_newton(kern_raise *r, kern_real tolerance)
 {
     kern_part *p = r->p;
@@ -8723,7 +8903,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
     kern_real *way = p->dual.way, last = KERN_INFINITY;
     int k, round;
 
-    /* Coulomb's law knows no prices: approaches are those of u alone. */
+    /* Coulomb's law has no prices: approaches are those of u alone. */
     kern_copy(r->kept, p->dual.u, n + 3);
     for (k = 0; k < p->contacts; k++)
         way[2 * k] += p->dual.price[k];
@@ -8731,7 +8911,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
         const kern_real most = kern_raise_linearise(r);
         const kern_real left = kern_dot(p->dual.grad, p->dual.grad, n);
 
-        /* It balances: the slips are the prices of the fixed point. */
+        /* Balance is reached: the slips give the prices of the fixed point. */
         if (kern_largest(p->dual.grad, n) <= tolerance + 4 * KERN_EPS * most) {
             for (k = 0; k < p->contacts; k++) {
                 const kern_real slip = kern_raise_slip(p, k, way[2 * k]);
@@ -8742,7 +8922,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
             return 1;
         }
 
-        /* A whole step, unless the last one led away from balance. */
+        /* Takes a whole step, unless the last one led away from balance. */
         if (!(left < last) || !kern_model_spend(p->m, 3 * p->dual.cost))
             break;
         last = left;
@@ -8754,7 +8934,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
         kern_add(way, KERN_R(1), p->dual.turn, 2 * p->contacts);
     }
 
-    /* no balance: back to where it began */
+    /* no balance: restores u */
     kern_copy(p->dual.u, r->kept, n + 3);
     kern_norm_ways(p, KERN_WAY_OF_U);
     return 0;
@@ -8762,8 +8942,8 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
 
 /* ---- a search ---- */
 
-/* Returns how far any group of u is from where it is in `from`, or from its
-   unloaded place (NULL); a turn counts by half the size. */
+/* Returns the largest displacement of a group from its place in `from`, or from
+   its unloaded place (NULL). A turn counts by half the size. */
 static kern_real kern_raise_far(const kern_raise *r, const kern_real *u,
                                 const kern_real *from)
 {
@@ -8780,9 +8960,9 @@ static kern_real kern_raise_far(const kern_raise *r, const kern_real *u,
     return KERN_SQRT(reach);
 }
 
-/* Returns 1 if u runs away: it goes much farther than in the first round, or
-   from the last place that was shown by more than that is from the unloaded
-   one. */
+/* Returns 1 if u runs away: it is much larger than in the first round, or its
+   distance from the last load that was shown is more than KERN_JUMPS times the
+   displacement there. */
 static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
 {
     const kern_real *u = r->p->dual.u, groups = KERN_R(r->p->groups);
@@ -8794,9 +8974,9 @@ static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
             && kern_raise_far(r, u, r->held) > KERN_JUMPS * settling->held);
 }
 
-/* Returns 1 if prices stopped to settle: their change has not become less for
-   many rounds. What slides at one end of a row reaches the other in as many
-   rounds as there are groups between them. */
+/* Returns 1 if prices have stopped settling: their change has not become
+   smaller for many rounds. A slide at one end of a row takes as many rounds to
+   reach the other end as there are groups between them. */
 static int kern_raise_stalls(const kern_raise *r, kern_settling *settling,
                              kern_real change)
 {
@@ -8807,7 +8987,7 @@ static int kern_raise_stalls(const kern_raise *r, kern_settling *settling,
     return settling->since++ > KERN_PATIENCE + r->p->groups / 2;
 }
 
-/* Returns 1 if forces and u prove it. Near a block no proof is asked for. */
+/* Returns 1 if forces and u are a proof. For kern_stays() none is needed. */
 static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 {
     kern_part *p = r->p;
@@ -8828,7 +9008,7 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 }
 
 /* Makes one round of a search. Returns how the search ends, or KERN_END_NONE if
-   it goes on. */
+   it continues. */
 static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                                  kern_settling *settling)
 {
@@ -8841,7 +9021,7 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
     kern_real change;
     int pressed;
 
-    /* The search ends where work is spent, or where blocks run away. */
+    /* Ends the search if its work is used up, or if blocks run away. */
     if (found == KERN_LIMIT || !kern_model_spend(p->m, 1 + p->contacts / 10)
         || p->m->task->work->units - settling->units
                > KERN_SEARCH_COSTS * p->dual.cost)
@@ -8849,8 +9029,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
     if (found == KERN_FALLS || kern_raise_runs_away(r, settling))
         return KERN_END_LOST;
 
-    /* Few contacts change between sticking, sliding and open: Newton's method
-       on Coulomb's law may end it at once. */
+    /* If few contacts change between sticking, sliding and open, Newton's
+       method on Coulomb's law may end the search at once. */
     if (kern_raise_changes(r) <= KERN_FEW_CHANGES
         && kern_raise_newton(r, settling->tolerance))
         return kern_raise_price(r, settling->tolerance, 1)
@@ -8858,7 +9038,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                  ? KERN_END_SHOWN
                  : KERN_END_LOST;
 
-    /* Otherwise new prices, which go on in the direction of their change. */
+    /* Otherwise computes new prices, extrapolated in the direction of their
+       change. */
     pressed = kern_raise_price(r, settling->tolerance, found == KERN_STANDS);
     change = kern_raise_extrapolate(r, settling->round);
     if (pressed && kern_raise_proves(r, q))
@@ -8867,7 +9048,7 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                                                   : KERN_END_NONE;
 }
 
-/* Searches for the fixed point under the loads of q. Returns 1 if it is shown;
+/* Searches for the fixed point under the loads of q. Returns 1 if it is shown.
    r->end tells why the search ended. */
 static int kern_raise_settle(kern_raise *r, const kern_query *q,
                              kern_begin begin)
@@ -8888,12 +9069,13 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q,
 
 /* ---- questions ---- */
 
-/* Returns the largest of a sequence of shares of gravity that pushes it to
-   either side, as kerns shrink by the same share of the mean size, and leaves it
-   raised. Where kerns are not nested, the push without the shrinkage must leave
-   it raised too. That is the worst that errors of places, and of angles over
-   that size, do. No share above `most` is asked, unless most is 0. Each search
-   begins at the last that was shown. */
+/* Returns the largest share of gravity, of a fixed list, such that a push of
+   that share to either side leaves the structure raised while kerns shrink by
+   the same share of the mean size. If kerns are not nested, it must also be
+   raised under the push without the shrinkage. This is the worst effect of
+   errors of places, and of angles times that size. No share above `most` is
+   tried, unless most is 0. Each search begins with the last load that was
+   shown. */
 KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
                                                 const kern_query *asked,
                                                 kern_real most)
@@ -8907,15 +9089,15 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     kern_query q = *asked;
     int low = (int)(sizeof share / sizeof share[0]) - 1, at, high;
 
-    /* The largest share that is asked, first to the right. What holds there is
-       asked to the left. */
+    /* Finds the largest share to the right. Only shares up to that one are
+       tried to the left. */
     while (most > 0 && KERN_R(share[low]) / 10000 > most)
         low--;
     kern_copy(r->earlier, r->p->dual.u, r->size);
     for (q.side = 1; q.side >= -1; q.side -= 2) {
         kern_copy(r->held, r->earlier, r->size);
 
-        /* Halve the sequence, from its end. */
+        /* Bisects the list, beginning at its end. */
         for (at = low, high = low + 1, low = 0; high - low > 1;
              at = (low + high) / 2) {
             int k, good = 1;
@@ -8937,8 +9119,8 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     return KERN_R(share[low]) / 10000;
 }
 
-/* Opens the question. *out becomes KERN_HANGS, with a proof, where blocks hang
-   that nothing holds up and the others stand without them. Otherwise it is
+/* Opens the question. *out becomes KERN_HANGS, with a proof, if some blocks
+   hang that nothing holds up and the others stand without them. Otherwise it is
    KERN_NOT_SHOWN, and the part of all groups is open for prices. */
 static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
                                     kern_raising *out)
@@ -8951,12 +9133,12 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     r->p = &c->part;
     *out = KERN_NOT_SHOWN;
     value = kern_take_last(&m->rest, m->s->blocks);
-    kern_take_last(&m->common, m->s->blocks); /* both end at one place */
+    kern_take_last(&m->common, m->s->blocks); /* both have the same end */
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
 
-    /* Which blocks hang? A verdict is asked only where that, or the chance of
-       one block to stay, needs it. */
+    /* Finds the blocks that hang. A verdict is needed only if there are any, or
+       for kern_stays(). */
     for (i = 0; i < m->s->blocks; i++)
         value[i] = KERN_R(1);
     left = kern_unsupported(m->s, value);
@@ -8965,7 +9147,8 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
         status = kern_model_evaluate(m, r->p, q);
     }
 
-    /* They hang if the others stand without them; they fall freely. */
+    /* They hang if the others stand without them. Their motion is a free
+       fall. */
     if (left > 0 && status == KERN_STANDS && kern_model_ask(m, 1)) {
         const kern_vec way = kern_vec_unit(m->s->gravity);
         q->fallen = value;
@@ -8981,16 +9164,17 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
 
-    /* all groups again, without a program that may be open */
+    /* all groups again, and no program that may be open */
     if (left > 0 || m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
     return kern_raise_open(r, m) ? KERN_STANDS : KERN_NO_SPACE;
 }
 
-/* Raises the load of q, by *share of it, from 0 to `most` in steps, each from
-   the last two in the same direction, finer once one fails, to a share of what
-   was shown. The end doubles if unknown. Returns the last share proven, below 0 if none. */
+/* Raises the load of q, by *share, from 0 to `most` in steps. Each step begins
+   in the direction of the last two. A step that fails is made finer, down to a
+   share of the load that was shown. If `most` is not known the end doubles.
+   Returns the largest share proven, or a negative number if there is none. */
 static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                                   kern_real *share, kern_real most)
 {
@@ -9007,7 +9191,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
            && step >= KERN_LOAD_NARROW * kern_max(stood, end / 100)) {
         *share = stood + KERN_R(1.01) * step < end ? stood + step : end;
 
-        /* begin where the last two places lead; prices are not negative */
+        /* extrapolates from the last two loads; prices are not negative */
         for (i = 0; i < r->size; i++) {
             if (good) {
                 r->earlier[i] = r->held[i];
@@ -9019,9 +9203,9 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                 u[i] = kern_max(u[i], 0);
         }
 
-        /* a step that fails is tried again, finer */
+        /* a step that fails is repeated with a smaller one */
         good = kern_raise_settle(r, q, KERN_BEGIN_HERE)
-            || (!(stood > 0) /* from rest nothing leads there */
+            || (!(stood > 0) /* only 0 to begin with */
                 && kern_raise_settle(r, q, KERN_BEGIN_UNLOADED));
         if (good) {
             taken = *share - stood;
@@ -9029,7 +9213,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
         } else
             step /= KERN_LOAD_FINER;
 
-        /* an end that was a guess */
+        /* an end that was only a guess */
         if (!(stood < end) && end < most) {
             end = kern_min(2 * end, most);
             step = end / KERN_LOAD_STEPS;
@@ -9039,9 +9223,9 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
 }
 
 /* Writes to *out whether the load raises forces: at once, or as the blocks'
-   loads grow from 0. Unless sag is NULL it becomes how far the block goes until
-   then, for a stiffness and a mean weight of 1; a turn counts by half the way of
-   a point that is one size away. */
+   loads grow from 0. If sag is not NULL, writes the block's displacement to it,
+   for a stiffness of 1 and a mean weight of 1. A turn counts by half the
+   size. */
 static kern_status kern_raise_show(kern_raise *r, kern_call *c,
                                    kern_raising *out, kern_real *sag)
 {
@@ -9066,8 +9250,8 @@ static kern_status kern_raise_show(kern_raise *r, kern_call *c,
              : kern_model_evaluate(&c->m, r->p, &c->path.q);
 }
 
-/* Answers kern_raised(), and with a sag, of the blocks near block i,
-   kern_stays(). */
+/* Answers kern_raised(). With a sag it answers kern_stays(), for the blocks
+   around block i. */
 static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
                                    kern_raising *out, kern_real *reserve,
                                    const kern_proof *proof, int i,
@@ -9086,7 +9270,8 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         && ((unsigned)i >= (unsigned)task->s.blocks || task->s.block[i].fixed))
         return KERN_BAD_BLOCK;
 
-    /* the search, and its proof: forces, and a motion where it is shown */
+    /* runs the search, and writes its proof: forces, and a motion if it is
+       shown */
     r.around = i;
     r.proof = NULL;
     r.end = KERN_END_NONE;
@@ -9098,7 +9283,7 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         kern_proof_out(&c.m, proof, KERN_FALLS);
     task->work->end = raising == KERN_NOT_SHOWN ? r.end : KERN_END_SHOWN;
 
-    /* how hard it may be pushed on top */
+    /* finds the largest push on top of the load */
     if (raising == KERN_RAISED && reserve)
         share = kern_raise_reserve(
             &r, &c.path.q, sag ? KERN_STAYS_MOST : task->options.reserve);
@@ -9161,10 +9346,10 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
     kern_status status = kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
                                   side, factor ? &most : NULL, proof);
 
-    /* The load factor bounds it; its proof in the caller's arrays is overwritten
-       by that of the raised load. Then the load grows from 0, in a model that is
-       opened again, since the search left a part open. That cannot fail: it has
-       the same memory. */
+    /* The load factor is an upper bound. Its proof in the caller's arrays is
+       overwritten by that of the raised load. Then the load grows from 0, in a
+       model that is opened again, since the search left a part open. That
+       cannot fail, since the memory is the same. */
     if (status == KERN_STANDS) {
         kern_query *q = &c.path.q;
         kern_raising hung;
@@ -9176,7 +9361,7 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
         if (hung == KERN_HANGS)
             status = KERN_UNDECIDED;
         q->factor = most = kern_min(most, KERN_FACTOR_MOST);
-        kern_model_set(&c.m, q); /* the unit of force is what acts at the end */
+        kern_model_set(&c.m, q); /* the unit of force is the load at the end */
         if (status == KERN_STANDS)
             stood = kern_raise_climb(&r, q, &q->factor, most);
         task->work->end = r.end;
@@ -9191,80 +9376,91 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* ==== Part VI: Geometry and planning ===================================== */
 
 /* ---- Tolerances of the geometry ----------------------------------- >>tol */
-/* Shares of a length of the user's: a gap, a block's size, a coordinate. */
+/* Shares of a length of the caller's: a gap, a block's size, a coordinate. */
 
-/* Most runs of edges with a box of an outline that has more vertices. A run has
-   half as many edges at least. More runs take stack, fewer time. */
+/* Most runs of an outline (kern_outline). A run has at least half as many
+   edges. More runs take stack, fewer runs take time. */
 #define KERN_RUNS 16
 /* The default gap, as a share of the size of a pair's smaller free block. */
 #define KERN_GAP_SHARE KERN_R(1e-3)
 /* Length of the shortest line, as a share of that size. */
 #define KERN_LINE_LEAST KERN_R(1e-3)
-/* How much an area may differ, by rounding at large coordinates, from what the
-   block says; more, and its vertices have moved. */
+/* Largest change of a block's area, as a share, that rounding at large
+   coordinates may cause. With more, its vertices have moved. */
 #define KERN_AREA_TOL KERN_R(1e-3)
-/* Turn [rad] below which a vertex is no corner, and within which of a half turn
-   it is a spike: with much more round stones would lose their shape. */
+/* Least turn of a corner [rad]. A vertex that turns by half a circle, within
+   this angle, is a spike. With a much larger value round stones would lose
+   their shape. */
 #define KERN_TURN_LEAST KERN_R(1e-6)
-/* How far a foot must lie inside its edge, as a share of the size, so that
-   rounding makes no contacts between diagonal neighbours. */
+/* Least distance of a foot from the ends of its edge, as a share of the size:
+   rounding then makes no contacts between diagonal neighbours. */
 #define KERN_FOOT_INSET KERN_R(1e-6)
-/* Slope against gravity below which a lone point carries nothing. */
+/* A single point whose normal has a smaller slope against gravity carries
+   nothing. */
 #define KERN_LEVEL_LEAST KERN_R(1e-6)
 /* The default angle [rad]. */
 #define KERN_ANGLE KERN_R(0.0174533)
-/* Least denominator where a cone is widened: its friction stays finite. */
+/* Least denominator of the friction of a widened cone, which keeps it
+   finite. */
 #define KERN_CONE_LEAST KERN_R(0.0174533)
 /* Gap, as a share of the mean size, and angle [rad] of contacts that a little
-   rocking closes: 0.03 to 0.1 and 0.1 to 0.2 predict shaking tests as well. */
+   rocking closes. Values of 0.03 to 0.1 and of 0.1 to 0.2 predict shaking tests
+   equally well. */
 #define KERN_NEAR_GAP KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
-/* Errors of place and angle that a contact of a measured structure bears. With
-   3.5 standard deviations none of 30 contacts is missed in 98 % of them. */
+/* Number of standard errors of place and angle that a contact of a measured
+   structure may be off. With 3.5, none of 30 contacts is missed in 98 % of the
+   cases. */
 #define KERN_ERRORS KERN_R(3.5)
-/* The gap in KERN_ERRORS. That of a corner and an edge of two stones varies by
-   2 e^2 for their places and 3/8 e^2 for their vertices: 1.5 times e. */
+/* The gap, in errors of place times KERN_ERRORS. The gap between a corner and
+   an edge has a variance of 2 e^2 for the places of two stones and 3/8 e^2 for
+   their vertices: a standard error of 1.5 e. */
 #define KERN_ERROR_GAP KERN_R(1.5)
-/* The angle in KERN_ERRORS. That of two edges, 0.7 sizes long, varies by
-   2 theta^2, and as much for their ends: twice theta. */
+/* The angle, in errors of angle times KERN_ERRORS. The angle between two edges,
+   0.7 sizes long, has a variance of 2 theta^2, and as much for their ends: a
+   standard error of 2 theta. */
 #define KERN_ERROR_ANGLE KERN_R(2)
 /* Deepest overlap, in errors of place. */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
-/* How far a corner may stand beyond the end of an edge, in errors of place. */
+/* Largest distance of a corner beyond the end of an edge, in errors of
+   place. */
 #define KERN_ERROR_EDGE KERN_R(3.0)
-/* How long a line, and how far inside an edge a foot is that no error along
-   them takes away, in errors of place. */
+/* kern_certain(): least length of a line, and least distance of a foot from the
+   ends of its edge, that no error along the edge takes away, in errors of
+   place. */
 #define KERN_ERROR_SURE KERN_R(5.0)
-/* By how many errors of angle kern_certain() narrows or widens cones. */
+/* kern_certain(): errors of angle by which it narrows or widens cones. */
 #define KERN_ERROR_CONE KERN_R(3.0)
-/* Of a settling. FALL: how far a block that nothing holds falls in a step, in
-   errors of place. There are at most STEPS. SWEEPS: most over all contacts in a
-   step. They end where none moves more than the share STILL of the fall, and
-   are over-relaxed by RELAX. REST: share of the fall below which it is rest. */
+/* A settling. FALL: fall of an unsupported block in a step, in errors of place.
+   STEPS: most steps. SWEEPS: most sweeps over all contacts in a step. They end
+   when no contact moves by more than the share STILL of the fall, and are
+   over-relaxed by RELAX. REST: a motion of less than this share of the fall is
+   rest. */
 #define KERN_SETTLE_FALL KERN_R(10.0)
 #define KERN_SETTLE_STEPS 40
 #define KERN_SETTLE_SWEEPS 40
 #define KERN_SETTLE_STILL KERN_R(0.02)
 #define KERN_SETTLE_RELAX KERN_R(1.5)
 #define KERN_SETTLE_REST KERN_R(0.05)
-/* Contact points that are held for a unit of work. */
+/* Contact points that are corrected in one unit of work. */
 #define KERN_SETTLE_UNIT 20
-/* Area over the square of the radius of gyration of a square. */
+/* Area of a square over the square of its radius of gyration. */
 #define KERN_SETTLE_SPIN KERN_R(6.0)
-/* Contact points at one height are in order of their arms, then from side to
+/* Contact points of equal height are ordered by their arms, then from side to
    side: the share of each that is added to the height. */
 #define KERN_SETTLE_TIE KERN_PICK(1e-7, 1e-5)
-/* Of the lower end: every so many-th stretch is open by OPEN errors of place at
-   a time. A contact is closed up to CLOSED errors. */
+/* The lower end: every PARTS-th stretch is open by OPEN errors of place at a
+   time. A contact is closed if its gap is at most CLOSED errors. */
 #define KERN_LOW_PARTS 2
 #define KERN_LOW_OPEN KERN_R(3.0)
 #define KERN_LOW_CLOSED KERN_R(0.5)
-/* What an error takes of the margin, for each share of the mean size. Errors
-   below the share WIDE take less, in proportion. */
+/* The lower end is divided by 1 + LOSS e / mean size. For errors e below WIDE
+   mean sizes LOSS is smaller in proportion to e. */
 #define KERN_LOW_LOSS KERN_R(200.0)
 #define KERN_LOW_WIDE KERN_R(0.005)
-/* Of doubt: every so many-th stretch is open at a time. Blocks may settle by so
-   many times what was found, at most by that share of their mean size. */
+/* Doubt: every PARTS-th stretch is open at a time. Blocks may settle by TELLS
+   times the motion that was found, at most by the share MOST of their mean
+   size. */
 #define KERN_DOUBT_PARTS 3
 #define KERN_DOUBT_TELLS KERN_R(1.5)
 #define KERN_DOUBT_MOST KERN_R(0.45)
@@ -9273,27 +9469,30 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* Sine of 10 degrees: the normals of a line contact and of a vertex that
    belongs to it differ by less, those at a corner by more. */
 #define KERN_SAME_FACE KERN_R(0.17364817766693036)
-/* Strides of the search for overlap to a gap, and of a stride to its growth.
-   The depth that is found may be too low by a stride. More strides take more
-   time. */
+/* The search for overlap takes strides of a gap over STRIDES, each longer than
+   the last by one STRIDES-th. The depth that it finds may be too small by a
+   stride. More strides take more time. */
 #define KERN_STRIDES 32
-/* Most triangles of a size that are tried for an inner point of a block. */
+/* Most triangles of one size that are tried to find an inner point of a
+   block. */
 #define KERN_TRIANGLES 32
-/* Share of a squared distance by which two vertices are equally far from an
-   edge: on a grid of pixels many are, but for rounding. */
+/* Two vertices are equally far from an edge if their squared distances differ
+   by less than this share. On a grid of pixels many are, except for
+   rounding. */
 #define KERN_EQUALLY_FAR KERN_PICK(1e-6, 1e-5)
-/* How often the tolerance of a simplified outline is halved where its edges
-   cross. After that it is 0. */
+/* Most halvings of the tolerance of a simplified outline while its edges cross.
+   After them the tolerance is 0. */
 #define KERN_HALVINGS 8
 
 /* ---- coming to rest ---- */
 
-/* Most motions of a stone; most touches that are kept. More than 64 motions
-   take stones that roll. */
+/* Most motions of a stone, and most touches that are kept. Only stones that
+   roll take more than 64 motions. */
 #define KERN_REST_MOTIONS 64
 #define KERN_REST_TOUCHES 12
-/* Distance within which outlines touch, as a share of the stone's size; in
-   that, how far beyond its end an edge is still met. */
+/* Distance within which outlines touch, as a share of the stone's size; and the
+   length by which an edge is extended at its ends, as a share of that
+   distance. */
 #define KERN_REST_TOUCH KERN_PICK(1e-7, 1e-4)
 #define KERN_REST_END KERN_R(0.01)
 /* Sine of an angle below which an edge is parallel to a motion, a motion does
@@ -9302,21 +9501,22 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* Tangent of half the largest turn of one motion. With shorter turns the stone
    finds better places, and a motion meets fewer edges. */
 #define KERN_REST_TURN KERN_R(0.25)
-/* Chance from which a stone counts as staying; margins that count as equal. */
+/* Chance from which a stone counts as staying, and share by which margins may
+   differ and still count as equal. */
 #define KERN_PLACE_STAYS KERN_R(0.9)
 #define KERN_PLACE_SAME KERN_R(1e-5)
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
-/* Vertices are counted as written, which may be clockwise: the area is below 0
-   then. Those that hardly turn are no corners. */
+/* The order of vertices is the caller's. It may be clockwise, and the area is
+   then negative. Vertices that hardly turn are no corners. */
 
-/* Returns the vertex after i in the order in which they are written. */
+/* Returns the vertex after i in the caller's order. */
 static int kern_polygon_next(const kern_block *block, int i)
 {
     return i + 1 < block->vertices ? i + 1 : 0;
 }
 
-/* Returns the vertex before i in the order in which they are written. */
+/* Returns the vertex before i in the caller's order. */
 static int kern_polygon_before(const kern_block *block, int i)
 {
     return (i > 0 ? i : block->vertices) - 1;
@@ -9338,8 +9538,8 @@ static inline int kern_polygon_turn(const kern_block *block, int i)
     return (turn > 0) == (block->area >= 0) ? 1 : -1;
 }
 
-/* Returns 1 if two boxes are no farther apart than the gap. A gap below 0 is an
-   overlap that they must have. */
+/* Returns 1 if two boxes are no farther apart than the gap. A negative gap is
+   an overlap that they must have. */
 static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
 {
     return b->low.y - gap <= a->high.y && a->low.y - gap <= b->high.y
@@ -9354,16 +9554,16 @@ static kern_real kern_box_largest(const kern_box *box)
 
 /* ---- outlines ---- */
 
-/* A block's outline in runs of `each` vertices with a box around the edges that
-   start there, from corner to corner. A short outline is one run. */
+/* A block's outline in runs of `each` vertices. Each run has a box around the
+   edges that start in it, from corner to corner. A short outline is one run. */
 typedef struct kern_outline {
     const kern_block *block;
-    int straight, reflex; /* are there such vertices, or spikes?   */
-    int each;             /* vertices of a run                     */
+    int straight, reflex; /* nonzero: it has such vertices, or spikes   */
+    int each;             /* vertices of a run                          */
     kern_box box[KERN_RUNS];
 } kern_outline;
 
-/* Returns the corner after vertex i. A closed outline has corners. */
+/* Returns the corner after vertex i. A closed outline always has corners. */
 static int kern_outline_corner(const kern_outline *o, int i)
 {
     do
@@ -9372,7 +9572,8 @@ static int kern_outline_corner(const kern_outline *o, int i)
     return i;
 }
 
-/* Finds out what turns a block's outline has, and the boxes of its runs. */
+/* Finds the kinds of vertices of a block's outline, and the boxes of its
+   runs. */
 static void kern_outline_set(kern_outline *o, const kern_block *block)
 {
     const int n = block->vertices;
@@ -9399,16 +9600,17 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
 
 /* ---- edges ---- */
 
-/* The way from one corner to another, counter-clockwise: an edge or a chord. */
+/* The segment from one corner to another, counter-clockwise: an edge or a
+   chord. */
 typedef struct kern_edge {
-    int at;           /* its first corner as written           */
+    int at;           /* first corner in the caller's order    */
     int start, end;   /* its corners, counter-clockwise        */
     kern_vec p, q, d; /* their places; unit direction          */
     kern_real length;
     kern_box box; /* of an edge                            */
 } kern_edge;
 
-/* Makes an edge of the vertices `at` and `to`, which follow as written. */
+/* Makes an edge from `at` to `to`, which follows in the caller's order. */
 static inline void kern_edge_set(kern_edge *e, const kern_block *block, int at,
                                  int to)
 {
@@ -9422,14 +9624,15 @@ static inline void kern_edge_set(kern_edge *e, const kern_block *block, int at,
     e->d = kern_vec_scale(e->d, 1 / e->length);
 }
 
-/* Returns how far from the start of e the foot of p on its line is. */
+/* Returns the distance from the start of e to the foot of p on the line of
+   e. */
 static kern_real kern_edge_foot(const kern_edge *e, kern_vec p)
 {
     return kern_vec_dot(kern_vec_sub(p, e->p), e->d);
 }
 
-/* Finds the next edge that is within the gap of the box and starts after vertex
-   e->at, which is -1 at first. Returns 0 if there is none. */
+/* Finds the next edge within the gap of the box, among those that start after
+   vertex e->at, which is -1 at first. Returns 0 if there is none. */
 static int kern_edge_next(kern_edge *e, const kern_outline *o,
                           const kern_box *box, kern_real gap)
 {
@@ -9454,7 +9657,7 @@ static int kern_edge_next(kern_edge *e, const kern_outline *o,
 
 /* ---- places ---- */
 
-/* Returns the squared distance of the origin from the edge u, v, which may be a
+/* Returns the squared distance of the origin from the edge u, v. It may be a
    point. */
 static kern_real kern_edge_square(kern_vec u, kern_vec v)
 {
@@ -9467,9 +9670,9 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
     return kern_vec_dot(r, r);
 }
 
-/* Returns the distance of p from the boundary, below 0 where p is outside, and
-   writes the vertex at which the nearest edge starts. The vertex in *nearest
-   before is a guess, which saves time. */
+/* Returns the distance of p from the boundary, negative if p is outside. Writes
+   the first vertex of the nearest edge to *nearest. The old value of *nearest
+   is a guess, which saves time. */
 static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
                                     int *nearest)
 {
@@ -9483,8 +9686,8 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
 
     u = kern_vec_sub(vertex[0], p);
     for (start = 0; start < n; start = end) {
-        /* a run that is farther away than the nearest edge so far crosses the
-           level of p as its ends say, and all of it to one side of p */
+        /* a run farther away than the nearest edge so far is not searched: it
+           crosses the level of p if its ends do, on one side of p */
         const kern_box *box = &o->box[start / o->each];
         const kern_real x = kern_min(kern_max(p.x, box->low.x), box->high.x);
         const kern_real y = kern_min(kern_max(p.y, box->low.y), box->high.y);
@@ -9514,8 +9717,8 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
     return inside ? least : -least;
 }
 
-/* Returns 1 if f lies to one side of the line of e. The unit direction of e
-   would be rounded. */
+/* Returns 1 if f lies on one side of the line of e. It does not use the unit
+   direction of e, which is rounded. */
 static int kern_one_side(const kern_edge *e, const kern_edge *f)
 {
     const kern_vec d = kern_vec_sub(e->q, e->p);
@@ -9526,10 +9729,10 @@ static int kern_one_side(const kern_edge *e, const kern_edge *f)
 
 /* ---- what a polygon must be ---- */
 
-/* Returns the first edge that turns back or touches another but its neighbours,
-   or -1 if none does. A convex polygon has none: it turns one way only and has
-   one lowest place. Edges whose boxes meet touch unless one lies on one side of
-   the other. */
+/* Returns the first edge that turns back or touches an edge that is no
+   neighbour, or -1 if there is none. A convex polygon has none: it turns one
+   way only and has one lowest place. Edges whose boxes meet touch unless one of
+   them lies on one side of the line of the other. */
 static int kern_polygon_crossing(const kern_block *block)
 {
     const kern_vec *v = block->vertex;
@@ -9542,7 +9745,7 @@ static int kern_polygon_crossing(const kern_block *block)
     kern_outline_set(&o, block);
     if (!o.reflex && lowest < 2)
         return -1;
-    o.straight = 0; /* from vertex to vertex, which costs less */
+    o.straight = 0; /* edges from vertex to vertex cost less */
     e.at = -1;
     while (kern_edge_next(&e, &o, &block->box, 0)) {
         int touch = kern_polygon_turn(block, e.at) == -2;
@@ -9556,9 +9759,9 @@ static int kern_polygon_crossing(const kern_block *block)
     return -1;
 }
 
-/* Writes area, centre and box of a block. Sums over the triangles between
-   vertex 0 and the edges lose no digits far from the origin. Returns the sum of
-   their unsigned areas. */
+/* Writes area, centre and box of a block. The sums are over the triangles
+   between vertex 0 and the edges, so that no digits are lost far from the
+   origin. Returns the sum of the triangles' unsigned areas. */
 static inline kern_real kern_polygon_area(kern_block *block)
 {
     const kern_vec o = block->vertex[0];
@@ -9581,7 +9784,7 @@ static inline kern_real kern_polygon_area(kern_block *block)
     return spread;
 }
 
-/* Writes area, centre and box. Returns what is wrong with the polygon. */
+/* Writes area, centre and box. Returns KERN_OK or the fault of the polygon. */
 static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 {
     kern_real spread, least;
@@ -9592,14 +9795,15 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     least = 2 * KERN_ROUNDING * kern_box_largest(&block->box)
           * kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
     least = kern_max(least, 1 / (KERN_FAR * KERN_FAR));
-    /* or all vertices are on one line */
+    /* otherwise all vertices are on one line */
     fault->index = spread > least ? kern_polygon_crossing(block) : -1;
     return fault->index >= 0             ? KERN_CROSSING
          : kern_abs(block->area) > least ? KERN_OK
                                          : KERN_NO_AREA;
 }
 
-/* Returns what is wrong with an array of n vertices, but for the vertices. */
+/* Returns KERN_OK or the fault of an array of n vertices, except for the
+   vertices. */
 KERN_SHARED static kern_status kern_vertices_check(const kern_vec *v, int n)
 {
     return n < 0 || n > KERN_POINTS_MOST ? KERN_BAD_COUNT
@@ -9616,7 +9820,7 @@ static kern_block kern_ground_of(const kern_vec *vertex, int vertices)
     return made;
 }
 
-/* Leaves a block that every call refuses where the polygon is none. */
+/* Leaves a block that every call refuses if the polygon has a fault. */
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
                                       int vertices, kern_fault *fault)
 {
@@ -9674,10 +9878,10 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
 /* ---- simplified outlines ---- */
 
 /* Returns the vertex after start and up to end that is farthest from the
-   segment p q, or -1 if none is farther away than the tolerance. Where start is
+   segment p q, or -1 if none is farther away than the tolerance. If start is
    end all vertices count. Of vertices that are equally far it is the lowest,
-   and of these the leftmost: so it does not depend on where the outline begins.
-   */
+   and of these the leftmost, so that it does not depend on where the outline
+   begins. */
 KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
                                              int end, kern_vec p, kern_vec q,
                                              kern_real tolerance)
@@ -9703,10 +9907,10 @@ KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
 }
 
 /* Writes the vertices that stay to out[0..room) and their indices to kept.
-   Returns how many there are, or KERN_NO_SPACE, or KERN_NO_AREA where all
-   vertices are at one place. Vertices that stay but come after `end` wait at
-   the end of kept, the next one first: with those that are written they are
-   never more than stay. */
+   Returns how many there are; KERN_NO_SPACE; or KERN_NO_AREA if all vertices
+   are at one place. Vertices that stay but come after `end` wait at the end of
+   kept, the next one first. There is room for them, since all of them will be
+   written. */
 static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
                                kern_vec *out, int *kept, int room)
 {
@@ -9721,13 +9925,13 @@ static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
         const int split = kern_outline_farthest(block, at, end, v[at], v[end],
                                                 tolerance);
 
-        /* an edge to `end` would leave out a vertex too far away */
+        /* an edge to `end` would leave out a vertex that is too far away */
         if (split >= 0) {
             kept[--waiting] = split;
             continue;
         }
 
-        /* it would not: the vertex stays, and `end` begins the next edge */
+        /* it would not: vertex `at` stays, and the next edge begins at `end` */
         kept[count] = at;
         out[count++] = v[at];
         if (waiting++ == room)
@@ -9756,7 +9960,8 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
         || kern_box_largest(&raw.box) > KERN_FAR)
         return (int)KERN_BAD_NUMBER;
 
-    /* where edges that remain cross, or hardly any do, leave out fewer */
+    /* while the remaining edges cross, or have no area, leaves out fewer
+       vertices */
     for (tries = KERN_HALVINGS; tries >= 0; tries--, tolerance /= 2) {
         count = kern_outline_reduce(&raw, tries ? tolerance : KERN_R(0), out,
                                     kept, room);
@@ -9776,17 +9981,18 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
     ___o___________o___      _____\ /_____        a  |  two normals
        |     a         |       a   o              ___|  at one place
 
-   Steps for each two blocks whose boxes are within the gap, by >>rules (see
+   Steps for each pair of blocks whose boxes are within the gap, by >>rules (see
    kern_search_pair()):
    1. Overlap: the search fails (kern_overlap_depth()).
    2. Edges make lines (kern_pair_line()) and points (kern_pair_point()).
-   3. Faces: what lies on one line is merged (kern_pair_face()).
+   3. Faces: contacts on one line are merged (kern_pair_face()).
    4. Travels: kern_point_travels().
    At the end each line becomes two contact points. */
 
 /* ---- overlap ---- */
-/* The search goes along the edges of one block. The depth in the other changes
-   by no more than the way, so each depth gives a step that is safe. */
+/* The search goes along the edges of one block. The depth in the other block
+   changes by no more than the distance covered, so each depth gives a safe
+   step. */
 
 /* Returns 1 if no vertex of b is farther than `most` to a side of an edge: its
    left where side is 1, its right where it is -1. */
@@ -9818,7 +10024,8 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
             *deep = kern_max(*deep, depth);
             if (*deep > enough)
                 return;
-            /* as far as the edge stays no deeper than that at the nearest */
+            /* goes on while the depth under the nearest edge stays below
+               *deep */
             kern_edge_set(&f, b->block, nearest,
                           kern_polygon_next(b->block, nearest));
             low = KERN_R(0);
@@ -9833,10 +10040,10 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
     }
 }
 
-/* Raises *deep to the depth in b of inner points of a. These are the middles of
-   triangles of vertices, first of vertices far apart, which lie inside where
-   the outline turns left. Where no boundary is deep, one inner point decides
-   for all around it. */
+/* Raises *deep to the depth in b of inner points of a. The points are the
+   middles of triangles of vertices, first of vertices far apart. They lie
+   inside where the outline turns left. If no boundary is deep, one inner point
+   decides for all points around it. */
 static void kern_overlap_middles(const kern_outline *a, const kern_outline *b,
                                  kern_real *deep)
 {
@@ -9890,23 +10097,25 @@ KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
 
 /* ---- the pair ---- */
 
-/* Two blocks, and the contacts of all pairs so far in the caller's array. A
-   line is one contact here: p is its middle, travel half its length. */
+/* Two blocks, and the contacts of all pairs so far in the caller's array. In
+   that array a line is one contact: p is its middle and travel half its
+   length. */
 typedef struct kern_pair {
-    int a, b;        /* indices of the blocks, a before b           */
-    kern_real gap;   /* widest [m], at the blocks' centres          */
-    kern_real swing; /* what its errors of angle add, per distance  */
-    kern_real deep;  /* deepest overlap [m]                         */
-    kern_real reach; /* no gap or overlap is wider [m]              */
-    kern_real least; /* a line is longer [m]                        */
-    kern_real foot;  /* a foot on an edge is so far inside [m]      */
-    kern_real sure;  /* a line is as long, a foot as far inside [m] */
-    kern_real apart; /* widest hollow of a face [m]                 */
-    kern_real sine;  /* of the angle of the options                 */
+    int a, b;        /* indices of the blocks, a before b             */
+    kern_real gap;   /* widest gap [m], without errors of angle       */
+    kern_real swing; /* gap per distance that errors of angle add     */
+    kern_real deep;  /* deepest overlap [m]                           */
+    kern_real reach; /* no gap or overlap is wider [m]                */
+    kern_real least; /* least length of a line [m]                    */
+    kern_real foot;  /* least distance of a foot from an edge's ends [m] */
+    kern_real sure;  /* that distance for measured structures, and least
+                              length of a line; below 0: beyond the ends */
+    kern_real apart; /* widest hollow of a face [m]                   */
+    kern_real sine;  /* of the angle of the options                   */
     const kern_options *options;
     kern_contact *out;
-    int room, count;         /* count may exceed the room: no more is stored */
-    int first;               /* of the contacts of this pair                */
+    int room, count;         /* count may exceed room: no more is stored    */
+    int first;               /* first contact of this pair                  */
     kern_outline outline[2]; /* a and b                                     */
 } kern_pair;
 
@@ -9916,7 +10125,8 @@ static kern_vec kern_line_end(const kern_contact *line, kern_real side)
     return kern_vec_step(line->p, side * line->travel, kern_vec_turn(line->n));
 }
 
-/* Adds a contact after those as long or longer. Without room it is counted. */
+/* Adds a contact after those that are as long or longer. If there is no room it
+   is only counted. */
 static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
                           kern_real half)
 {
@@ -9931,7 +10141,7 @@ static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
     at[i] = made;
 }
 
-/* Returns 1 if two edges run against each other within the angle. */
+/* Returns 1 if two edges are antiparallel within the angle. */
 static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
                              const kern_edge *f)
 {
@@ -9941,8 +10151,8 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
 
 /* ---- lines and points ---- */
 
-/* Returns the widest gap at p. Errors of angle count by the distance from the
-   blocks' centres. */
+/* Returns the widest gap at p. The effect of errors of angle grows with the
+   distance from the blocks' centres. */
 static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 {
     const kern_vec u = kern_vec_sub(p, pair->outline[0].block->centre);
@@ -9961,13 +10171,13 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 {
     const kern_edge *e = edge, *f = edge + 1;
-    const kern_vec r = kern_vec_sub(f->q, e->p); /* against round-off */
+    const kern_vec r = kern_vec_sub(f->q, e->p); /* small: less rounding */
     kern_real at, cosine, slope, low, high, gap, wide, least;
     kern_vec t, n, p;
     if (!kern_pair_opposed(pair, e, f))
         return;
 
-    /* where both edges are, as s from the start of e */
+    /* the stretch where both edges are, as s from the start of e */
     t = kern_vec_unit(kern_vec_sub(e->d, f->d));
     n = kern_vec_scale(kern_vec_turn(t), -1); /* outward */
     cosine = kern_vec_dot(e->d, t);           /* and of f the opposite */
@@ -9976,12 +10186,12 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     low = kern_max(KERN_R(0), at);
     high = kern_min(e->length * cosine, at + f->length * cosine);
 
-    /* the part of it where the gap is small */
+    /* the part of it where the gap is small enough */
     gap = kern_vec_dot(r, n) + slope * at; /* at s = 0 */
     wide = kern_pair_gap(pair, kern_vec_step(e->p, (low + high) / 2, t));
     kern_clip(&low, &high, gap, -2 * slope, -kern_max(wide, pair->deep), wide);
 
-    /* short edges that match are a contact as well; it lies midway */
+    /* short edges that match are a contact, too; it lies midway */
     least = kern_min(pair->least, kern_max(e->length, f->length) / 2);
     if (!(high - low > kern_max(least, kern_max(pair->foot, pair->sure))))
         return;
@@ -10007,10 +10217,10 @@ static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
     return bears;
 }
 
-/* Adds the point contact of edge e, of block a (on 0) or b (1), with the corner
-   where edge f of the other block starts. f leads away from e. The corner must
-   be convex and within the gap, with its foot on e, and its other edge must
-   lead away from e. */
+/* Adds the point contact of edge e, of block a (on = 0) or b (1), with the
+   corner of the other block at which its edge f starts. f leads away from e.
+   The corner must be convex and within the gap, its foot must be on e, and its
+   other edge must lead away from e. */
 static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
 {
     const kern_edge *e = &edge[on], *f = &edge[!on];
@@ -10033,7 +10243,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
     kern_pair_put(pair, p, kern_vec_scale(kern_vec_turn(e->d), on ? 1 : -1), 0);
 }
 
-/* Finds lines and points of each two edges that are near each other. */
+/* Finds lines and points of each pair of edges that are close to each other. */
 static void kern_pair_edges(kern_pair *pair)
 {
     const kern_outline *a = &pair->outline[0], *b = &pair->outline[1];
@@ -10053,26 +10263,26 @@ static void kern_pair_edges(kern_pair *pair)
 }
 
 /* ---- faces ---- */
-/* Contacts of a pair are in order of length, points last. The first leads a
-   face. All others with its normal and on its line join it. A point about as
-   inclined as a line, and within the gap of what has joined it, is left out.
-   The first of the rest leads the next face. A stretch is a face that no
-   hollow wider than the gap divides. */
+/* Contacts of a pair are in order of length, points last. The first one leads a
+   face, and all others with its normal and on its line join it. A point is left
+   out if its normal is about that of the face and it lies within the gap of the
+   contacts that have joined. The first of the remaining contacts leads the next
+   face. A stretch is a face without a hollow wider than the gap. */
 
-/* Makes a face of contact i and all that join it. */
+/* Makes a face of contact i and all contacts that join it. */
 KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 {
     kern_contact *at = pair->out;
     const kern_contact *const lead = &at[i];
     kern_vec low = lead->p, high = lead->p; /* outermost points            */
-    kern_real least = KERN_R(0), most = KERN_R(0);      /* where they are     */
-    kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* of normals    */
+    kern_real least = KERN_R(0), most = KERN_R(0);      /* their places */
+    kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* of normals   */
     kern_real half;
     int k, rest = i + 1;
     KERN_ASSERT(i >= pair->first && i < pair->count);
 
     for (k = i; k < pair->count; k++) { /* itself first */
-        /* where the contact is beside the lead */
+        /* the place of the contact relative to the lead */
         const kern_contact *c = &at[k];
         const kern_vec r = kern_vec_sub(c->p, lead->p);
         const kern_real cosine = kern_vec_dot(lead->n, c->n);
@@ -10089,7 +10299,7 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
             && kern_max(off, hollow) <= pair->gap)
             continue;
 
-        /* it is of another face */
+        /* it belongs to another face */
         if (!(cosine > 0) || sine > pair->sine
             || kern_max(off + c->travel * sine - pair->gap,
                         hollow - half - pair->apart)
@@ -10110,7 +10320,7 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
         sum = kern_vec_step(sum, c->line ? 2 * c->travel : pair->gap, c->n);
     }
 
-    /* the lead becomes the face; one that is too short is a point */
+    /* the lead becomes the face; a face that is too short is a point */
     pair->count = rest;
     at[i].p = kern_vec_mid(low, high);
     at[i].n = kern_vec_unit(sum);
@@ -10119,8 +10329,9 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
     at[i].travel = at[i].line ? half : KERN_R(0);
 }
 
-/* Makes faces of the contacts from the first of the pair on. What joins a
-   stretch may close a hollow for others, so each is made until it stays. */
+/* Makes faces of the contacts from the first one of the pair on. A contact that
+   joins a stretch may close a hollow for others, so each face is repeated until
+   it does not change. */
 static void kern_pair_faces(kern_pair *pair)
 {
     int i, count;
@@ -10133,8 +10344,8 @@ static void kern_pair_faces(kern_pair *pair)
 
 /* ---- travels ---- */
 
-/* Returns the block that a contact carries where `down` is the direction of
-   gravity, or KERN_OUT where the normal is horizontal but for rounding. */
+/* Returns the block that a contact carries if `down` is the direction of
+   gravity, or KERN_OUT if the normal is horizontal within rounding. */
 KERN_SHARED static int kern_carried_block(const kern_contact *c, kern_vec down)
 {
     const kern_real push = kern_vec_dot(c->n, down);
@@ -10142,8 +10353,8 @@ KERN_SHARED static int kern_carried_block(const kern_contact *c, kern_vec down)
     return push < -least ? c->b : push > least ? c->a : KERN_OUT;
 }
 
-/* Returns 1 if c and d are of one interface, or, with `down`, carry one block.
-   */
+/* Returns 1 if c and d belong to one interface, or with `down`, carry the same
+   block. */
 static int kern_same_group(const kern_contact *c, const kern_contact *d,
                            const kern_vec *down)
 {
@@ -10151,8 +10362,8 @@ static int kern_same_group(const kern_contact *c, const kern_contact *d,
                 : kern_same_interface(c, d);
 }
 
-/* Returns the middle of the two points farthest apart of the group of *of. Of
-   several such two it takes the first by index. */
+/* Returns the middle of the two points farthest apart in the group of *of. Of
+   pairs that are equally far apart it takes the first by index. */
 static kern_vec kern_middle(const kern_contact *contact, int contacts,
                             const kern_contact *of, const kern_vec *down)
 {
@@ -10172,9 +10383,9 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
     return middle;
 }
 
-/* Sets the travels of all points or, with `down`, of those that are alone in an
-   interface and carry a block: to the foot of the middle of their group. Points
-   that follow each other usually share a middle. */
+/* Sets the travel of points to the foot of the middle of their group. Sets all
+   points, or with `down` those that are alone in their interface and carry a
+   block. Successive points usually have the same middle. */
 static void kern_point_travels(kern_contact *contact, int contacts,
                                const kern_vec *down)
 {
@@ -10204,18 +10415,19 @@ typedef enum kern_search_kind {
     KERN_SEARCH_CONTACTS,
     KERN_SEARCH_OVERLAPS,
     KERN_SEARCH_EDGES,     /* contacts of edges and corners, no faces       */
-    KERN_SEARCH_STRETCHES, /* faces end where they are hollow               */
-    KERN_SEARCH_SURE       /* stretches that no error along them takes away */
+    KERN_SEARCH_STRETCHES, /* faces end at hollows wider than the gap       */
+    KERN_SEARCH_SURE       /* stretches of lines at least KERN_ERROR_SURE
+                              long and points as far inside of their edge   */
 } kern_search_kind;
 
 typedef struct kern_search {
     const kern_block *block;
     int blocks;
-    int from; /* the first block that meets those before     */
+    int from; /* the first block that is paired with earlier ones */
     kern_fault *fault;
-    kern_real floor;       /* places closer than that are the same [m]    */
+    kern_real floor;       /* closer places are the same [m]              */
     kern_real reach;       /* widest gap of any pair [m]                  */
-    kern_search_kind kind; /* of overlaps there are pair.count */
+    kern_search_kind kind; /* pair.count counts overlaps or contacts      */
     kern_overlap *overlap;
     kern_pair pair;
 } kern_search;
@@ -10226,8 +10438,8 @@ static kern_real kern_box_half(const kern_block *block)
     return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2;
 }
 
-/* Returns the widest gap of blocks of that size. The gap of an error is added
-   to that of exact places. */
+/* Returns the widest gap of blocks of a size. The gap of measured options is
+   added to that of exact places. */
 static kern_real kern_search_gap(const kern_search *s, kern_real size)
 {
     const kern_options *o = s->pair.options;
@@ -10237,7 +10449,7 @@ static kern_real kern_search_gap(const kern_search *s, kern_real size)
     return kern_max(o->gap + exact, s->floor);
 }
 
-/* Sets the tolerances of the pair, whose outlines are set. */
+/* Sets the tolerances of the pair, whose outlines must be set. */
 static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
 {
     const kern_block *a = pair->outline[0].block, *b = pair->outline[1].block;
@@ -10257,7 +10469,8 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
     pair->apart = s->kind == KERN_SEARCH_CONTACTS ? KERN_INFINITY : pair->gap;
 }
 
-/* Returns 1 if box or area of the vertices changed since kern_block_init(). */
+/* Returns 1 if the box or the area of the vertices has changed since
+   kern_block_init(). */
 static int kern_block_is_stale(const kern_block *block)
 {
     kern_block now = *block;
@@ -10268,9 +10481,9 @@ static int kern_block_is_stale(const kern_block *block)
              <= KERN_AREA_TOL * kern_abs(block->area));
 }
 
-/* Returns 1 if two blocks cannot touch: they are far apart, both fixed, or the
-   first has no vertices. Blocks with one array of vertices are looked at: the
-   first has lost its own. */
+/* Returns 1 if two blocks cannot touch: they are far apart, both are fixed, or
+   the first has no vertices. Blocks that share one array of vertices are not
+   apart: the first has lost its own vertices. */
 static int kern_search_is_apart(const kern_search *s, const kern_block *a,
                                 const kern_block *b)
 {
@@ -10288,14 +10501,14 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     kern_real depth;
     KERN_ASSERT(i >= 0 && i < j && j < s->blocks);
 
-    if (kern_search_is_apart(s, a, b)) /* as most pairs are */
+    if (kern_search_is_apart(s, a, b)) /* true for most pairs */
         return KERN_OK;
     if (i < s->from && kern_block_is_stale(a)) {
         s->fault->block = i;
         return KERN_STALE;
     }
 
-    /* an overlap ends a search for contacts, and is what a list is of */
+    /* an overlap ends a search for contacts; a search for overlaps lists it */
     kern_outline_set(&pair->outline[0], a);
     kern_pair_tolerances(pair, s);
     depth = kern_overlap_depth(&pair->outline[0], &pair->outline[1], pair->deep,
@@ -10315,7 +10528,8 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
         return KERN_OK;
     }
 
-    /* contacts of edges become faces, which set the travels of points */
+    /* contacts of edges are merged to faces; then the travels of points are
+       known */
     pair->a = i;
     pair->b = j;
     pair->first = pair->count;
@@ -10330,9 +10544,10 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     return KERN_OK;
 }
 
-/* Makes one ground of all fixed blocks, so that what is cut in two carries as
-   before: contacts with any of them become contacts with the first, and
-   stretches which follow each other one. Sets the travels of points again. */
+/* Makes one ground of all fixed blocks, so that a fixed block that is cut in
+   two carries as before. Contacts with fixed blocks become contacts with the
+   first of these. Stretches that continue each other become one. Sets the
+   travels of points again. */
 static void kern_search_ground(kern_search *s)
 {
     kern_pair *pair = &s->pair;
@@ -10359,7 +10574,8 @@ static void kern_search_ground(kern_search *s)
     kern_point_travels(out, pair->count, NULL);
 }
 
-/* Makes two points of every line, from the last on. Returns how many points. */
+/* Makes two points of every line, from the last line to the first. Returns how
+   many points there are. */
 static int kern_search_close(const kern_search *s)
 {
     kern_contact *out = s->pair.out;
@@ -10384,8 +10600,9 @@ static int kern_search_close(const kern_search *s)
     return points;
 }
 
-/* Checks every block and sets what the tolerances of all pairs depend on. The
-   vertices of blocks before s->from are left to kern_search_pair(). */
+/* Checks every block, and sets the data on which the tolerances of all pairs
+   depend. The vertices of blocks before s->from are checked in
+   kern_search_pair(). */
 KERN_SHARED static kern_status kern_search_survey(kern_search *s)
 {
     kern_real most = KERN_R(0); /* largest coordinate                 */
@@ -10419,21 +10636,22 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
             return status;
         }
 
-        /* the largest coordinate, arm and free block of all */
+        /* the largest coordinate, arm and free block */
         most = kern_max(most, kern_box_largest(box));
-        if (s->pair.swing > 0) /* spares roots */
+        if (s->pair.swing > 0) /* saves square roots */
             arm = kern_max(arm, 4 * kern_box_half(block));
         if (!block->fixed)
             area = kern_max(area, kern_abs(block->area));
     }
 
-    /* no tolerance is below rounding, and no pair reaches farther */
+    /* no tolerance is below rounding, and no pair reaches farther than this */
     s->floor = 2 * KERN_ROUNDING * most;
     s->reach = kern_search_gap(s, KERN_SQRT(area)) + s->pair.swing * arm;
     return KERN_OK;
 }
 
-/* Returns what is wrong with the arguments of a search, but for the blocks. */
+/* Returns KERN_OK or the fault of the arguments of a search, except the
+   blocks. */
 static kern_status kern_search_asked(const kern_search *s)
 {
     const kern_options *o = s->pair.options;
@@ -10447,8 +10665,8 @@ static kern_status kern_search_asked(const kern_search *s)
              : KERN_OK;
 }
 
-/* Finds contacts of the blocks from one on with those before them, or
-   overlaps. Returns how many, or a status below 0. */
+/* Finds contacts of the blocks from index `from` on with earlier blocks, or
+   overlaps. Returns how many there are, or a negative status. */
 static int kern_search_run(const kern_block *block, int blocks,
                            const kern_options *options, void *out, int room,
                            kern_work *work, int from, kern_search_kind kind)
@@ -10459,7 +10677,7 @@ static int kern_search_run(const kern_block *block, int blocks,
     if (!work)
         return (int)KERN_BAD_POINTER;
 
-    /* the search and its pair, which every step fills further */
+    /* the search and its pair, which later steps complete */
     kern_fault_clear(&work->fault);
     s.block = block;
     s.blocks = blocks;
@@ -10472,7 +10690,7 @@ static int kern_search_run(const kern_block *block, int blocks,
     s.pair.room = room;
     s.pair.count = 0;
 
-    /* every pair of which one block is new */
+    /* every pair of a new block and an earlier one */
     status = kern_search_asked(&s);
     if (status == KERN_OK)
         status = kern_search_survey(&s);
@@ -10484,8 +10702,9 @@ static int kern_search_run(const kern_block *block, int blocks,
     if (status != KERN_OK)
         return (int)status;
 
-    /* Turns each line into two points. The travel of a lone point depends on
-       all contacts that carry its block, so it comes last. */
+    /* Turns each line into two points. The travel of single points
+       (options.lone) is set last, since it depends on all contacts that carry
+       the block. */
     if (kind == KERN_SEARCH_OVERLAPS)
         return s.pair.count;
     if (kind >= KERN_SEARCH_STRETCHES)
@@ -10538,7 +10757,7 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     kern_real length, longest;
     int line;
 
-    /* what a caller may get wrong */
+    /* checks the arguments */
     if (!options || !out)
         return (int)KERN_BAD_POINTER;
     out->travel = KERN_R(0);
@@ -10553,7 +10772,7 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     if (!(longest > 0) || !kern_is_finite(1 / longest))
         return (int)KERN_BAD_NORMAL;
 
-    /* the normal is first made about 1 long: its square may be no number */
+    /* scales the normal to about 1 first, since its square may overflow */
     normal = kern_vec_unit(kern_vec_scale(out->n, 1 / longest));
 
     /* two points that differ by more than rounding are a line along t */
@@ -11744,7 +11963,7 @@ KERN_API kern_options kern_defaults(void)
     return o;
 }
 
-/* Returns the options, or the defaults for NULL. */
+/* Returns *options, or the defaults for NULL. */
 KERN_SHARED static kern_options kern_options_of(const kern_options *options)
 {
     return options ? *options : kern_defaults();
