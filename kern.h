@@ -105,12 +105,12 @@
    options.limit bounds the work of one call, reading the input included. Work
    that would exceed the limit is not begun: the call returns KERN_LIMIT and
    writes what is proven by then. An answer below the limit is the same, to the
-   last bit, as without a limit. A call takes at most 3,000 instructions plus
-   2,000 for each unit of its limit. A call that completes takes 550 to 2,000
-   for each unit in work->units, which is 0.1 to 0.6 microseconds on a desktop
-   computer (x86-64, tests/work.sh limits; a Cortex-M4F up to 2,520). Where most blocks have a single contact, as
-   in a fill that is pushed, a unit of the limit was up to 3,100 instructions,
-   and a unit of a completed call 2,230.
+   last bit, as without a limit. On x86-64 a call takes at most 3,000
+   instructions plus 2,000 for each unit of its limit, unless most blocks have a
+   single contact, as in a fill that is pushed: then up to 3,100 a unit. A call
+   that completes takes 550 to 2,000 (then up to 2,230) for each unit in
+   work->units, which is 0.1 to 0.6 microseconds on a desktop computer
+   (tests/work.sh limits). A Cortex-M4F took up to 2,520.
 
    CONFIGURATION                                                     >>config
 
@@ -151,16 +151,17 @@
          |-- some blocks cannot be held, all others fixed:
          |   simplex method on these (>>lp) --------------> FALLS
        whole        >>ipm     above 64 free blocks the interior-point method,
-                    >>lp      otherwise the simplex method; in double the
-                              interior point again where that has no proof
+                    >>lp      otherwise the simplex method. In double the
+                              interior point is tried again where the simplex
+                              method gives no proof
 
    A measure is the critical value of a path (kerns shrink, a load grows,
    gravity turns): the first value at which the structure falls. Fixing blocks
    never lowers the critical value, so any part, with all other blocks fixed,
    gives an upper bound. The search (>>search) begins at the smallest value of a
-   body (a block with what rests on it alone) and runs the pass there. If a part
-   falls, the search continues at the critical value of that part, until no part
-   falls. If the pass gives no proof, the search solves the whole structure.
+   body (a block and the blocks that rest on nothing else) and runs the pass
+   there. If a part falls, the search continues at the critical value of that
+   part, until no part falls. If the pass gives no proof, the search solves the whole structure.
    Load factor and tilt of up to 64 free blocks are one linear program with the
    value as a column. Where this cannot decide, as in jams, the interior-point
    method narrows the bracket: one proof on each side of the critical value.
@@ -176,14 +177,13 @@
    and `angle` are those of the options, and no tolerance is below 64 roundings
    of the largest coordinate. "Size" is that of the pair's smaller free block.
    Vertices where the outline turns by less than 1e-6 rad do not count. Outlines
-   are used as they are: every other edge has its own contacts, even a step of
-   one pixel, so simplify raw outlines first (kern_outline_simplify()).
+   are used as they are: each remaining edge has its own contacts, even a step
+   of one pixel, so simplify raw outlines first (kern_outline_simplify()).
      line      Two edges, one of each block, antiparallel within `angle`, and
-               within the gap over a length of more than the gap or 1e-3 of the
-               size, whichever is less. Half of the longer edge is enough if
-               that is still less. The contact points are the ends of that
-               stretch, midway between the edges. n is the mean of the edges'
-               normals.
+               within the gap over more than the least of three lengths: the
+               gap, 1e-3 of the size, half of the longer edge. The contact
+               points are the ends of that stretch, midway between the edges. n
+               is the mean of the edges' normals.
      point     A convex vertex within the gap of an edge, its foot more than
                1e-6 of the size from both ends, both edges of the vertex on the
                outer side of that edge within `angle`. The contact point is the
@@ -191,7 +191,8 @@
                line contact of the pair, its normal within 10 degrees of n,
                passes within the gap.
      corner    A convex vertex within the gap of a reflex one: a point contact
-               with each edge there on whose outer side both its edges lie.
+               with each edge of the reflex vertex that has both edges of the
+               convex vertex on its outer side.
                A convex vertex on a convex one is no contact.
      face      Contacts of a pair whose normals agree within `angle` and which
                lie on one line within the gap are joined to one line contact. It
@@ -201,7 +202,8 @@
      overlap   A point of one outline deeper than the gap inside the other
                block, or a block inside another: KERN_OVERLAP.
    A larger gap removes no support. Contacts that are given are taken as they
-   are, with unit normals; a line off t by more than `angle` is refused.
+   are, with unit normals. A line contact whose direction differs from t by more
+   than `angle` is refused.
 
    Shrinkage. A contact point has a direction u = t or -t, a travel l >= 0:
      line      The two ends go to each other; l is half the length.
@@ -323,7 +325,7 @@
    (kern_outline_simplify()). Raw points on a grid touch each other
    (KERN_CROSSING), and each step of a pixel would hold like a shear key. From
    1.5 pixels on a straight joint is one edge again; below 1.42 its steps may
-   remain. Two simplified outlines may part by twice the tolerance. Set
+   remain. Simplification may open a gap of twice the tolerance. Set
    options.gap to that, or include it in the error of kern_measured_options().
    Outlines of drawings and clippers have steps of rounding: simplify them
    within half a gap. The density is that of the material times the thickness.
@@ -363,7 +365,7 @@
              verdict stands at a friction of .44 where 2.07 is needed.
              kern_raised_load() has no dilatancy. kern_let_go() tells whether
              such a row stays: of 600 random slopes below the friction of limit
-             equilibrium it says so of none. Both follow one path of loading,
+             equilibrium it says so for none. Both follow one path of loading,
              so use the lower answer. Bricks that hang in a flat arch do not
              count as raised.
    Search    KERN_NOT_SHOWN is no proof of falling. kern_work.end tells whether
@@ -374,14 +376,15 @@
              Near critical friction, or where a structure has several equilibria
              close to each other, turning, mirroring or rounding the input may
              change the raised load. It did so by more than 2 % for 28 of these
-             slopes, and for 13 of 969 placements, 10 of which move.
+             slopes, and for 13 of 969 placements, 10 of which move in the
+             simulator.
    Ambiguous The reserve does not see equilibria that depend on the history of
    forces    loading. Of 181 rows of wedges between cliffs that fall in a
-             simulator though forces exist, 2 have the largest reserve
-             (tests/TRUST.md). A stone that is pushed out from under a longer
-             one may count on a weight that the longer one can pass elsewhere:
-             of 51 walls under .6 to .9 of the load that they bear, 7 move in a
-             simulator.
+             simulator though forces exist, 2 get the largest reserve
+             nevertheless (tests/TRUST.md). A stone that is pushed out from
+             under a longer one may count on a weight that the longer one can
+             pass elsewhere: of 51 walls under .6 to .9 of the load that they
+             bear, 7 move in a simulator.
    Loads     stay: what kern_block_load() adds neither grows with a horizontal
              load nor turns with gravity.
    Not       Where kerns are not nested (points of different normals), the path
@@ -1759,7 +1762,7 @@ extern "C" {
 /* ---- top-down pass ---- */
 
 /* A pivot of a 3 x 3 matrix below this share of its trace is rounding. At 1e-11
-   in double a profile of rubble begins beyond the margin. */
+   in double a profile of rubble wrongly starts above the margin. */
 #define KERN_THREE_TOL KERN_PICK(1e-12, 1e-5)
 /* A pivot of a 3 x 3 matrix above this share of its trace needs no refinement
    of the solution. */
@@ -1780,8 +1783,8 @@ extern "C" {
    infeasible. With a larger norm clusters grow later and Newton's method takes
    more steps: without this bound a try costs 4 % more. */
 #define KERN_CLUSTER_NORM KERN_R(100)
-/* Largest approach of contacts that count as parting, as a share of the largest
-   speed. */
+/* A contact that closes more slowly than this share of the largest speed counts
+   as parting. */
 #define KERN_PARTS_TOL KERN_R(1e-4)
 /* A cluster may have this share of all groups, inverse: a quarter in a verdict,
    a fifth in a search, a seventh in a search that knows forces. With a fifth
@@ -1803,8 +1806,8 @@ extern "C" {
 /* Two critical values that differ by less are the same [mean block size]: with
    less, Newton's method follows rounding. */
 #define KERN_VALUE_SAME KERN_PICK(1e-10, 1e-5)
-/* Negative force of a known basis that is rounding, as a share of the
-   weight. */
+/* A negative force of a known basis below this share of the weight is
+   rounding. */
 #define KERN_BASIS_NOISE KERN_PICK(1e-10, 1e-5)
 /* Most places of a bracket. Four to eight suffice, unless digits are lost. */
 #define KERN_BRACKET_ROUNDS 100
@@ -3591,7 +3594,7 @@ typedef struct kern_program {
    rows. */
 typedef struct kern_factors {
     int size;         /* rows, rounded up to a multiple of three            */
-    int groups;       /* of B_0: all of a network; 0: it is the unit matrix */
+    int groups;       /* in B_0; all of a network, 0 if B_0 is the unit     */
     kern_real *block; /* of a row: six numbers                              */
     int *to;          /* of a row: first row of its column's other group    */
     int most, room;   /* largest number of factors, and of their entries    */
@@ -5190,7 +5193,7 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
     kern_row_exert(row + 1, f, r, b + 3 * p->ends[2 * k + 1]);
 }
 
-/* The motion of an approach: the whole u, or a step that is added to u. */
+/* Of which motion an approach is: of the whole u, or of a step added to it. */
 typedef enum kern_way_of { KERN_WAY_OF_STEP, KERN_WAY_OF_U } kern_way_of;
 
 /* Writes the approach of the supports along n and t: that of u to `way`, that
@@ -6539,7 +6542,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
             || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
         status = kern_ipm_verdict(m, p, q);
-        p->found = KERN_UNDECIDED; /* its y predicts worse than a basis */
+        p->found = KERN_UNDECIDED; /* its y is a poorer start than a basis */
     }
     return status;
 }
@@ -8406,7 +8409,7 @@ static int kern_as_one(const kern_structure *s, const kern_motion *motion,
 }
 
 /* Numbers the groups of blocks that move as one. Each group begins with the
-   fastest block that is in none. Blocks that rest have -1. */
+   fastest block that is not yet in a group. Blocks that rest have -1. */
 static void kern_critical_blocks(const kern_structure *s,
                                  const kern_motion *motion, kern_critical *out)
 {
@@ -8780,8 +8783,8 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
             most = kern_max(most, approach);
         }
 
-        /* A contact that parts keeps its price, or gets a higher one where it
-           presses. Other prices fall by a share of the way. */
+        /* A contact that does not close keeps its price, or gets a higher one
+           where its force presses. Other prices fall by a share of the way. */
         if (found && !(approach > 0))
             to = kern_max(to, price)
                + 2 * kern_max(wn + kern_max(to, price), 0);
