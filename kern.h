@@ -161,12 +161,12 @@
    gives an upper bound. The search (>>search) begins at the smallest value of a
    body (a block and the blocks that rest on nothing else) and runs the pass
    there. If a part falls, the search continues at the critical value of that
-   part, until no part falls. If the pass gives no proof, the search solves the whole structure.
-   Load factor and tilt of up to 64 free blocks are one linear program with the
-   value as a column. Where this cannot decide, as in jams, the interior-point
-   method narrows the bracket: one proof on each side of the critical value.
-   tests/DESIGN.md says why each step is there, and what it costs to leave it
-   out.
+   part, until no part falls. If the pass gives no proof, the search solves the
+   whole structure. Load factor and tilt of up to 64 free blocks are one linear
+   program with the value as a column. Where this cannot decide, as in jams, the
+   interior-point method narrows the bracket: one proof on each side of the
+   critical value. tests/DESIGN.md says why each step is there, and what it
+   costs to leave it out.
 
    RULES                                                               >>rules
 
