@@ -158,7 +158,7 @@ static const char help_format[] =
 "                      Below water DENSITY of the earth is the saturated one. Uplift\n"
 "                      under the wall is not counted: add it as an upward load\n"
 "  axle X FORCE [WIDTH]  live load, downwards, which fill below it spreads within\n"
-"                      30 degrees (Boussinesq)\n"
+"                      30 degrees (Boussinesq), onto the first stones that it meets\n"
 "  prop NAME FX FY X Y MOST   a push in this direction, as needed, up to MOST: a\n"
 "                      strut, passive pressure\n"
 "  bond STRESS         tensile strength of mortar in every line contact, plastic: over\n"

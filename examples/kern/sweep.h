@@ -28,7 +28,7 @@
 /* What places are tried with. */
 struct sweep {
     struct analysis *a;
-    struct text_surface above; /* the upper outline, where axles drive     */
+    struct text_surface above; /* the upper outline, of the joints         */
     kern_wrench *pattern;
     double low, high; /* between these the first force drives              */
 };
@@ -105,7 +105,7 @@ static inline void sweep_pattern(struct sweep *w, double x, struct swept *at)
         kern_block_load(&here, axle->force, place, 0);
         w->pattern[i] = here.load;
     }
-    text_axles(&a->text, &w->above, shift, w->pattern);
+    text_axles(&a->text, shift, w->pattern);
 }
 
 /* The factor of limit analysis with the load at x. */

@@ -1126,8 +1126,7 @@ static inline double text_road(const struct text_file *t, double x,
 }
 
 /* Adds to the pattern all axles, moved by `shift`, as they reach the blocks. */
-static inline void text_axles(const struct text_file *t,
-                              const struct text_surface *above, double shift,
+static inline void text_axles(const struct text_file *t, double shift,
                               kern_wrench *pattern)
 {
     for (int k = 0; k < t->wheels; k++) {
@@ -1137,8 +1136,8 @@ static inline void text_axles(const struct text_file *t,
         const double top = text_road(t, w->x + shift, &cone);
         if (!one)
             return;
-        soil_spread(one, t->block, above->edge, above->edges, w->x + shift,
-                    w->width, top, cone);
+        soil_spread(one, t->block, t->blocks - t->props, w->x + shift, w->width,
+                    top, cone);
         for (int i = 0; i < t->blocks; i++) {
             if (t->block[i].fixed)
                 continue;
@@ -1150,7 +1149,7 @@ static inline void text_axles(const struct text_file *t,
 }
 
 /* Makes the live load of the axles: one force a block. */
-static int text_drive(struct text_reader *r, const struct text_surface *above)
+static int text_drive(struct text_reader *r)
 {
     struct text_file *t = r->t;
     kern_wrench *pattern = calloc((size_t)t->blocks, sizeof *pattern);
@@ -1164,7 +1163,7 @@ static int text_drive(struct text_reader *r, const struct text_surface *above)
     r->statement = "axle";
     t->line = t->wheel[0].line;
     if (!bad)
-        text_axles(t, above, 0, pattern);
+        text_axles(t, 0, pattern);
     for (int k = 0; k < t->wheels; k++)
         all += fabs((double)t->wheel[k].force);
     for (int i = 0; i < t->blocks && !bad; i++)
@@ -1195,7 +1194,7 @@ static int text_drive(struct text_reader *r, const struct text_surface *above)
 /* Does a statement need the outline from this side? */
 static int text_sees(const struct text_file *t, enum soil_side side)
 {
-    int asked = side == SOIL_ABOVE && t->wheels > 0;
+    int asked = 0;
     for (int i = 0; i < t->soils; i++)
         asked |= t->soil[i].kind != TEXT_PROP && t->soil[i].side == side;
     return asked;
@@ -1272,7 +1271,7 @@ static int text_soil(struct text_reader *r)
     for (int i = 0; i < t->soils && !bad; i++)
         bad = text_act(r, t->soil + i, seen);
     if (!bad && t->wheels > 0)
-        bad = text_drive(r, &seen[SOIL_ABOVE]);
+        bad = text_drive(r);
     for (int k = 0; k < 3; k++)
         free(seen[k].edge);
     return bad;
