@@ -35,7 +35,7 @@ struct settings { /* of the command line; numbers < 0: not given */
     const char *layer[LABELS_MOST], *density[LABELS_MOST],
         *friction[LABELS_MOST];
     kern_real ground, pixel, phi;
-    char **file;
+    char **file, **word; /* of the command line all words, up to NULL */
     int files;
 };
 

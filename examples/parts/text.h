@@ -1111,6 +1111,8 @@ static int text_back(struct text_reader *r, struct text_soil *s,
     return 0;
 }
 
+#define TEXT_CONE 0.52359877559829887 /* 30 degrees: how far fill spreads */
+
 /* The level on which an axle stands at x, and the cone of its spread: 0 where
    nothing lies on the outline. */
 static inline double text_road(const struct text_file *t, double x,
@@ -1121,7 +1123,7 @@ static inline double text_road(const struct text_file *t, double x,
         if (t->soil[i].kind == TEXT_FILL && t->soil[i].from <= x
             && t->soil[i].to >= x)
             top = fmax(top, t->soil[i].earth.top);
-    *cone = top > -HUGE_VAL ? 0.52359877559829887 : 0; /* 30 degrees */
+    *cone = top > -HUGE_VAL ? TEXT_CONE : 0;
     return top;
 }
 
@@ -1696,18 +1698,18 @@ static inline int text_read(struct text_file *t, const char *data,
 
 /* Reads a file to its end, or to where text_read() will refuse it: a NUL byte,
    or too much of it. Some files have no end. Returns NULL with errno where that
-   fails. */
+   fails. A 0 follows the bytes. */
 static inline char *text_slurp(FILE *in, size_t *length)
 {
     size_t room = 1 << 16, n;
     char *data = malloc(room);
     *length = 0;
-    while (data && (n = fread(data + *length, 1, room - *length, in)) > 0) {
+    while (data && (n = fread(data + *length, 1, room - 1 - *length, in)) > 0) {
         const char *read = data + *length;
         *length += n;
         if (*length >= TEXT_LONGEST || memchr(read, '\0', n))
             break;
-        if (*length < room)
+        if (*length + 1 < room)
             continue;
         char *more = realloc(data, 2 * room);
         if (!more)
@@ -1719,6 +1721,8 @@ static inline char *text_slurp(FILE *in, size_t *length)
         free(data);
         return NULL;
     }
+    if (data)
+        data[*length] = '\0';
     return data;
 }
 
