@@ -404,7 +404,9 @@ axles() { # axles OUT: what bears an axle on fill
             'block b * 0 1 4 1 4 2 0 2' 'axle 1.2 100 .5'; } >"$1/cut.kern" &&
         "$kern" --json "$1/whole.kern" | grep -o '"live": [0-9.]*' >"$1/one" &&
         "$kern" --json "$1/cut.kern" | grep -o '"live": [0-9.]*' >"$1/two" &&
-        cmp "$1/one" "$1/two"
+        cmp "$1/one" "$1/two" || return 1
+    # it drives from .25 + 3 tan 30 beside the stone to as far behind it
+    says '    -1.58385           0 ' --sweep 10 "$1/whole.kern"
 }
 
 soil() { # a bridge with backfill and a retaining wall, from their files alone
@@ -517,6 +519,14 @@ hand_in() { # drawings of the bridge and the wall, and a photograph: the answers
         tests/seeds/drawing-labelme.json >"$out/o"
     [ $? -le 1 ] || return 1
     "$kern" --raised --report "$out/all.html" $bridge $wall >"$out/o"
+    # what was read stands in the page, and can be run again from it
+    python3 - "$out/all-prestwood.html" $bridge <<'END' || return 1
+import html, re, sys
+page = open(sys.argv[1], encoding='utf-8').read()
+text = html.unescape(re.search('<pre>(.*)</pre>', page, re.S).group(1))
+assert text == open(sys.argv[2], encoding='utf-8').read()
+assert '<code>kern --raised --report ' in page
+END
     for name in read photo all-prestwood all-retaining-wall; do
         $judge page "$out/$name.html" || { echo "$name"; return 1; }
     done
