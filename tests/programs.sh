@@ -445,6 +445,12 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
     sed 's/^strength.*/strength 19/' "$out/toe.kern" >"$out/weak.kern" &&
         says 'weak.kern: falls (crushes)' "$out/weak.kern" &&
         says 'let go      moves' "$out/weak.kern" &&
+        says 'a bears on nothing: its contact with g crushed' "$out/weak.kern" &&
+        { cat "$out/toe.kern" && echo 'block t 1 .4 3 .5 2 .6 3'; } \
+            >"$out/tip.kern" &&
+        says 'not applied to 1 point contact, which has no width' \
+            "$out/tip.kern" &&
+        "$kern" --json "$out/tip.kern" | grep -q '"strength": 40, "crushed": 0' &&
         ! "$kern" --json "$out/weak.kern" >"$out/weak.json" &&
         grep -q '"crushes": true' "$out/weak.json" &&
         "$kern" --help >"$out/help" &&
@@ -558,6 +564,7 @@ stated() { # what numbers leave out or assume is said in report, JSON and page
         says 'warning     the bond is plastic' "$f" &&
         says ' 5         0   0.000         5 (1, 0)' --forces "$f" &&
         "$kern" --report "$out/bond.html" "$f" >"$out/o" &&
+        "$kern" --json "$f" | grep -q '"bond": 2,' &&
         grep -q 'unsafe for brittle mortar' "$out/bond.html" &&
         echo 'strength 8' >>"$f" && says '[0, 1.05]: factors' "$f" || return 1
     # fill in front of an upright face lies on nothing

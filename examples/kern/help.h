@@ -166,7 +166,8 @@ static const char help_format[] =
 "                      all of a joint that opens; unsafe for brittle mortar, which\n"
 "                      bears what it bears without bond\n"
 "  strength STRESS     of the stone: contacts give way where more would press; one\n"
-"                      that even all of it cannot bear crushes, and bears nothing\n";
+"                      that even all of it cannot bear crushes, and bears nothing.\n"
+"                      Point contacts have no width and do not crush\n";
 
 static const char help_json[] =
 "\n"
@@ -184,9 +185,12 @@ static const char help_json[] =
 "                      line, faces, force fx, fy at x, y, pushes (how many, as\n"
 "                      needed), most (in all); null without one\n"
 "  props               blocks that push as needed, at the end of the lists\n"
+"  bond                with bond: its tensile strength\n"
+"  strength            with strength: as stated; not of point_contacts\n"
 "  crushed             with strength: how far ends of contacts moved in at most\n"
 "  crushes             with strength: it falls, and would stand if stone did not\n"
 "                      crush\n"
+"  broken              with strength: line contacts that bear nothing any more\n"
 "  blocks, fixed, contact_points, line_contacts, point_contacts   counts\n"
 "  near, relative      as --near and --relative ask\n"
 "  let_go              all blocks at once, from rest, on real contacts: stays,\n"

@@ -361,7 +361,8 @@ static inline void page_assumptions(FILE *out, const struct analysis *a)
     page_item(out, a->text.strength > 0,
               "Stone crushes in a rectangular stress block at the end of a "
               "contact, at the strength that is given; a contact that all of "
-              "it cannot bear bears nothing.");
+              "it cannot bear bears nothing. A point contact has no width, "
+              "and does not crush.");
     page_item(out, !(a->text.bond > 0), "Mortar does not bond.");
     page_item(
         out, a->text.bond > 0,

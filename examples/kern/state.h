@@ -91,8 +91,8 @@ struct analysis {
     const char *raised_end[3]; /* of these: why the path ended; NULL: none */
     int cut[3];                /* of these: the limit of work ended it       */
     double *stress;            /* of a line contact at the margin; 0: none   */
-    kern_contact *whole;       /* contacts before stone crushes, NULL: it does
-                                  not                                        */
+    kern_contact *whole;       /* contacts before stone crushes, then those that
+                                  are gone; NULL: it does not                */
     int crushes;               /* stands with stone that does not, falls     */
     int broken;                /* line contacts that bear nothing any more   */
     double crushed;            /* how far an end has moved in at most        */
