@@ -705,6 +705,21 @@ styled() { # what is not read of an SVG is left out by name or refused; so are a
         svg '<rect y="80" x="10mm" width="10" height="10"/>' &&
         "$kern" --kern "$out/styled.kern" "$f" >"$out/o" &&
         grep -q ' 37.795' "$out/styled.kern" &&
+        svg '<defs><g id="two"><rect width="9" height="9"/><rect y="9" width="9"
+            height="9"/></g></defs><use href="#two" x="30" y="72"/><use id="in"
+            href="#in"/><use href="a.svg#two"/><use id="away" x="-14"
+            href="#late"/>
+            <use xlink:href="#two" transform="translate(50,72) scale(2,1)"/>
+            <path id="late" d="M80 80h9v10h-9z" transform="translate(5,0)"/>' &&
+        "$kern" --kern "$out/styled.kern" "$f" >"$out/o" &&
+        grep -q 'skipped     1 use on in, line 2' "$out/o" &&
+        grep -q 'skipped     1 use on use, line 3' "$out/o" &&
+        grep -q ' 7 blocks on 1 fixed' "$out/o" &&
+        grep -q '  50 -90  50 -81  68 -81  68 -90$' "$out/styled.kern" &&
+        svg '' && sed -i 's/<svg width="99">/<svg viewBox="0 0 200 100">/
+            s/x="10" y="80" width="10"/x="10%" y="80%" width="10%"/' "$f" &&
+        "$kern" --kern "$out/styled.kern" "$f" >"$out/o" &&
+        grep -q '  20 -90  20 -80  40 -80  40 -90$' "$out/styled.kern" &&
         svg '<g><rect width="9" height="9">' &&
         refuses "styled.svg:1: the element 'rect' of line 1 is not closed" "$f" &&
         printf 'AC1032\0\0' >"$out/a.dwg" &&
