@@ -7,7 +7,6 @@
        transform   of elements and groups: all kinds, but none of styles
        labels      inkscape:label or id; of a group where only the group's has a
                    role
-
        use         draws a shape or a group of this file again; one of a symbol,
                    of another file, or in itself is skipped and listed
 
@@ -15,7 +14,7 @@
    pattern is no part of the picture; texts, images, an svg in the svg, and what is
    hidden or moved by its style are skipped and listed. A style sheet that may do
    so is named. Lengths are as drawn; those with a unit are pixels, shares (%) are
-   of the viewBox, or else of the width and height of the svg.
+   of the viewBox.
 
    SPDX-License-Identifier: MIT */
 
@@ -308,14 +307,11 @@ static double svg_unit(const struct svg_numbers *n)
 }
 
 /* Returns what a hundredth of the picture is, along the axis of a key; 0: that is
-   not known. */
+   not known, or it is a radius. */
 static double svg_hundredth(const struct svg *v, const char *key)
 {
-    if (strchr(key, 'x') || *key == 'w')
-        return v->wide / 100;
-    if (strchr(key, 'y') || *key == 'h')
-        return v->high / 100;
-    return SHAPES_SQRT((v->wide * v->wide + v->high * v->high) / 2) / 100;
+    const char axis = *key == 'c' || *key == 'r' ? key[1] : *key;
+    return (axis == 'x' || axis == 'w' ? v->wide : axis ? v->high : 0) / 100;
 }
 
 /* Reads the length of an attribute, which is 0 without it. Returns 0 where
@@ -342,15 +338,13 @@ static void svg_size(struct svg *v)
 {
     struct svg_part p;
     struct svg_numbers n;
-    double x, y, wide, high;
-    int good = svg_value(v, "width", &wide) && svg_value(v, "height", &high);
-    if (svg_get(v, "viewBox", &p)) {
-        n = svg_numbers_of(v, p);
-        good = svg_number(&n, &x) && svg_number(&n, &y) && svg_number(&n, &wide)
-            && svg_number(&n, &high);
-    }
-    v->wide = good ? wide : 0;
-    v->high = good ? high : 0;
+    double x, y;
+    if (!svg_get(v, "viewBox", &p))
+        return;
+    n = svg_numbers_of(v, p);
+    if (!svg_number(&n, &x) || !svg_number(&n, &y) || !svg_number(&n, &v->wide)
+        || !svg_number(&n, &v->high))
+        v->wide = v->high = 0;
 }
 
 /* ---- Transforms ----------------------------------------------------------- */
@@ -750,6 +744,22 @@ static int svg_parts(struct svg *v, const struct svg_frame *f, int label)
 
 /* ---- The file ------------------------------------------------------------- */
 
+/* Returns what becomes of the element, within one of a state. */
+static enum svg_state svg_state_of(const struct svg *v, enum svg_state outer)
+{
+    if (svg_is_one(v, v->name,
+                   " defs symbol clippath mask marker pattern metadata style "
+                   "script title desc lineargradient radialgradient filter "))
+        return SVG_NO_PART;
+    if (outer != SVG_TAKEN)
+        return outer;
+    if (svg_is_hidden(v))
+        return SVG_HIDDEN;
+    if (svg_is(v, v->name, "svg") && v->found)
+        return SVG_NESTED;
+    return svg_is_moved(v) ? SVG_MOVED : SVG_TAKEN;
+}
+
 /* Moves behind what begins with "<" but is no element. Returns 0 where an element
    begins or ends there. */
 static int svg_pass(struct svg *v)
@@ -788,17 +798,16 @@ static int svg_begins(struct svg *v)
     return closed;
 }
 
-/* Moves to the "<" of the element with an id. Returns 0 where there is none that
-   can be drawn again. */
+/* Moves to the "<" of the element with an id. Returns 0 where there is none, or
+   it is no part of a picture. */
 static int svg_find(struct svg *v, struct svg_part id)
 {
     struct svg_part p;
     v->at = 0;
-    v->line = 1;
     while (v->at < v->length) {
-        const int at = v->at, line = v->line;
+        const int at = v->at;
         if (v->data[at] != '<') {
-            v->line += v->data[v->at++] == '\n';
+            v->at++;
             continue;
         }
         if (svg_pass(v) || svg_begins(v) < 0 || !svg_get(v, "id", &p)
@@ -806,10 +815,7 @@ static int svg_find(struct svg *v, struct svg_part id)
             || memcmp(v->data + p.at, v->data + id.at, (size_t)id.length) != 0)
             continue;
         v->at = at;
-        v->line = line;
-        return svg_is_one(v, v->name,
-                          " g path polygon polyline rect circle ellipse line "
-                          "use ");
+        return svg_state_of(v, SVG_TAKEN) != SVG_NO_PART;
     }
     return 0;
 }
@@ -822,33 +828,34 @@ static int svg_use(struct svg *v, const struct svg_frame *f, int label)
     struct svg again = *v;
     struct svg_part p;
     double x, y;
-    int bad = 0;
-    if ((!svg_get(v, "href", &p) && !svg_get(v, "xlink:href", &p))
-        || p.length < 2 || v->data[p.at] != '#' || !svg_value(v, "x", &x)
-        || !svg_value(v, "y", &y) || v->uses == SVG_USES
-        || *v->work > SVG_WORK) {
+    int bad = 0, drawn = svg_get(v, "href", &p) || svg_get(v, "xlink:href", &p);
+    drawn = drawn && p.length > 1 && v->data[p.at] == '#'
+         && svg_value(v, "x", &x) && svg_value(v, "y", &y) && v->uses < SVG_USES
+         && *v->work < SVG_WORK;
+    if (drawn) {
+        p.at++;
+        p.length--;
+        drawn = svg_find(&again, p);
+        *v->work += again.at;
+    }
+    if (!drawn) {
         shapes_skipped(v->s, "use", label, v->start);
         return 0;
     }
-    p.at++;
-    p.length--;
-    if (!svg_find(&again, p)) {
-        *v->work += v->length;
-        shapes_skipped(v->s, "use", label, v->start);
-        return 0;
-    }
-    *v->work += again.at;
+    again.line = v->start; /* of what is listed in it */
     again.uses++;
     again.depth = 1;
     again.frame[0] = *f;
     again.frame[0].label = label;
     svg_apply(again.frame, 1, 0, 0, 1, x, y);
+
+    /* from its "<" to its end */
     do {
         const int from = again.at;
         if (again.data[from] == '<')
             bad = svg_tag(&again);
         else
-            again.line += again.data[again.at++] == '\n';
+            again.at++;
         *v->work += 10. * (again.at - from);
     } while (!bad && again.depth > 1 && again.at < again.length
              && !again.s->lost);
@@ -881,22 +888,6 @@ static int svg_shape(struct svg *v, const struct svg_frame *f)
     if (!good) /* parts of a path that were read before stay */
         shapes_skipped(s, "outline that cannot be read", label, v->start);
     return 0;
-}
-
-/* Returns what becomes of the element, within one of a state. */
-static enum svg_state svg_state_of(const struct svg *v, enum svg_state outer)
-{
-    if (svg_is_one(v, v->name,
-                   " defs symbol clippath mask marker pattern metadata style "
-                   "script title desc lineargradient radialgradient filter "))
-        return SVG_NO_PART;
-    if (outer != SVG_TAKEN)
-        return outer;
-    if (svg_is_hidden(v))
-        return SVG_HIDDEN;
-    if (svg_is(v, v->name, "svg") && v->found)
-        return SVG_NESTED;
-    return svg_is_moved(v) ? SVG_MOVED : SVG_TAKEN;
 }
 
 /* Says that a style sheet may hide or move elements. */
