@@ -43,6 +43,7 @@
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
@@ -449,13 +450,24 @@ static int set_drawing(struct settings *set)
     return 0;
 }
 
-int main(int argc, char **argv)
+/* Returns all words after the first, up to NULL; the caller's to free. NULL where
+   memory is lacking. */
+static char **copy_words(int argc, char **argv)
+{
+    char **word = calloc((size_t)argc + 1, sizeof *word);
+    for (int i = 1; i < argc && word; i++)
+        word[i - 1] = argv[i];
+    return word;
+}
+
+static int answer(int argc, char **argv, char **word)
 {
     struct settings set = {0};
     set.epsilon = set.mu = set.gap = set.at = set.limit = set.overlap = -1;
     set.error = set.turn = set.own_error = set.own_turn = -1;
     set.turns = set.most = -1;
     set.file = argv;
+    set.word = word;
     set.files = args_read(argc, argv, read_option, &set);
     if (set.files == ARGS_BAD)
         return EXIT_BAD;
@@ -471,4 +483,12 @@ int main(int argc, char **argv)
                 || check_share(&set, "--epsilon", set.epsilon)
              ? EXIT_BAD
              : run(&set);
+}
+
+int main(int argc, char **argv)
+{
+    char **word = copy_words(argc, argv); /* reading them moves files ahead */
+    const int status = answer(argc, argv, word);
+    free(word);
+    return status;
 }

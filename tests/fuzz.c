@@ -261,10 +261,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
     PROPERTY(memchr(t.message, '\0', sizeof t.message) != NULL);
     PROPERTY(!bad || t.message[0]);
     /* what is made of a drawing can be read, unless its stones overlap, which
-       shows where fill or friction needs the contacts */
-    if (bad && drawing.s.message.length == 0)
+       shows where fill or friction needs the contacts; a DWG is refused before
+       anything is made of it */
+    if (bad && drawing.made && drawing.s.message.length == 0)
         fprintf(stderr, "%s\n%s\n", t.message, drawing.s.text.at);
-    PROPERTY(!bad || drawing.s.message.length > 0
+    PROPERTY(!bad || !drawing.made || drawing.s.message.length > 0
              || strstr(t.message, "overlap"));
     PROPERTY(bad || (t.blocks > t.fixed && drawing.s.notes.at));
     for (int i = 0; i < drawing.s.skips; i++)

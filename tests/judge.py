@@ -125,7 +125,7 @@ def page(name):
     assert not read.opened, read.opened
     assert {'svg', 'table', 'h2', 'ul'} <= set(read.seen)
     for word in ('Results', 'Structure and loads', 'What is assumed',
-                 'Sources of the rules', 'Heyman'):
+                 'Sources of the rules', 'Heyman', 'Input', 'block '):
         assert word in read.text, word
     assert not re.search(r'\b(nan|inf)\b', read.text), name
 

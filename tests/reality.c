@@ -213,7 +213,6 @@ static struct model *ring(const struct arch *a)
     struct model *m = open_model(a->mu, 1e-4 * a->span);
     const double gravity = 9.81, cone = pi / 6;
     const kern_vec down = at(0, -gravity);
-    struct soil_edge extrados[PIECES];
     double top = a->fill;
     int i, end;
     if (a->ellipse)
@@ -234,12 +233,11 @@ static struct model *ring(const struct arch *a)
     for (i = 0; i < a->pieces; i++) {
         kern_block *b = add(m, inner[i], outer[i], outer[i + 1], inner[i + 1],
                             a->stone / gravity);
-        extrados[i] = (struct soil_edge){outer[i], outer[i + 1], 2 + i, 1};
         if (a->soil)
             push(b, soil_fill(outer[i], outer[i + 1], top, a->earth));
     }
-    soil_spread(m->live, m->block, extrados, a->pieces,
-                (a->load - .5) * a->span, a->patch, top, a->soil ? cone : 0);
+    soil_spread(m->live, m->block, m->blocks, (a->load - .5) * a->span,
+                a->patch, top, a->soil ? cone : 0);
     find_contacts(m);
 
     /* what moves into the fill is pushed back */
@@ -389,9 +387,11 @@ static void bridges(void)
     text(
         "Ring 21 kN/m3, fill 20 kN/m3, joints mu 0.75, fill with phi 37: its "
         "weight, its passive\npressure as it is needed, and the spread of the "
-        "load (Boussinesq within 30 degrees).\nTests by the Transport and Road "
-        "Research Laboratory. Where the geometry was not looked\nup it is from "
-        "memory and may be off.\n\n");
+        "load: rays within 30 degrees of the\nvertical with the shares of "
+        "Boussinesq, borne by the first stone in their way. Only the\nvertical "
+        "part of these forces acts. Tests by the Transport and Road Research "
+        "Laboratory.\nWhere the geometry was not looked up it is from memory "
+        "and may be off.\n\n");
     head();
     for (i = 0; i < BRIDGES; i++) {
         const struct bridge *b = &bridge[i];

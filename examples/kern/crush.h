@@ -72,12 +72,16 @@ static inline int crush_worst(const struct analysis *a,
     return worst;
 }
 
-/* Takes away both ends of the line contact k. */
+/* Takes away both ends of the line contact k. They are kept behind the last of
+   whole[]. */
 static inline void crush_remove(struct crushing *c, int k)
 {
     const size_t after = (size_t)(c->task.s.contacts - k - 2);
+    kern_contact gone[2];
+    memcpy(gone, c->whole + k, sizeof gone);
     memmove(c->contact + k, c->contact + k + 2, after * sizeof *c->contact);
     memmove(c->whole + k, c->whole + k + 2, after * sizeof *c->whole);
+    memcpy(c->whole + c->task.s.contacts - 2, gone, sizeof gone);
     if (c->own_mu)
         memmove(c->own_mu + k, c->own_mu + k + 2, after);
     c->task.s.contacts -= 2;
@@ -128,6 +132,8 @@ static inline int crush_settle(struct analysis *a)
 
     a->shown = crush_until(a, &c, a->shown, a->motion);
     a->settled = c.settled;
+    if (!c.settled && a->shown == KERN_STANDS)
+        a->shown = KERN_UNDECIDED;
     a->crushes = rigid == KERN_STANDS && a->shown == KERN_FALLS;
     a->broken = (a->task.s.contacts - c.task.s.contacts) / 2;
     a->task.s.contacts = c.task.s.contacts;

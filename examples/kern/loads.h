@@ -113,15 +113,20 @@ static inline void loads_axle(const struct analysis *a, int k,
 static inline void loads_strength(const struct analysis *a,
                                   char out[LOADS_ROOM])
 {
-    char one[LOADS_QUANTITY], broken[80] = "";
+    const int points = a->task.s.contacts - line_points(a) - 2 * a->text.props;
+    char one[LOADS_QUANTITY], broken[80] = "", point[80] = "";
     if (a->broken > 0)
         snprintf(broken, sizeof broken, ", %d line contact%s bear%s nothing",
                  a->broken, a->broken > 1 ? "s" : "", a->broken > 1 ? "" : "s");
+    if (points > 0)
+        snprintf(point, sizeof point,
+                 "; not applied to %d point contact%s, which %s no width",
+                 points, plural(points), points > 1 ? "have" : "has");
     snprintf(out, LOADS_ROOM,
              "%.60s: ends of contacts are moved in by up to %.4g where stone "
-             "crushes%s%s; tilts and horizontal loads crush no more",
+             "crushes%s%s; tilts and horizontal loads crush no more%s",
              loads_number(a, a->text.strength, 2, one), a->crushed, broken,
-             a->settled ? "" : ", and did not settle");
+             a->settled ? "" : ", and did not settle", point);
 }
 
 /* Does water press on a wall? */
@@ -236,10 +241,14 @@ static inline void loads_print(const char *word, const char *what, void *none)
 static inline void json_soil(const struct analysis *a)
 {
     const char *comma = "";
-    if (a->text.strength > 0)
+    if (a->text.bond > 0)
+        json_number("bond", a->text.bond);
+    if (a->text.strength > 0) {
+        json_number("strength", a->text.strength);
         json_number("crushed", a->crushed);
-    if (a->text.strength > 0)
-        printf(", \"crushes\": %s", a->crushes ? "true" : "false");
+        printf(", \"crushes\": %s, \"broken\": %d",
+               a->crushes ? "true" : "false", a->broken);
+    }
     if (a->text.soils == 0)
         return;
     printf(", \"soil\": [");

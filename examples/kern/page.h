@@ -1,5 +1,6 @@
 /* page.h - --report: one page in HTML to print and hand in, with the picture in
-   it, what was found, what was assumed, and where the rules come from.
+   it, what was found, what was assumed, where the rules come from, and the
+   statements and the command that it was made of.
 
    SPDX-License-Identifier: MIT */
 
@@ -21,7 +22,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PAGE_BEDS = 200 }; /* beds that are listed at most */
+enum {
+    PAGE_BEDS = 200,     /* beds that are listed at most            */
+    PAGE_INPUT = 1000000 /* bytes of statements, of some 15,000 blocks */
+};
 
 static inline void page_text(FILE *out, const char *text)
 {
@@ -357,7 +361,8 @@ static inline void page_assumptions(FILE *out, const struct analysis *a)
     page_item(out, a->text.strength > 0,
               "Stone crushes in a rectangular stress block at the end of a "
               "contact, at the strength that is given; a contact that all of "
-              "it cannot bear bears nothing.");
+              "it cannot bear bears nothing. A point contact has no width, "
+              "and does not crush.");
     page_item(out, !(a->text.bond > 0), "Mortar does not bond.");
     page_item(
         out, a->text.bond > 0,
@@ -410,11 +415,64 @@ static inline void page_sources(FILE *out, const struct analysis *a)
               "Passive pressure: W. J. M. Rankine, 1857.");
     page_item(out, a->text.wheels > 0 && fill,
               "Spread of a load through fill: J. Boussinesq, 1885, within 30 "
-              "degrees.");
+              "degrees, onto the first stones that it meets.");
     page_item(out, 1,
               "How far these rules meet experiments: tests/REALITY.md of "
               "kern.");
     fputs("</ul>\n", out);
+}
+
+/* Writes a word of a command as a shell reads it. */
+static inline void page_word(FILE *out, const char *word)
+{
+    const char *plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                        "0123456789-_=./,+:@%";
+    const int quoted = word[strspn(word, plain)] != '\0' || !*word;
+    fputs(quoted ? " '" : " ", out);
+    while (*word) {
+        const size_t n = strcspn(word, "'");
+        draw_escape(out, word, n);
+        word += n;
+        for (; *word == '\''; word++)
+            fputs("'\\''", out);
+    }
+    fputs(quoted ? "'" : "", out);
+}
+
+/* Writes text of several lines, whose first `length` bytes hold no 0. */
+static inline void page_lines(FILE *out, const char *text, size_t length)
+{
+    for (size_t i = 0; i < length; i++) {
+        size_t n = strcspn(text + i, "\n\r\t");
+        n = n < length - i ? n : length - i;
+        draw_escape(out, text + i, n);
+        i += n;
+        if (i < length)
+            fputc(text[i], out);
+    }
+}
+
+/* Writes what was read and asked for, so that somebody can check it or run it
+   again: the command, and the statements. */
+static inline void page_input(FILE *out, const struct analysis *a)
+{
+    const char *text = a->drawing.made ? a->drawing.s.text.at
+                                       : a->drawing.source;
+    const size_t length = text ? strlen(text) : 0;
+    const size_t shown = length < PAGE_INPUT ? length : PAGE_INPUT;
+    page_head(out, "Input");
+    fputs("<p><code>kern", out);
+    for (int i = 0; a->set->word && a->set->word[i]; i++)
+        page_word(out, a->set->word[i]);
+    fputs("</code></p>\n<details open><summary>", out);
+    page_text(out, a->drawing.made ? "Statements that were made of the file"
+                                   : "The file");
+    fputs("</summary>\n<pre>", out);
+    page_lines(out, text, shown);
+    fputs("</pre></details>\n", out);
+    if (length > shown)
+        fprintf(out, "<p>The first %d of %.0f bytes.</p>\n", PAGE_INPUT,
+                (double)length);
 }
 
 static const char page_style[] =
@@ -430,7 +488,10 @@ static const char page_style[] =
     ".verdict{font-size:17px}.picture svg{max-width:100%;height:auto}\n"
     "footer{margin-top:24px;color:#6a6256;font-size:12px}\n"
     "tr,li,.picture{break-inside:avoid}h2{break-after:avoid}\n"
-    "@media print{body{margin:0;max-width:none}}@page{margin:18mm}\n";
+    "pre{font-size:11px;line-height:1.3;white-space:pre-wrap;"
+    "max-height:24em;overflow:auto}summary{cursor:pointer}\n"
+    "@media print{body{margin:0;max-width:none}pre{max-height:none}}"
+    "@page{margin:18mm}\n";
 
 /* Writes the whole page. */
 static inline int page_write(FILE *out, const struct analysis *a)
@@ -459,6 +520,7 @@ static inline int page_write(FILE *out, const struct analysis *a)
     page_drawing(out, a);
     page_assumptions(out, a);
     page_sources(out, a);
+    page_input(out, a);
     fputs("<footer>kern " KERN_VERSION
           ". Every verdict was checked against the "
           "structure before it was reported.</footer>\n</body></html>\n",

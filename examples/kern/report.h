@@ -92,7 +92,9 @@ static inline void report_structure(const struct analysis *a)
 static inline const char *undecided_why(const struct analysis *a,
                                         kern_status status)
 {
-    return status == KERN_LIMIT || a->set->limit > 0
+    return a->whole && !a->settled
+             ? "the ends of contacts that crush did not settle"
+         : status == KERN_LIMIT || a->set->limit > 0
              ? "the limit of work ended it (--limit 0 goes "
                "on)"
              : "no proof either way was found: it is "
@@ -673,6 +675,23 @@ static inline int report_nearest(const struct analysis *a, int i)
     return 1;
 }
 
+/* A block whose contacts are gone since they crushed. Returns 0 where it has
+   none. */
+static inline int report_crushed(const struct analysis *a, int i)
+{
+    const int from = a->task.s.contacts, to = from + 2 * a->broken;
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    for (int k = from; k < to; k++) {
+        const kern_contact *c = &a->whole[k];
+        if (c->a != i && c->b != i)
+            continue;
+        printf("  %s bears on nothing: its contact with %s crushed\n",
+               name_of(a, i, one), name_of(a, c->a == i ? c->b : c->a, two));
+        return 1;
+    }
+    return 0;
+}
+
 /* What a structure that falls may lack: ground, or contacts. */
 static inline void report_lack(const struct analysis *a)
 {
@@ -692,7 +711,7 @@ static inline void report_lack(const struct analysis *a)
         for (int k = 0; k < s->contacts && !touches; k++)
             touches = s->contact[k].a == i || s->contact[k].b == i;
         if (!touches)
-            shown += report_nearest(a, i);
+            shown += report_crushed(a, i) || report_nearest(a, i);
     }
 }
 

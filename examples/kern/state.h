@@ -35,7 +35,7 @@ struct settings { /* of the command line; numbers < 0: not given */
     const char *layer[LABELS_MOST], *density[LABELS_MOST],
         *friction[LABELS_MOST];
     kern_real ground, pixel, phi;
-    char **file;
+    char **file, **word; /* of the command line all words, up to NULL */
     int files;
 };
 
@@ -91,8 +91,8 @@ struct analysis {
     const char *raised_end[3]; /* of these: why the path ended; NULL: none */
     int cut[3];                /* of these: the limit of work ended it       */
     double *stress;            /* of a line contact at the margin; 0: none   */
-    kern_contact *whole;       /* contacts before stone crushes, NULL: it does
-                                  not                                        */
+    kern_contact *whole;       /* contacts before stone crushes, then those that
+                                  are gone; NULL: it does not                */
     int crushes;               /* stands with stone that does not, falls     */
     int broken;                /* line contacts that bear nothing any more   */
     double crushed;            /* how far an end has moved in at most        */

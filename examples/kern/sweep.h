@@ -4,7 +4,7 @@
    do, from where the last of them enters to where the first leaves. Each force
    stands on the upper outline, vertically above or below where it was; one that
    is beyond the structure carries nothing. Axles spread through fill at each
-   place. The place with the least factor is found, and added.
+   place, and bear on the structure from beside it. The place with the least factor is found, and added.
 
    SPDX-License-Identifier: MIT */
 
@@ -28,7 +28,7 @@
 /* What places are tried with. */
 struct sweep {
     struct analysis *a;
-    struct text_surface above; /* the upper outline, where axles drive     */
+    struct text_surface above; /* the upper outline, of the joints         */
     kern_wrench *pattern;
     double low, high; /* between these the first force drives              */
 };
@@ -58,26 +58,41 @@ static inline double sweep_place(const struct analysis *a, int k)
                      : a->text.wheel[k - lives].x;
 }
 
-/* Over what the load drives: the free blocks. */
+/* Returns how far beside a stone, down to the level `low`, force k still bears on
+   it: an axle by half its width, and through fill by the spread on the way
+   down. */
+static inline double sweep_reach(const struct analysis *a, int k, double low)
+{
+    const int lives = sweep_lives(a);
+    double reach = k < lives ? 0 : a->text.wheel[k - lives].width / 2, most = 0;
+    for (int i = 0; i < a->text.soils && k >= lives; i++)
+        if (a->text.soil[i].kind == TEXT_FILL)
+            most = fmax(most, a->text.soil[i].earth.top - low);
+    return reach + most * tan(TEXT_CONE);
+}
+
+/* Finds over what the load drives: the free blocks, and as far beside them as it
+   bears on them. */
 static inline int sweep_range(struct sweep *w)
 {
     const struct analysis *a = w->a;
     const kern_structure *s = &a->task.s;
-    double first = HUGE_VAL, last = -HUGE_VAL;
+    double left = HUGE_VAL, right = -HUGE_VAL, foot = HUGE_VAL;
     w->low = HUGE_VAL;
     w->high = -HUGE_VAL;
     for (int i = 0; i < stones(a); i++) {
         if (s->block[i].fixed || s->block[i].vertices == 0)
             continue;
-        w->low = fmin(w->low, (double)s->block[i].box.low.x);
-        w->high = fmax(w->high, (double)s->block[i].box.high.x);
+        left = fmin(left, (double)s->block[i].box.low.x);
+        right = fmax(right, (double)s->block[i].box.high.x);
+        foot = fmin(foot, (double)s->block[i].box.low.y);
     }
     for (int k = 0; k < sweep_forces(a); k++) {
-        first = fmin(first, sweep_place(a, k));
-        last = fmax(last, sweep_place(a, k));
+        const double to = sweep_place(a, 0) - sweep_place(a, k);
+        const double reach = sweep_reach(a, k, foot);
+        w->low = fmin(w->low, left - reach + to);
+        w->high = fmax(w->high, right + reach + to);
     }
-    w->low += sweep_place(a, 0) - last;
-    w->high += sweep_place(a, 0) - first;
     return w->low < w->high;
 }
 
@@ -105,7 +120,7 @@ static inline void sweep_pattern(struct sweep *w, double x, struct swept *at)
         kern_block_load(&here, axle->force, place, 0);
         w->pattern[i] = here.load;
     }
-    text_axles(&a->text, &w->above, shift, w->pattern);
+    text_axles(&a->text, shift, w->pattern);
 }
 
 /* The factor of limit analysis with the load at x. */

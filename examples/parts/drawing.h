@@ -23,6 +23,7 @@ struct drawing {
     struct shapes s;   /* statements, notes, what was skipped, units     */
     struct outlines o; /* the blocks                                     */
     int made;          /* nonzero: the file was none of text.h's format  */
+    char *source;      /* of drawing_load(): such a file, ends with a 0  */
 };
 
 static int drawing_ends(const char *name, const char *end)
@@ -90,6 +91,7 @@ static inline int drawing_make(struct drawing *d, enum drawing_format format,
 static inline void drawing_free(struct drawing *d)
 {
     free(d->o.block);
+    free(d->source);
     shapes_free(&d->s);
     memset(d, 0, sizeof *d);
 }
@@ -167,7 +169,10 @@ static inline int drawing_load(struct text_file *t, struct drawing *d,
     if (!data)
         return text_fail(t, "cannot be read: %s", strerror(error));
     bad = drawing_parse(t, d, path, data, length, asked);
-    free(data);
+    if (d->made)
+        free(data);
+    else
+        d->source = data;
     return bad;
 }
 #endif

@@ -275,83 +275,94 @@ static inline void soil_share(kern_wrench *pattern, const kern_block *block,
     pattern[b].torque -= (kern_real)(share * (px - (double)block[b].centre.x));
 }
 
-/* Puts a unit load straight down on the edge at x, and where two meet half of
-   it on each. */
-static inline void soil_drop(kern_wrench *pattern, const kern_block *block,
-                             const struct soil_edge *edge, int n, double x,
-                             double share)
+/* Finds where a ray enters a block: it goes down from (x, top) and aside by
+   `tangent` times its depth. Returns the depth, 0 where the ray begins within the
+   block, or HUGE_VAL where it meets it nowhere above the depth `most`. */
+static inline double soil_enter(const kern_block *b, double x, double top,
+                                double tangent, double most)
 {
-    int i, met = 0, pass;
-    for (pass = 0; pass < 2; pass++)
-        for (i = 0; i < n; i++) {
-            if (!((double)edge[i].p.x <= x && (double)edge[i].q.x >= x))
-                continue;
-            if (pass == 0)
-                met++;
-            else
-                soil_share(pattern, block, edge[i].block, share / met, x);
-        }
+    const double low = top - (double)b->box.low.y;
+    const double high = fmax(top - (double)b->box.high.y, 0);
+    const double a = x + tangent * low, c = x + tangent * high;
+    double least = HUGE_VAL;
+    int k, crossed = 0;
+    if (b->vertices == 0 || low < 0 || high >= most
+        || fmax(a, c) < (double)b->box.low.x
+        || fmin(a, c) > (double)b->box.high.x)
+        return HUGE_VAL;
+    for (k = 0; k < b->vertices; k++) {
+        const kern_vec p = b->vertex[k];
+        const kern_vec q = b->vertex[k + 1 < b->vertices ? k + 1 : 0];
+        const double zp = top - (double)p.y, zq = top - (double)q.y;
+        const double to_p = (double)p.x - x - tangent * zp;
+        const double to_q = (double)q.x - x - tangent * zq;
+        double z;
+        if ((to_p < 0) == (to_q < 0))
+            continue;
+        z = zp + to_p / (to_p - to_q) * (zq - zp);
+        crossed += z >= 0;
+        if (z >= 0 && z < least)
+            least = z;
+    }
+    least = crossed % 2 ? 0 : least;
+    return least < most ? least : HUGE_VAL;
 }
 
-/* Cuts the range t[0..1] to where rate t <= most. */
-static inline void soil_cut(double rate, double most, double t[2])
+enum { SOIL_STRIPS = 32, SOIL_RAYS = 48 };
+
+/* Returns the direction of ray k of a strip, from the vertical, within `cone`;
+   0 where that is 0. Each strip has directions of its own, and those of its
+   mirror image are mirrored; no ray is in the middle, where joints are. */
+static inline double soil_direction(int strip, int k, double cone)
 {
-    if (rate > 0)
-        t[1] = fmin(t[1], most / rate);
-    else if (rate < 0)
-        t[0] = fmax(t[0], most / rate);
-    else if (most < 0)
-        t[1] = t[0];
+    const int turn = (25 * strip + 12) % SOIL_STRIPS;
+    const double place = k + (turn + .5) / SOIL_STRIPS;
+    return cone * (2 * place / SOIL_RAYS - 1);
 }
 
 /* Adds to the pattern the share of a vertical unit load that reaches each block:
    a patch on the level `top`, `patch` wide about x, spreads within `cone` from
-   the vertical by Boussinesq's law onto the n edges of the upper surface. Where
-   cone is 0 the patch acts straight down, and so does a part whose cone meets no
-   edge. What is beside all edges is lost. */
+   the vertical. Stress under a line load is radial, and each direction has a share
+   of the load in the square of its cosine (Boussinesq 1885, Flamant 1892); the
+   shares within the cone are scaled up to the whole load. The first stone in a
+   direction bears its share, as a vertical force where the ray meets it; what lies
+   in its shadow bears nothing. The share of a direction without a stone is lost.
+   Where cone is 0 the patch stands on the highest stone below it. */
 static inline void soil_spread(kern_wrench *pattern, const kern_block *block,
-                               const struct soil_edge *edge, int n, double x,
-                               double patch, double top, double cone)
+                               int blocks, double x, double patch, double top,
+                               double cone)
 {
-    enum { STRIPS = 31, PIECES = 16 };
-    const double slope = tan(cone);
+    double wide = patch, sum = 0;
     int s, i, k;
-    for (s = 0; s < STRIPS; s++) {
-        const double from = x + patch * ((s + .5) / STRIPS - .5);
-        double sum = 0;
-        int pass;
+    for (i = 0; i < blocks; i++) {
+        if (!(cone > 0) && block[i].vertices > 0)
+            top = fmax(top, (double)block[i].box.high.y);
+        wide = fmax(wide, 1e-9 * sqrt(fabs((double)block[i].area)));
+    }
+    for (s = 0; s < SOIL_STRIPS; s++)
+        for (k = 0; k < SOIL_RAYS; k++)
+            sum += pow(cos(soil_direction(s, k, cone)), 2);
 
-        /* add up the shares, then hand each piece its part of the strip */
-        for (pass = 0; pass < 2 && cone > 0; pass++)
-            for (i = 0; i < n; i++) {
-                const double dx = (double)(edge[i].q.x - edge[i].p.x);
-                const double dy = (double)(edge[i].q.y - edge[i].p.y);
-                const double side = (double)edge[i].p.x - from;
-                const double depth = top - (double)edge[i].p.y;
-                double t[2] = {0, 1};
-
-                /* the stretch of the edge that is below, within the cone */
-                soil_cut(dy, depth, t);
-                soil_cut(dx + dy * slope, depth * slope - side, t);
-                soil_cut(-dx + dy * slope, depth * slope + side, t);
-                for (k = 0; k < PIECES && dx > 0 && t[1] > t[0]; k++) {
-                    const double at = t[0] + (t[1] - t[0]) * (k + .5) / PIECES;
-                    const double z = depth - at * dy, off = side + at * dx;
-                    const double q = z * z + off * off;
-                    const double share = q > 0 ? z * z * z / (q * q) * dx
-                                                     * (t[1] - t[0])
-                                               : 0;
-                    if (pass == 0)
-                        sum += share;
-                    else if (share > 0)
-                        soil_share(pattern, block, edge[i].block,
-                                   share / sum / STRIPS,
-                                   (double)edge[i].p.x + at * dx);
+    /* follow each ray to the first block */
+    for (s = 0; s < SOIL_STRIPS; s++)
+        for (k = 0; k < SOIL_RAYS; k++) {
+            const double from = x + wide * ((s + .5) / SOIL_STRIPS - .5);
+            const double angle = soil_direction(s, k, cone);
+            const double tangent = tan(angle);
+            double least = HUGE_VAL;
+            int met = -1;
+            for (i = 0; i < blocks; i++) {
+                const double z = soil_enter(block + i, from, top, tangent,
+                                            least);
+                if (z < least) {
+                    least = z;
+                    met = i;
                 }
             }
-        if (!(sum > 0))
-            soil_drop(pattern, block, edge, n, from, 1. / STRIPS);
-    }
+            if (met >= 0)
+                soil_share(pattern, block, met, pow(cos(angle), 2) / sum,
+                           from + tangent * least);
+        }
 }
 
 /* ---- Soil that pushes back, mortar, crushing ----------------------------- */

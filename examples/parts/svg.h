@@ -7,11 +7,14 @@
        transform   of elements and groups: all kinds, but none of styles
        labels      inkscape:label or id; of a group where only the group's has a
                    role
+       use         draws a shape or a group of this file again; one of a symbol,
+                   of another file, or in itself is skipped and listed
 
    y runs down in the file. What is in defs, symbol, clipPath, mask, marker and
-   pattern is no part of the picture; texts, images, `use`, an svg in the svg, and
-   what is hidden or moved by its style are skipped and listed. A style sheet that
-   may do so is named. Lengths are as drawn; those with a unit are pixels.
+   pattern is no part of the picture; texts, images, an svg in the svg, and what is
+   hidden or moved by its style are skipped and listed. A style sheet that may do
+   so is named. Lengths are as drawn; those with a unit are pixels, shares (%) are
+   of the viewBox.
 
    SPDX-License-Identifier: MIT */
 
@@ -21,9 +24,11 @@
 #include "shapes.h"
 
 enum {
-    SVG_DEEP = 100,  /* elements within each other                        */
-    SVG_CHORDS = 32, /* of a curve                                        */
-    SVG_HALVINGS = 5 /* of an arc: the same                               */
+    SVG_DEEP = 100,      /* elements within each other                        */
+    SVG_CHORDS = 32,     /* of a curve                                        */
+    SVG_HALVINGS = 5,    /* of an arc: the same                              */
+    SVG_USES = 8,        /* elements `use` that draw each other              */
+    SVG_WORK = 200000000 /* of all elements `use`                       */
 };
 
 /* Is an element taken? What is not is listed, but for parts of no picture. */
@@ -57,6 +62,9 @@ struct svg {
     struct svg_part name, attributes; /* of the element that is read     */
     int start;                        /* its line                       */
     int found;                        /* nonzero: an element `svg`      */
+    double wide, high;                /* of the picture; 0: not known   */
+    int uses;                         /* around the element             */
+    double *work; /* of all elements `use`: bytes searched, 10 for one read */
 };
 
 /* The numbers of an attribute, one after the other. */
@@ -298,20 +306,45 @@ static double svg_unit(const struct svg_numbers *n)
     return 0;
 }
 
+/* Returns what a hundredth of the picture is, along the axis of a key; 0: that is
+   not known, or it is a radius. */
+static double svg_hundredth(const struct svg *v, const char *key)
+{
+    const char axis = *key == 'c' || *key == 'r' ? key[1] : *key;
+    return (axis == 'x' || axis == 'w' ? v->wide : axis ? v->high : 0) / 100;
+}
+
 /* Reads the length of an attribute, which is 0 without it. Returns 0 where
    it is none. */
 static int svg_value(const struct svg *v, const char *key, double *out)
 {
     struct svg_part p;
     struct svg_numbers n;
+    double unit;
     *out = 0;
     if (!svg_get(v, key, &p))
         return 1;
     n = svg_numbers_of(v, p);
     if (!svg_number(&n, out))
         return 0;
-    *out *= svg_unit(&n);
-    return svg_unit(&n) > 0;
+    unit = shapes_same(n.at, (int)(n.end - n.at), "%") ? svg_hundredth(v, key)
+                                                       : svg_unit(&n);
+    *out *= unit;
+    return unit > 0;
+}
+
+/* Reads how large the picture is, of which lengths may be shares. */
+static void svg_size(struct svg *v)
+{
+    struct svg_part p;
+    struct svg_numbers n;
+    double x, y;
+    if (!svg_get(v, "viewBox", &p))
+        return;
+    n = svg_numbers_of(v, p);
+    if (!svg_number(&n, &x) || !svg_number(&n, &y) || !svg_number(&n, &v->wide)
+        || !svg_number(&n, &v->high))
+        v->wide = v->high = 0;
 }
 
 /* ---- Transforms ----------------------------------------------------------- */
@@ -711,32 +744,6 @@ static int svg_parts(struct svg *v, const struct svg_frame *f, int label)
 
 /* ---- The file ------------------------------------------------------------- */
 
-/* Reads an element that is drawn, or lists it. */
-static int svg_shape(struct svg *v, const struct svg_frame *f)
-{
-    struct shapes *s = v->s;
-    const int first = s->points, label = svg_label(v);
-    int good;
-    if (svg_is_one(v, v->name, " text tspan image use foreignobject ")) {
-        shapes_listed_as(s,
-                         shapes_word(s, v->data + v->name.at, v->name.length),
-                         label, v->start);
-        return 0;
-    }
-    if (svg_is(v, v->name, "path"))
-        good = svg_parts(v, f, label);
-    else {
-        const int open = svg_is_one(v, v->name, " line polyline ");
-        good = svg_is_one(v, v->name, " polygon polyline ") ? svg_points(v)
-                                                            : svg_basic(v);
-        if (good)
-            svg_path_end(v, f, first, !open, label);
-    }
-    if (!good) /* parts of a path that were read before stay */
-        shapes_skipped(s, "outline that cannot be read", label, v->start);
-    return 0;
-}
-
 /* Returns what becomes of the element, within one of a state. */
 static enum svg_state svg_state_of(const struct svg *v, enum svg_state outer)
 {
@@ -751,6 +758,136 @@ static enum svg_state svg_state_of(const struct svg *v, enum svg_state outer)
     if (svg_is(v, v->name, "svg") && v->found)
         return SVG_NESTED;
     return svg_is_moved(v) ? SVG_MOVED : SVG_TAKEN;
+}
+
+/* Moves behind what begins with "<" but is no element. Returns 0 where an element
+   begins or ends there. */
+static int svg_pass(struct svg *v)
+{
+    static const char *const begins[] = {"<!--", "<![CDATA[", "<?", "<!"};
+    static const char *const ends[] = {"-->", "]]>", "?>", ">"};
+    for (int k = 0; k < 4; k++) {
+        const int n = (int)strlen(begins[k]);
+        if (v->length - v->at < n
+            || memcmp(v->data + v->at, begins[k], (size_t)n) != 0)
+            continue;
+        svg_skip_to(v, ends[k]);
+        return 1;
+    }
+    return 0;
+}
+
+/* Reads the name and the attributes of an element, at its "<". Returns 1 where it
+   is closed at once, -1 where the file ends in it. */
+static int svg_begins(struct svg *v)
+{
+    int closed;
+    v->start = v->line;
+    v->name.at = ++v->at;
+    while (v->at < v->length && !svg_blank(v->data[v->at])
+           && v->data[v->at] != '>' && v->data[v->at] != '/')
+        v->at++;
+    v->name.length = v->at - v->name.at;
+    v->attributes.at = v->at;
+    svg_to_end(v);
+    if (v->at >= v->length)
+        return -1;
+    closed = v->data[v->at - 1] == '/' && v->at > v->attributes.at;
+    v->attributes.length = v->at - v->attributes.at - closed;
+    v->at++;
+    return closed;
+}
+
+/* Moves to the "<" of the element with an id. Returns 0 where there is none, or
+   it is no part of a picture. */
+static int svg_find(struct svg *v, struct svg_part id)
+{
+    struct svg_part p;
+    v->at = 0;
+    while (v->at < v->length) {
+        const int at = v->at;
+        if (v->data[at] != '<') {
+            v->at++;
+            continue;
+        }
+        if (svg_pass(v) || svg_begins(v) < 0 || !svg_get(v, "id", &p)
+            || p.length != id.length
+            || memcmp(v->data + p.at, v->data + id.at, (size_t)id.length) != 0)
+            continue;
+        v->at = at;
+        return svg_state_of(v, SVG_TAKEN) != SVG_NO_PART;
+    }
+    return 0;
+}
+
+static int svg_tag(struct svg *v);
+
+/* Draws what an element `use` names, or lists this. */
+static int svg_use(struct svg *v, const struct svg_frame *f, int label)
+{
+    struct svg again = *v;
+    struct svg_part p;
+    double x, y;
+    int bad = 0, drawn = svg_get(v, "href", &p) || svg_get(v, "xlink:href", &p);
+    drawn = drawn && p.length > 1 && v->data[p.at] == '#'
+         && svg_value(v, "x", &x) && svg_value(v, "y", &y) && v->uses < SVG_USES
+         && *v->work < SVG_WORK;
+    if (drawn) {
+        p.at++;
+        p.length--;
+        drawn = svg_find(&again, p);
+        *v->work += again.at;
+    }
+    if (!drawn) {
+        shapes_skipped(v->s, "use", label, v->start);
+        return 0;
+    }
+    again.line = v->start; /* of what is listed in it */
+    again.uses++;
+    again.depth = 1;
+    again.frame[0] = *f;
+    again.frame[0].label = label;
+    svg_apply(again.frame, 1, 0, 0, 1, x, y);
+
+    /* from its "<" to its end */
+    do {
+        const int from = again.at;
+        if (again.data[from] == '<')
+            bad = svg_tag(&again);
+        else
+            again.at++;
+        *v->work += 10. * (again.at - from);
+    } while (!bad && again.depth > 1 && again.at < again.length
+             && !again.s->lost);
+    return bad;
+}
+
+/* Reads an element that is drawn, or lists it. */
+static int svg_shape(struct svg *v, const struct svg_frame *f)
+{
+    struct shapes *s = v->s;
+    const int first = s->points, label = svg_label(v);
+    int good;
+    if (svg_is_one(v, v->name, " text tspan image foreignobject ")) {
+        shapes_listed_as(s,
+                         shapes_word(s, v->data + v->name.at, v->name.length),
+                         label, v->start);
+        return 0;
+    }
+    if (svg_is(v, v->name, "use"))
+        return svg_use(v, f, label);
+    if (svg_is(v, v->name, "path"))
+        good = svg_parts(v, f, label);
+    else {
+        const int open = svg_is_one(v, v->name, " line polyline ");
+        good = svg_is_one(v, v->name, " polygon polyline ") ? svg_points(v)
+                                                            : svg_basic(v);
+        if (good)
+            svg_path_end(v, f, first, !open, label);
+    }
+    if (!good) /* parts of a path that were read before stay */
+        shapes_skipped(s, "outline that cannot be read", label, v->start);
+    return 0;
 }
 
 /* Says that a style sheet may hide or move elements. */
@@ -790,6 +927,8 @@ static int svg_element(struct svg *v, int inner)
     if (svg_transform(v, &f))
         return -1;
     f.state = svg_state_of(v, f.state);
+    if (svg_is(v, v->name, "svg") && !v->found)
+        svg_size(v);
     v->found |= svg_is(v, v->name, "svg");
     if (drawn && *why[f.state])
         shapes_skipped(v->s, why[f.state], svg_label(v), v->start);
@@ -843,41 +982,18 @@ static int svg_close(struct svg *v)
     return 0;
 }
 
-/* Reads an element, at its "<". */
-static int svg_open(struct svg *v)
-{
-    int closed;
-    v->start = v->line;
-    v->name.at = ++v->at;
-    while (v->at < v->length && !svg_blank(v->data[v->at])
-           && v->data[v->at] != '>' && v->data[v->at] != '/')
-        v->at++;
-    v->name.length = v->at - v->name.at;
-    v->attributes.at = v->at;
-    svg_to_end(v);
-    if (v->at >= v->length)
-        return shapes_fail(v->s, v->start, "the file ends in an element");
-    closed = v->data[v->at - 1] == '/' && v->at > v->attributes.at;
-    v->attributes.length = v->at - v->attributes.at - closed;
-    v->at++;
-    return svg_element(v, !closed);
-}
-
 /* Reads what begins with "<". */
 static int svg_tag(struct svg *v)
 {
-    static const char *const begins[] = {"<!--", "<![CDATA[", "<?", "<!"};
-    static const char *const ends[] = {"-->", "]]>", "?>", ">"};
-    for (int k = 0; k < 4; k++) {
-        const int n = (int)strlen(begins[k]);
-        if (v->length - v->at < n
-            || memcmp(v->data + v->at, begins[k], (size_t)n) != 0)
-            continue;
-        svg_skip_to(v, ends[k]);
+    int closed;
+    if (svg_pass(v))
         return 0;
-    }
-    return v->at + 1 < v->length && v->data[v->at + 1] == '/' ? svg_close(v)
-                                                              : svg_open(v);
+    if (v->at + 1 < v->length && v->data[v->at + 1] == '/')
+        return svg_close(v);
+    closed = svg_begins(v);
+    return closed < 0
+             ? shapes_fail(v->s, v->start, "the file ends in an element")
+             : svg_element(v, !closed);
 }
 
 /* Reads the shapes of a drawing. Returns 0, or -1 with a message. */
@@ -886,7 +1002,9 @@ static int svg_read(struct shapes *s, const char *data, int length)
     static const struct svg_frame start = {1, 0,  0,      1, 0,
                                            0, -1, {0, 0}, 0, SVG_TAKEN};
     struct svg v;
+    double work = 0;
     memset(&v, 0, sizeof v);
+    v.work = &work;
     v.s = s;
     v.data = data;
     v.length = length;

@@ -1111,6 +1111,8 @@ static int text_back(struct text_reader *r, struct text_soil *s,
     return 0;
 }
 
+#define TEXT_CONE 0.52359877559829887 /* 30 degrees: how far fill spreads */
+
 /* The level on which an axle stands at x, and the cone of its spread: 0 where
    nothing lies on the outline. */
 static inline double text_road(const struct text_file *t, double x,
@@ -1121,13 +1123,12 @@ static inline double text_road(const struct text_file *t, double x,
         if (t->soil[i].kind == TEXT_FILL && t->soil[i].from <= x
             && t->soil[i].to >= x)
             top = fmax(top, t->soil[i].earth.top);
-    *cone = top > -HUGE_VAL ? 0.52359877559829887 : 0; /* 30 degrees */
+    *cone = top > -HUGE_VAL ? TEXT_CONE : 0;
     return top;
 }
 
 /* Adds to the pattern all axles, moved by `shift`, as they reach the blocks. */
-static inline void text_axles(const struct text_file *t,
-                              const struct text_surface *above, double shift,
+static inline void text_axles(const struct text_file *t, double shift,
                               kern_wrench *pattern)
 {
     for (int k = 0; k < t->wheels; k++) {
@@ -1137,8 +1138,8 @@ static inline void text_axles(const struct text_file *t,
         const double top = text_road(t, w->x + shift, &cone);
         if (!one)
             return;
-        soil_spread(one, t->block, above->edge, above->edges, w->x + shift,
-                    w->width, top, cone);
+        soil_spread(one, t->block, t->blocks - t->props, w->x + shift, w->width,
+                    top, cone);
         for (int i = 0; i < t->blocks; i++) {
             if (t->block[i].fixed)
                 continue;
@@ -1150,7 +1151,7 @@ static inline void text_axles(const struct text_file *t,
 }
 
 /* Makes the live load of the axles: one force a block. */
-static int text_drive(struct text_reader *r, const struct text_surface *above)
+static int text_drive(struct text_reader *r)
 {
     struct text_file *t = r->t;
     kern_wrench *pattern = calloc((size_t)t->blocks, sizeof *pattern);
@@ -1164,7 +1165,7 @@ static int text_drive(struct text_reader *r, const struct text_surface *above)
     r->statement = "axle";
     t->line = t->wheel[0].line;
     if (!bad)
-        text_axles(t, above, 0, pattern);
+        text_axles(t, 0, pattern);
     for (int k = 0; k < t->wheels; k++)
         all += fabs((double)t->wheel[k].force);
     for (int i = 0; i < t->blocks && !bad; i++)
@@ -1195,7 +1196,7 @@ static int text_drive(struct text_reader *r, const struct text_surface *above)
 /* Does a statement need the outline from this side? */
 static int text_sees(const struct text_file *t, enum soil_side side)
 {
-    int asked = side == SOIL_ABOVE && t->wheels > 0;
+    int asked = 0;
     for (int i = 0; i < t->soils; i++)
         asked |= t->soil[i].kind != TEXT_PROP && t->soil[i].side == side;
     return asked;
@@ -1272,7 +1273,7 @@ static int text_soil(struct text_reader *r)
     for (int i = 0; i < t->soils && !bad; i++)
         bad = text_act(r, t->soil + i, seen);
     if (!bad && t->wheels > 0)
-        bad = text_drive(r, &seen[SOIL_ABOVE]);
+        bad = text_drive(r);
     for (int k = 0; k < 3; k++)
         free(seen[k].edge);
     return bad;
@@ -1697,18 +1698,18 @@ static inline int text_read(struct text_file *t, const char *data,
 
 /* Reads a file to its end, or to where text_read() will refuse it: a NUL byte,
    or too much of it. Some files have no end. Returns NULL with errno where that
-   fails. */
+   fails. A 0 follows the bytes. */
 static inline char *text_slurp(FILE *in, size_t *length)
 {
     size_t room = 1 << 16, n;
     char *data = malloc(room);
     *length = 0;
-    while (data && (n = fread(data + *length, 1, room - *length, in)) > 0) {
+    while (data && (n = fread(data + *length, 1, room - 1 - *length, in)) > 0) {
         const char *read = data + *length;
         *length += n;
         if (*length >= TEXT_LONGEST || memchr(read, '\0', n))
             break;
-        if (*length < room)
+        if (*length + 1 < room)
             continue;
         char *more = realloc(data, 2 * room);
         if (!more)
@@ -1720,6 +1721,8 @@ static inline char *text_slurp(FILE *in, size_t *length)
         free(data);
         return NULL;
     }
+    if (data)
+        data[*length] = '\0';
     return data;
 }
 
