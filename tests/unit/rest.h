@@ -242,6 +242,104 @@ static void rest_gaps(void)
     CHECK(yard_stands(&yard));
 }
 
+/* Corners that meet exactly. The stone leans by (1.1, 0.9) over a foot of 0.5,
+   so its centre is beyond the foot: it turns about the foot's end until that
+   side, sqrt(2.02) long, is level. Its other corner may be at a corner. */
+static void rest_corners(void)
+{
+    const kern_vec lean[4] = {{0, 0},
+                              {(kern_real)0.3, 0},
+                              {(kern_real)1.4, (kern_real)0.9},
+                              {0, (kern_real)0.9}};
+    const kern_vec back[4] = {{0, 0},
+                              {(kern_real)-0.5, 0},
+                              {(kern_real)-1.6, (kern_real)0.9},
+                              {(kern_real)-1.1, (kern_real)0.9}};
+    const double side = sqrt(2.02), turn = atan(0.9 / 1.1);
+    kern_block b = yard_block(lean, 4);
+    int i;
+
+    /* flush with a wall beside it, of two blocks, at any height */
+    for (i = 0; i < 2; i++) {
+        yard_open(&yard);
+        yard_box(&yard, -9, -1, 9, 0);
+        yard_box(&yard, -1, 0, 0, 1);
+        yard_box(&yard, -1, 1, 0, 2);
+        if (i)
+            yard_box(&yard, 0, 0, 1, 1);
+        CHECK(yard_rest(&yard, &b, (double)b.centre.x, 0) == KERN_OK);
+        CHECK_NEAR(yard.pose.turn.y, -sin(turn), REST_EXACT);
+        CHECK_NEAR(yard.rest[2].x, 0.3 + side, 10 * REST_EXACT);
+        CHECK_NEAR(yard.rest[2].y, i, REST_EXACT);
+        CHECK(SINGLE || yard_stands(&yard));
+    }
+
+    /* its corner at the foot of a box */
+    b = yard_block(back, 4);
+    yard_open(&yard);
+    yard_box(&yard, -9, -1, 9, 0);
+    yard_box(&yard, 0, 0, 1, 1);
+    CHECK(yard_rest(&yard, &b, (double)b.centre.x, 0) == KERN_OK);
+    CHECK_NEAR(yard.pose.turn.y, sin(turn), REST_EXACT);
+    CHECK_NEAR(yard.rest[2].x, -0.5 - side, 10 * REST_EXACT);
+    CHECK_NEAR(yard.rest[2].y, 0, REST_EXACT);
+    CHECK(SINGLE || yard_stands(&yard));
+
+    /* a box on a box of its width stays; 0.6 off it tips */
+    b = yard_block(unit_box, 4);
+    CHECK(yard_rest(&yard, &b, 0.5, 0) == KERN_OK);
+    AT(0.5, 1.5, 0);
+    CHECK(yard.pose.motions == 1 && yard_stands(&yard));
+    CHECK(yard_rest(&yard, &b, 1.1, 0) == KERN_OK);
+    CHECK(yard.pose.block.centre.y < 1 && (SINGLE || yard_stands(&yard)));
+}
+
+/* A tile with a notch of a right angle on a spike that is sharper: the notch
+   stays on the tip, and the tile turns until its flank is on the spike's, whose
+   slope is 0.3 to 1. */
+static void rest_pocket(void)
+{
+    const double e = 0.5;
+    const kern_vec tile[6] = {{(kern_real)-e, (kern_real)-e},
+                              {0, 0},
+                              {(kern_real)e, (kern_real)-e},
+                              {(kern_real)0.8, 0},
+                              {0, (kern_real)e},
+                              {(kern_real)-e, 0}};
+    const kern_block b = yard_block(tile, 6);
+    yard_open(&yard);
+    yard_box(&yard, -9, -1, 9, 0);
+    yard_triangle(&yard, -0.3, 0, 0.3, 0, 0, 1);
+    CHECK(yard_rest(&yard, &b, 0, 0) == KERN_OK);
+    CHECK_NEAR(yard.rest[1].x, 0, REST_EXACT);
+    CHECK_NEAR(yard.rest[1].y, 1, REST_EXACT);
+    CHECK_NEAR(yard.pose.turn.y, -sin(atan(1.0) - atan(0.3)), REST_EXACT);
+    CHECK(yard_stands(&yard));
+}
+
+/* A ladder of length 1 against a wall, at an angle of 1 to the ground. Friction
+   mu at both ends holds it from tan 1 = 1.557 = (1 - mu^2) / (2 mu) on: 0.293. */
+static void rest_ladder(void)
+{
+    const kern_vec thin[4] = {
+        {0, 0}, {1, 0}, {1, (kern_real)0.002}, {0, (kern_real)0.002}};
+    const kern_block b = yard_block(thin, 4);
+    const double x = 0.5 * cos(1) + 0.001 * sin(1);
+    yard_open(&yard);
+    yard_box(&yard, -9, -1, 9, 0);
+    yard_box(&yard, -1, 0, 0, 5);
+    if (SINGLE) /* rounding moves the ladder's foot */
+        return;
+    yard.plan.task.options.mu = (kern_real)0.3;
+    CHECK(yard_rest(&yard, &b, x, -1) == KERN_OK);
+    CHECK(yard_stands(&yard));
+    CHECK_NEAR(yard.pose.turn.y, -sin(1), 1e-2);
+    yard.plan.task.options.mu = (kern_real)0.28;
+    CHECK(yard_rest(&yard, &b, x, -1) == KERN_OK);
+    CHECK(yard_stands(&yard));
+    CHECK_NEAR(yard.pose.block.centre.y, 0.001, REST_EXACT);
+}
+
 /* Concave, thin, tiny, round and clockwise stones. */
 static void rest_shapes(void)
 {
@@ -436,9 +534,8 @@ static void yard_fix(struct yard *w)
               >= 0);
 }
 
-/* What poses on walls that cannot move are worth: none overlaps, and 83 to 88 of
-   100 are held. The others lean where friction does not hold them, such as a
-   ladder, and no single turn or slide leads down. */
+/* What poses on walls that cannot move are worth: none overlaps, and 99 of 100
+   are held. */
 static void rest_poses(void)
 {
     const int walls = quick ? 6 : 12;
@@ -466,7 +563,7 @@ static void rest_poses(void)
     }
     printf("%d stones on %d walls: %d rest, %d of these are held\n", tried,
            walls, found, held);
-    CHECK(found > tried * 9 / 10 && held > found * 3 / 4);
+    CHECK(found > tried * 9 / 10 && held > found * (SINGLE ? 75 : 98) / 100);
 }
 
 /* Lets a tile down with the middle of its edge on a corner: a turn about that
@@ -552,7 +649,7 @@ static void rest_teeth(void)
            "mirrored pose\n",
            tried, found, held, alike);
     CHECK(alike >= (SINGLE ? tried / 2 : tried));
-    CHECK(found > tried * 9 / 10 && held > found * 92 / 100);
+    CHECK(found > tried * 9 / 10 && held > found * (SINGLE ? 92 : 97) / 100);
 }
 
 /* ---- what is refused ---- */
@@ -673,10 +770,11 @@ static void rest_copies(void)
 }
 
 static const test rest_tests[] = {
-    TEST(rest_flat),   TEST(rest_over_an_edge), TEST(rest_triangles),
-    TEST(rest_slopes), TEST(rest_gaps),         TEST(rest_shapes),
-    TEST(rest_laws),   TEST(rest_poses),        TEST(rest_teeth),
-    TEST(rest_ties),   TEST(rest_refused),      TEST(rest_ranking),
+    TEST(rest_flat),    TEST(rest_over_an_edge), TEST(rest_triangles),
+    TEST(rest_slopes),  TEST(rest_gaps),         TEST(rest_shapes),
+    TEST(rest_corners), TEST(rest_pocket),       TEST(rest_ladder),
+    TEST(rest_laws),    TEST(rest_poses),        TEST(rest_teeth),
+    TEST(rest_ties),    TEST(rest_refused),      TEST(rest_ranking),
     TEST(rest_copies),
 };
 
