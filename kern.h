@@ -1015,8 +1015,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
               angles less by 3 theta. On these it stands. It comes to rest where
               every third of them is open by the gap of the options and 1.75
               theta sizes more than was measured, each third in turn: 1.5 times
-              the way, at most 0.45 mean sizes, and nothing slides by half of
-              the contact it presses on. KERN_INFINITY: it does not.
+              the way, at most 0.45 mean sizes, and no contact that presses
+              becomes shorter by half. KERN_INFINITY: it does not.
    KERN_STANDS: low is above 0, and settles below infinity. What stands by forces
    on the contacts of the task never falls for certain. Settling is without
    inertia, and of blocks of the shape they were measured in: one that rocks from
@@ -11536,6 +11536,23 @@ static kern_real kern_repose_hold(const kern_repose *r, int i)
     return r->ease[i] * kern_vec_largest(by);
 }
 
+/* Returns 1 if contact point i, the end of a line, slid by half of the line, and
+   the block that slides beyond that end, or that it slides on, ends there. */
+static int kern_repose_slid(const kern_repose *r, int i)
+{
+    const kern_contact *c = r->task->s.contact + i;
+    const kern_real way = kern_abs(r->slid[i]);
+    const kern_real ahead = KERN_ERRORS * r->task->options.pose_error + way;
+    const int outward = c->travel < 0; /* along t */
+    const int on = (r->slid[i] > 0) == outward ? c->a : c->b;
+    return way > kern_abs(c->travel)
+        && kern_repose_depth(&r->task->s,
+                             kern_vec_step(c->p, outward ? ahead : -ahead,
+                                           kern_vec_turn(c->n)),
+                             on)
+               < kern_repose_depth(&r->task->s, c->p, on) - way / 2;
+}
+
 /* Lets the blocks settle by steps, from the forces that are there. Returns how
    far they move at most, KERN_INFINITY where that is beyond `most`, they slide
    off what they lie on, or they do not come to rest. */
@@ -11559,17 +11576,20 @@ static kern_real kern_repose_settle(const kern_repose *r, kern_real most)
                     moved,
                     kern_repose_hold(r, r->order[sweep % 2 ? last - i : i]));
 
-        /* The gaps that are left. What presses at the end of a line and slid by
-           half its length may have left what it lies on. */
+        /* the gaps that are left */
         for (i = 0; i <= last; i++) {
             const kern_contact *c = s->contact + i;
             const kern_vec u = kern_repose_meeting(r, i);
             r->gap[i] += kern_vec_dot(c->n, u);
             r->slid[i] += kern_vec_cross(c->n, u);
-            if (c->line && r->force[i].normal > 0
-                && kern_abs(r->slid[i]) > kern_abs(c->travel))
-                way = KERN_INFINITY;
         }
+
+        /* a line that slid at both ends may have left what it lies on */
+        for (i = 0; i <= last; i++)
+            if (r->begins[i] > 1
+                && r->force[i].normal + r->force[i + 1].normal > 0
+                && kern_repose_slid(r, i) && kern_repose_slid(r, i + 1))
+                way = KERN_INFINITY;
 
         /* how far the blocks went */
         for (i = 0, moved = KERN_R(0); i < s->blocks; i++)
