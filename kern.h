@@ -190,9 +190,9 @@
                vertex, n is the normal of the edge. It is no contact where a
                line contact of the pair, its normal within 10 degrees of n,
                passes within the gap.
-     corner    A convex vertex within the gap of a reflex one: a point contact
-               with each edge of the reflex vertex that has both edges of the
-               convex vertex on its outer side.
+     corner    A convex vertex within the gap of a reflex one, with both its
+               edges on the outer side of both edges of the reflex vertex: a
+               point contact with each of these.
                A convex vertex on a convex one is no contact.
      face      Contacts of a pair whose normals agree within `angle` and which
                lie on one line within the gap are joined to one line contact. It
@@ -200,7 +200,9 @@
                normals, weighted by length. Contacts are joined in the order of
                their lengths, the longest first and points last.
      overlap   A point of one outline deeper than the gap inside the other
-               block, or a block inside another: KERN_OVERLAP.
+               block, a block inside another, edges that cross by more than the
+               gap with all ends, or convex blocks that no motion by the gap
+               parts: KERN_OVERLAP.
    A larger gap removes no support. Contacts that are given are taken as they
    are, with unit normals. A line contact whose direction differs from t by more
    than `angle` is refused.
@@ -908,7 +910,8 @@ KERN_API kern_options kern_near(const kern_options *options,
      angle    7 theta, at least 1 degree and below 0.5. A corner may lie 3 e
               beyond the end of an edge
      overlap  8 e, and 3.5 theta r for r the diagonal of the smaller box;
-              contacts lie at half the depth. Set it higher to accept more
+              contacts lie at half the depth, inside both blocks: none goes
+              through a part that is thinner. Set it higher to accept more
    Verdicts are then those of the structure as it most likely rests. Every call
    refuses these options (KERN_BAD_OPTION) unless e > 0 and theta >= 0. */
 KERN_API kern_options kern_measured_options(const kern_options *options,
@@ -1085,8 +1088,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
               every third stretch, each third in turn, open by the gap of the
               options and 1.75 theta sizes more than was measured. `settles` is
               then 1.5 times the motion found, at most 0.45 mean sizes, and no
-              block slides by half of the contact on which it presses.
-              KERN_INFINITY: it does not pass.
+              contact that presses becomes shorter by half. KERN_INFINITY: it
+              does not pass.
    KERN_STANDS: out->low is above 0 and out->settles is finite. A structure that
    stands by forces on the contacts of the task never falls for certain.
    Settling is computed without inertia, for blocks of the measured shape: it
@@ -9470,6 +9473,9 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_DOUBT_PARTS 3
 #define KERN_DOUBT_TELLS KERN_R(1.5)
 #define KERN_DOUBT_MOST KERN_R(0.45)
+/* Least depth of the middle of an overlap, as a share of the overlap: half of it
+   where both blocks are thick. */
+#define KERN_THIN KERN_R(0.25)
 /* Share of KERN_ANGLE_MOST up to which a measured angle is raised. */
 #define KERN_ANGLE_SHARE KERN_R(0.99)
 /* Sine of 10 degrees: the normals of a line contact and of a vertex that
@@ -10000,22 +10006,33 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
    changes by no more than the distance covered, so each depth gives a safe
    step. */
 
-/* Returns 1 if no vertex of b is farther than `most` to a side of an edge: its
-   left where side is 1, its right where it is -1. */
-static int kern_overlap_side(const kern_edge *e, const kern_block *b,
-                             kern_real side, kern_real most)
+/* Returns how far b reaches to a side of an edge, its left where side is 1, its
+   right where it is -1; or, beyond `most`, how far a vertex does. */
+static kern_real kern_overlap_side(const kern_edge *e, const kern_block *b,
+                                   kern_real side, kern_real most)
 {
     const kern_vec d = kern_vec_scale(e->d, side);
+    kern_real reach = -KERN_INFINITY;
     int k;
-    for (k = 0; k < b->vertices; k++)
-        if (kern_vec_cross(d, kern_vec_sub(b->vertex[k], e->p)) > most)
-            return 0;
-    return 1;
+    for (k = 0; k < b->vertices && reach <= most; k++)
+        reach = kern_max(reach,
+                         kern_vec_cross(d, kern_vec_sub(b->vertex[k], e->p)));
+    return reach;
 }
 
-/* Raises *deep to the depth in b of the boundary of a. An overlap may be a
-   stride deeper. Stops at one beyond `enough`. Strides grow, since a gap of few
-   roundings would take too many. */
+/* Returns how far both ends of f are from the line of e, below 0 unless they are
+   on both sides of it. */
+static kern_real kern_edge_across(const kern_edge *e, const kern_edge *f)
+{
+    const kern_real p = kern_vec_cross(e->d, kern_vec_sub(f->p, e->p));
+    const kern_real q = kern_vec_cross(e->d, kern_vec_sub(f->q, e->p));
+    return kern_max(kern_min(p, -q), kern_min(-p, q));
+}
+
+/* Raises *deep to the depth in b of the boundary of a, or where edges cross, as
+   in thin blocks, to the shortest way after which they do not. An overlap may be
+   a stride deeper. Stops at one beyond `enough`. Strides grow, since a gap of
+   few roundings would take too many. */
 static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
                                   kern_real enough, kern_real *deep)
 {
@@ -10024,6 +10041,10 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
     e.at = -1;
     while (kern_edge_next(&e, a, &b->block->box, -*deep)) {
         kern_real s, step, low, stride = *deep / KERN_STRIDES;
+        f.at = -1;
+        while (kern_edge_next(&f, b, &e.box, -*deep))
+            *deep = kern_max(*deep, kern_min(kern_edge_across(&e, &f),
+                                             kern_edge_across(&f, &e)));
         for (s = 0; s < e.length; s += step) {
             const kern_vec at = kern_vec_step(e.p, s, e.d);
             const kern_real depth = kern_polygon_depth(b, at, &nearest);
@@ -10072,32 +10093,44 @@ static void kern_overlap_middles(const kern_outline *a, const kern_outline *b,
 }
 
 /* Returns the depth of the overlap of a and b, or a depth beyond `enough`, or 0
-   if none is deeper than the gap. A stride of depth may be missed. Usually the
-   line of an edge parts a convex pair, but for half a gap. Two blocks at one
-   place have no deep boundary. */
+   if none is deeper than the gap. A stride of depth may be missed. Where convex
+   blocks are too thin to be that deep, it is the shortest way that parts them.
+   Two blocks at one place have no deep boundary. */
 KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
                                                 const kern_outline *b,
                                                 kern_real gap, kern_real enough)
 {
     const kern_outline *const side[3] = {a, b, a};
-    kern_real deep = gap;
+    const int convex = a->reflex + a->straight + b->reflex + b->straight == 0;
+    kern_real deep = gap, least = KERN_INFINITY;
     kern_edge e;
     int i, k, apart = 0;
     if (!kern_box_near(&a->block->box, &b->block->box, -gap))
         return KERN_R(0);
+
+    /* the line of an edge that parts them, but for half a gap */
     for (i = 1; i >= 0; i--) {
         const kern_block *own = side[i]->block, *other = side[i + 1]->block;
         for (k = 0; k < own->vertices && !apart; k++) {
+            kern_real reach;
             kern_edge_set(&e, own, k, kern_polygon_next(own, k));
-            apart = kern_overlap_side(&e, other, 1, gap / 2)
+            reach = kern_overlap_side(&e, other, 1, kern_max(least, gap / 2));
+            least = kern_min(least, reach);
+            apart = reach <= gap / 2
                  && (side[i]->reflex + side[i]->straight == 0 /* convex */
-                     || kern_overlap_side(&e, own, -1, gap / 2));
+                     || kern_overlap_side(&e, own, -1, gap / 2) <= gap / 2);
         }
     }
-    for (i = 0; i < 2 && !apart && !(deep > enough); i++)
+    if (apart)
+        return KERN_R(0);
+
+    /* the depth of points, or how far convex blocks must go to part */
+    for (i = 0; i < 2 && !(deep > enough); i++)
         kern_overlap_boundary(side[i], side[i + 1], enough, &deep);
-    for (i = 0; i < 2 && !apart && !(deep > gap); i++)
+    for (i = 0; i < 2 && !(deep > gap); i++)
         kern_overlap_middles(side[i], side[i + 1], &deep);
+    if (convex && !(deep > gap))
+        deep = least;
     return deep > gap ? deep : KERN_R(0);
 }
 
@@ -10170,6 +10203,21 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
                                * (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
 }
 
+/* Returns 1 if p, the middle of a gap or of an overlap, is inside both blocks
+   that overlap, but for `slack`. It is not where one has passed through a part
+   that is thinner. `gap` is below 0 for an overlap. */
+static int kern_pair_inside(const kern_pair *pair, kern_vec p, kern_real gap,
+                            kern_real slack)
+{
+    int k, nearest, inside = 1;
+    for (k = 0; k < 2 && gap < 0 && pair->deep > pair->gap; k++) {
+        nearest = 0;
+        inside &= kern_polygon_depth(&pair->outline[k], p, &nearest)
+               >= -KERN_THIN * gap - slack;
+    }
+    return inside;
+}
+
 /* Adds the line contact of an edge of each block, where they run against each
    other and are near. In the frame of their mean tangent t and normal n both
    are heights over s: e rises as f falls, and the gap opens at twice that
@@ -10202,23 +10250,33 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     if (!(high - low > kern_max(least, kern_max(pair->foot, pair->sure))))
         return;
     p = kern_vec_step(kern_vec_step(e->p, (low + high) / 2, t), gap / 2, n);
-    kern_pair_put(pair, p, n, (high - low) / 2);
+    gap = kern_max(gap - slope * (low + high), low - high); /* there */
+    if (kern_pair_inside(pair, p, gap, pair->least))
+        kern_pair_put(pair, p, n, (high - low) / 2);
 }
 
-/* Returns 1 if the foot of p is inside edge e, or e ends at p in a reflex
-   corner. e is of block a (on 0) or b (1). */
+/* Returns 1 if the foot of the corner at p is inside edge e, or e ends there in
+   a reflex corner, into which this one fits: its edges, which lead away along
+   `back` and `out`, lead away from both edges of the other. e is of block a (on
+   0) or b (1). */
 static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
-                           kern_vec p, kern_real gap)
+                           kern_vec p, kern_vec back, kern_vec out)
 {
+    const kern_block *block = pair->outline[on].block;
     const kern_real along = kern_edge_foot(e, p);
-    const kern_real inside = pair->foot + pair->sure;
-    int end, bears = along > inside && along < e->length - inside;
-    for (end = 0; end < 2 && !bears; end++) {
-        const kern_vec r = kern_vec_sub(p, end ? e->q : e->p);
-        bears = kern_vec_dot(r, r) <= gap * gap
-             && kern_polygon_turn(pair->outline[on].block,
-                                  end ? e->end : e->start)
-                    < 0;
+    int end, bears = 1;
+    for (end = 0; end < 2 && bears; end++) {
+        const int at = end ? e->end : e->start;
+        const kern_real inside = end ? e->length - along : along;
+        bears = inside > pair->foot + pair->sure;
+        if (inside <= pair->gap && kern_polygon_turn(block, at) < 0) {
+            const int from = at == e->at ? kern_polygon_before(block, at) : at;
+            kern_edge wall; /* the other edge there */
+            kern_edge_set(&wall, block, from, kern_polygon_next(block, from));
+            bears = inside >= -pair->gap
+                 && kern_vec_cross(back, wall.d) >= -pair->sine
+                 && kern_vec_cross(out, wall.d) >= -pair->sine;
+        }
     }
     return bears;
 }
@@ -10242,11 +10300,14 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
     back = kern_vec_unit(kern_vec_sub(own->vertex[last], f->p));
     if (kern_vec_cross(back, f->d) > 0
         || kern_vec_cross(back, e->d) < -pair->sine
-        || !kern_pair_holds(pair, e, on, p, wide))
+        || !kern_pair_holds(pair, e, on, p, back, f->d))
         return;
     if (pair->deep > pair->gap) /* midway, as a line */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
-    kern_pair_put(pair, p, kern_vec_scale(kern_vec_turn(e->d), on ? 1 : -1), 0);
+    if (kern_pair_inside(pair, p, high,
+                         KERN_ERROR_EDGE * pair->options->pose_error))
+        kern_pair_put(pair, p, kern_vec_scale(kern_vec_turn(e->d), on ? 1 : -1),
+                      0);
 }
 
 /* Finds lines and points of each pair of edges that are close to each other. */
@@ -11741,6 +11802,23 @@ static kern_real kern_repose_hold(const kern_repose *r, int i)
     return r->ease[i] * kern_vec_largest(by);
 }
 
+/* Returns 1 if contact point i, the end of a line, slid by half of the line, and
+   the block that slides beyond that end, or that it slides on, ends there. */
+static int kern_repose_slid(const kern_repose *r, int i)
+{
+    const kern_contact *c = r->task->s.contact + i;
+    const kern_real way = kern_abs(r->slid[i]);
+    const kern_real ahead = KERN_ERRORS * r->task->options.pose_error + way;
+    const int outward = c->travel < 0; /* along t */
+    const int on = (r->slid[i] > 0) == outward ? c->a : c->b;
+    return way > kern_abs(c->travel)
+        && kern_repose_depth(&r->task->s,
+                             kern_vec_step(c->p, outward ? ahead : -ahead,
+                                           kern_vec_turn(c->n)),
+                             on)
+               < kern_repose_depth(&r->task->s, c->p, on) - way / 2;
+}
+
 /* Lets the blocks settle by steps, from the forces that are there. Returns how
    far they move at most, KERN_INFINITY where that is beyond `most`, they slide
    off what they lie on, or they do not come to rest. */
@@ -11764,17 +11842,20 @@ static kern_real kern_repose_settle(const kern_repose *r, kern_real most)
                     moved,
                     kern_repose_hold(r, r->order[sweep % 2 ? last - i : i]));
 
-        /* The gaps that are left. What presses at the end of a line and slid by
-           half its length may have left what it lies on. */
+        /* the gaps that are left */
         for (i = 0; i <= last; i++) {
             const kern_contact *c = s->contact + i;
             const kern_vec u = kern_repose_meeting(r, i);
             r->gap[i] += kern_vec_dot(c->n, u);
             r->slid[i] += kern_vec_cross(c->n, u);
-            if (c->line && r->force[i].normal > 0
-                && kern_abs(r->slid[i]) > kern_abs(c->travel))
-                way = KERN_INFINITY;
         }
+
+        /* a line that slid at both ends may have left what it lies on */
+        for (i = 0; i <= last; i++)
+            if (r->begins[i] > 1
+                && r->force[i].normal + r->force[i + 1].normal > 0
+                && kern_repose_slid(r, i) && kern_repose_slid(r, i + 1))
+                way = KERN_INFINITY;
 
         /* how far the blocks went */
         for (i = 0, moved = KERN_R(0); i < s->blocks; i++)

@@ -144,6 +144,102 @@ static void overlap_beyond_error(void)
     }
 }
 
+/* A block no thicker than the error has no deep inside: a post or a hook through
+   a slab, and a stone drawn twice. No motion shorter than 50, 15 and 40 parts
+   them. A slab that is sunk by 5 in another may touch it. */
+static void overlap_of_thin_parts(void)
+{
+    static const double slab[] = {-60, 50, 60, 50, 60, 60, -60, 60};
+    static const double post[] = {-5, 0, 5, 0, 5, 100, -5, 100};
+    static const double hook[] = {-5, 35, 5, 35, 5, 75, 30, 75,
+                                  30, 90, 5, 90, 5, 95, -5, 95};
+    static const double twin[] = {-20, 0, 20, 0, 20, 40, -20, 40};
+    static const double sunk[] = {-60, 55, 60, 55, 60, 65, -60, 65};
+    static const struct {
+        const double *a, *b;
+        int vertices;
+        double deep; /* 0: no error */
+    } pair[] = {{slab, post, 4, 50},
+                {slab, hook, 8, 15},
+                {twin, twin, 4, 40},
+                {slab, sunk, 4, 0}};
+    static world w;
+    size_t i;
+    int order;
+    for (i = 0; i < sizeof pair / sizeof *pair; i++)
+        for (order = 0; order < 2; order++) {
+            kern_work work = kern_work_of(NULL, 0, NULL, 0);
+            int got;
+            world_reset(&w);
+            world_box(&w, 0, -100, -500, 100, -490);
+            if (order)
+                world_polygon(&w, 1, pair[i].a, 4);
+            world_polygon(&w, 1, pair[i].b, pair[i].vertices);
+            if (!order)
+                world_polygon(&w, 1, pair[i].a, 4);
+            w.options = kern_measured_options(&w.options, 1, R(0.01));
+            got = kern_contacts(w.block, 3, &w.options, w.contact, MAX_POINTS,
+                                &work);
+            CHECK_INT(got, pair[i].deep > 0 ? KERN_OVERLAP : 2);
+            CHECK_INT(work.fault.block, pair[i].deep > 0 ? 1 : -1);
+            CHECK_INT(work.fault.other, pair[i].deep > 0 ? 2 : -1);
+            CHECK(!(pair[i].deep > 0) || work.fault.value > work.fault.allowed);
+            CHECK((double)work.fault.value <= 50 + 1e-4);
+        }
+}
+
+/* A stone whose two feet, `wide` errors wide, rest on posts as wide. Their tops
+   rise to the right by the tangent `slope`. */
+static void stone_on_posts(world *w, double wide, double slope, int mirrored)
+{
+    const double e = 0.01, half = wide * e / 2, up = slope * half;
+    double ground[24] = {-2, -2, 2, -2, 2, -1}, stone[24] = {-0.5, 0.15};
+    int foot, i;
+    for (foot = 0; foot < 2; foot++) {
+        const double x = foot ? -0.35 : 0.35;
+        const double post[] = {x + half, -1,  x + half, up,
+                               x - half, -up, x - half, -1};
+        const double under[] = {-x - half, 0.15, -x - half, -up,
+                                -x + half, up,   -x + half, 0.15};
+        memcpy(ground + 6 + 8 * foot, post, sizeof post);
+        memcpy(stone + 2 + 8 * foot, under, sizeof under);
+    }
+    ground[22] = -2;
+    ground[23] = -1;
+    stone[18] = stone[20] = 0.5;
+    stone[19] = 0.15;
+    stone[21] = stone[23] = 0.9;
+    stone[22] = -0.5;
+    for (i = 0; i < 24 && mirrored; i += 2) {
+        ground[i] *= -1;
+        stone[i] *= -1;
+    }
+    world_reset(w);
+    world_polygon(w, 0, ground, 12);
+    world_polygon(w, 1, stone, 12);
+    w->options.mu = R(0.4);
+    w->options = kern_measured_options(&w->options, R(e), R(e / 0.9));
+}
+
+/* It slides where the tops are steeper than friction. The sides of feet and
+   posts that look away from each other are no keys, though they overlap by the
+   width, nor does a post bear on the stone beside the foot above it. */
+static void feet_of_few_errors(void)
+{
+    static world w;
+    int wide, side, i;
+    for (wide = 8; wide <= 28; wide++)
+        for (side = 0; side < 4; side++) {
+            const double slope = 0.4 + (side < 2 ? 0.07 : -0.07);
+            const double normal = 1 / sqrt(1 + slope * slope);
+            stone_on_posts(&w, wide, slope, side % 2);
+            CHECK_INT(world_touch(&w), 4);
+            CHECK_INT(verdict(&w, 0), side < 2 ? KERN_FALLS : KERN_STANDS);
+            for (i = 0; i < w.contacts; i++)
+                CHECK_NEAR(w.contact[i].n.y, normal, SINGLE ? 1e-5 : 1e-12);
+        }
+}
+
 /* ---- certainty ---- */
 
 /* Moves every block of w by noise of standard deviation e, in angle e too. */
@@ -432,7 +528,8 @@ static void certain_orders(void)
 
 static const test measured_tests[] = {
     TEST(stretches_of_feet),    TEST(stretches_of_cuts),
-    TEST(overlap_beyond_error), TEST(certain_places),
+    TEST(overlap_beyond_error), TEST(overlap_of_thin_parts),
+    TEST(feet_of_few_errors),   TEST(certain_places),
     TEST(certain_laws),         TEST(certain_ways),
     TEST(certain_orders),
 };

@@ -332,12 +332,13 @@ static int certain_world(const world *w, kern_interval *in, int room)
     return kern_certain(task, m.margin, in, again, room);
 }
 
-/* A stone on a slope of 30 degrees with friction 0.3, held by a kerb that is 30
-   errors high: the search with twice the error keeps the kerb. Along one of 20
-   the stone may slide by half of the contact, and is not certain. */
+/* A stone on a slope of 30 degrees with friction 0.3, held by a kerb that is 10
+   errors high: the search with twice the error keeps the kerb. Where its bed is
+   deeper it slides down along the kerb, by more than half of the contact, which
+   grows. */
 static void certain_kerb(void)
 {
-    const double e = 0.005, high = 30 * e, c = cos(pi / 6), n = sin(pi / 6);
+    const double e = 0.005, high = 10 * e, c = cos(pi / 6), n = sin(pi / 6);
     static const double flat[2][12] = {
         {-3, -1.5, 3, -1.5, 3, 0, -0.5, 0, -0.5, 1, -3, 1},
         {-0.5, 0, 0.5, 0, 0.5, 0.5, -0.5, 0.5}};
