@@ -1662,7 +1662,7 @@ extern "C" {
 #define KERN_LEVEL_SLOPE KERN_R(1e-6)
 /* Runs of at most so many blocks are sorted by insertion: with shorter runs the
    steps of Shell's sort cost more than they save. */
-#define KERN_SORT_RUN 64
+#define KERN_SORT_RUN 32
 
 /* ---- measures ---- */
 
@@ -3156,17 +3156,20 @@ static void kern_model_order(const kern_model *m)
                              ? down
                              : kern_vec_step(down, KERN_LEVEL_SLOPE,
                                              kern_vec_turn(down));
-    int *list = m->graph.block, gap, i, j;
-    for (gap = 1; gap < m->graph.groups / KERN_SORT_RUN; gap = 3 * gap + 1)
+    kern_real *const height = m->answer.sum; /* of a block */
+    int *const list = m->graph.block, groups = m->graph.groups;
+    int gap, i, j;
+    for (i = 0; i < m->s->blocks; i++)
+        height[i] = kern_vec_dot(block[i].centre, along);
+    for (gap = 1; gap < groups / KERN_SORT_RUN; gap = 3 * gap + 1)
         continue;
     for (; gap > 0; gap /= 3)
-        for (i = gap; i < m->graph.groups; i++) {
+        for (i = gap; i < groups; i++) {
             const int b = list[i];
-            const kern_real at = kern_vec_dot(block[b].centre, along);
+            const kern_real at = height[b];
             for (j = i; j >= gap; j -= gap) {
                 const int c = list[j - gap];
-                const kern_real other = kern_vec_dot(block[c].centre, along);
-                if (other < at || (other <= at && c < b))
+                if (height[c] < at || (height[c] <= at && c < b))
                     break;
                 list[j] = c;
             }
