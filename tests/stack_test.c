@@ -933,6 +933,18 @@ static void test_level_of(void)
     near_to("level without one", stack_level_of(&c), 0, 0);
 }
 
+/* A stone of 32 equal short edges has a bed: without one it is never let down. */
+static void test_round(void)
+{
+    enum { CORNERS = 32 };
+    kern_vec v[CORNERS];
+    struct stone s;
+    for (int k = 0; k < CORNERS; k++)
+        v[k] = stones_vec(cos(2 * pi * k / CORNERS), sin(2 * pi * k / CORNERS));
+    check(stone_of(&s, v, CORNERS) == 0, "a round stone", 0, 0);
+    check(s.beds > 0, "beds of a round stone", s.beds, 1);
+}
+
 static void test_bad_stocks(void)
 {
     struct stones s;
@@ -972,6 +984,7 @@ int main(int argc, char **argv)
     test_dropped();
     test_level_of();
     test_same();
+    test_round();
     test_bad_stocks();
     test_walls(argc > 1 ? atoi(argv[1]) : 1);
     printf(failures ? "%d failures\n" : "all passed\n", failures);

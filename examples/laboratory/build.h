@@ -165,8 +165,9 @@ static int build_height(const struct build_stone *s, double x, int sign,
     return found;
 }
 
-/* How high a stone comes to lie at x: where it first touches. */
-static double build_rest(const struct build *b, const struct build_stone *s,
+/* Returns the height at which a stone that is moved straight down at x first
+   touches. It does not turn: build_settle() lets it find its rest. */
+static double build_drop(const struct build *b, const struct build_stone *s,
                          double x)
 {
     double lift = 0;
@@ -193,16 +194,16 @@ static double build_lay(struct build *b, double irregularity, double x,
         return 1;
     for (int k = 0; k < BUILD_CANDIDATES; k++) {
         struct build_stone s;
-        double left = HUGE_VAL, right = -HUGE_VAL, rest;
+        double left = HUGE_VAL, right = -HUGE_VAL, height;
         build_make(b, irregularity, &s);
         for (int i = 0; i < s.n; i++) {
             left = fmin(left, s.v[i].x);
             right = fmax(right, s.v[i].x);
         }
-        rest = build_rest(b, &s, beside ? x - left : x);
-        if (rest >= least)
+        height = build_drop(b, &s, beside ? x - left : x);
+        if (height >= least)
             continue;
-        least = rest;
+        least = height;
         best = s;
         low = left;
         high = right;

@@ -467,7 +467,7 @@ static void print_head(void)
 
 static void print_row(const char *name, const struct row *r)
 {
-    printf("%-24.24s %6d %7.4f %6d %7.4f ", name, r->stones, r->fill,
+    printf("%-24.24s %6d %7.4f %6d %7.4g ", name, r->stones, r->fill,
            r->m.level, r->m.margin);
     if (r->limit < 0)
         printf("%9s ", "none");

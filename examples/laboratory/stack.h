@@ -652,18 +652,28 @@ static double stack_value_of_load(struct stack_wall *w)
     return limit * stack_worth(fill);
 }
 
-/* What of a wall is as masons want it, more than 0: filled, no joint through
-   three courses, its faces level, every stone on a bed, many on two, and no
-   column at either end. */
+/* What of a wall is as masons want it, more than 0: filled, its faces level, every
+   stone on a bed, and to a lesser part many on two, no joint through three
+   courses and no column at either end. */
 static double stack_value_of_masonry(const struct stack_wall *w)
 {
-    const double runs = 0.5;
+    const double runs = 0.7, columns = 0.4, two = 3;
     struct masonry m;
     if (masonry_count(&w->plan.task.s, w->stock->size, &m))
         return 0;
     return stack_worth_of_filling(w) * pow(1 - m.off_level, 3)
-         * pow(1 - m.bedless, 3) * (0.2 + m.on_two) * (1 - 0.8 * m.end_columns)
-         * pow(runs, m.running);
+         * pow(1 - m.bedless, 3) * (1 + two * m.on_two)
+         * (1 - columns * m.end_columns) * pow(runs, m.running);
+}
+
+/* Returns the value of what a wall withstands: the predicted level of collapse,
+   which counts contacts that the first rocking closes, and the load factor of
+   the contacts that are closed. The cube weighs about as much as masonry. */
+static double stack_value_of_shaking(struct stack_wall *w)
+{
+    const double level = stack_predicted_level(w)
+                       + stack_levels_a_load * stack_load(w);
+    return level > 0 ? level * level * level : 0;
 }
 
 /* What `best` wants to be high. A wall that lacks stones that were asked for is
@@ -674,7 +684,7 @@ static double stack_value(struct stack_wall *w)
         return w->laid - w->pins - w->options.most;
     if (w->options.goal == STACK_LOAD)
         return stack_value_of_load(w);
-    return stack_value_of_masonry(w) * fmax(0, stack_predicted_level(w));
+    return stack_value_of_masonry(w) * stack_value_of_shaking(w);
 }
 
 /* Weights that a search multiplies, and between what it draws them first. */
@@ -690,7 +700,7 @@ static const struct {
                      {offsetof(struct stack_weights, step), 0.2, 1.2},
                      {offsetof(struct stack_weights, end), 0.15, 1},
                      {offsetof(struct stack_weights, one), 0.8, 3},
-                     {offsetof(struct stack_weights, match), 1, 5},
+                     {offsetof(struct stack_weights, match), 2, 10},
                      {offsetof(struct stack_weights, tilt), 0.1, 0.3},
                      {offsetof(struct stack_weights, noise), 0.005, 0.1}};
 enum { STACK_FACTORS = sizeof stack_factors / sizeof stack_factors[0] };

@@ -132,37 +132,20 @@ static double stack_gap(const struct stack_wall *w, const struct stone *above,
              : 0;
 }
 
-/* The ends of what a stone covers at height y; left is the larger where it covers
-   nothing. */
-static void stack_level_ends(const struct stone *s, double y, double *left,
-                             double *right)
-{
-    *left = HUGE_VAL;
-    *right = -HUGE_VAL;
-    for (int i = 0; i < s->n; i++) {
-        const kern_vec p = s->v[i], q = s->v[i + 1 < s->n ? i + 1 : 0];
-        double x;
-        if ((p.y < y) == (q.y < y))
-            continue;
-        x = p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x);
-        *left = fmin(*left, x);
-        *right = fmax(*right, x);
-    }
-}
-
 /* The middle of the joint on a side of a stone, at height y; HUGE_VAL: no other
    stone is near there. */
 static double stack_joint_at(const struct stack_wall *w, int block, double side,
                              double y)
 {
+    const kern_block *all = w->plan.task.s.block;
     double left, right, from, wide = stack_joint * w->stock->size;
-    stack_level_ends(&w->stone[block - 1], y, &left, &right);
+    masonry_ends(&all[block], y, &left, &right);
     from = side < 0 ? left : right;
-    for (int i = 0; i < w->laid; i++) {
+    for (int i = 1; i <= w->laid; i++) {
         double way;
-        if (i == block - 1)
+        if (i == block)
             continue;
-        stack_level_ends(&w->stone[i], y, &left, &right);
+        masonry_ends(&all[i], y, &left, &right);
         way = side < 0 ? from - right : left - from;
         if (way >= 0)
             wide = fmin(wide, way);

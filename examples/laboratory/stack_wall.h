@@ -288,10 +288,10 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
         return -1;
     stack_find_shapes(w);
     stack_find_bends(w);
-    w->ground[0] = stones_vec(-1, -0.5);
-    w->ground[1] = stones_vec(options->width + 1, -0.5);
-    w->ground[2] = stones_vec(options->width + 1, 0);
-    w->ground[3] = stones_vec(-1, 0);
+    w->ground[0] = stones_vec(-stock->size, -0.5 * stock->size);
+    w->ground[1] = stones_vec(options->width + stock->size, w->ground[0].y);
+    w->ground[2] = stones_vec(w->ground[1].x, 0);
+    w->ground[3] = stones_vec(-stock->size, 0);
     return stack_begin(w);
 }
 

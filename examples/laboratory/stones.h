@@ -127,8 +127,9 @@ STONES_API void stone_turn(struct stone *s, kern_vec about, kern_vec turn)
     stone_frame(s);
 }
 
-/* The edges of the hull that a stone may lie on: the longest first, none like
-   one before it. A stone of many corners lies on few of them. */
+/* Finds the edges of the hull that a stone may lie on: the longest first, none
+   like one before it. A stone of many corners lies on few of them. Edges shorter
+   than a fifth of its size are none, but the longest always is one. */
 static void stone_find_beds(struct stone *s)
 {
     const double alike = 0.9986; /* cosine of 3 degrees */
@@ -141,7 +142,8 @@ static void stone_find_beds(struct stone *s)
     n = build_hull(p, s->n, hull);
     s->beds = 0;
     while (s->beds < most) {
-        double longest = 0.04 * s->area;
+        const double least = s->beds > 0 ? 0.04 * s->area : 0;
+        double longest = least;
         kern_vec bed = {0, 0};
         for (int i = 0; i < n; i++) {
             struct rigid_pt e = rigid_sub(hull[(i + 1) % n], hull[i]);
@@ -151,7 +153,7 @@ static void stone_find_beds(struct stone *s)
             longest = square;
             bed = stones_unit(stones_vec(e.x, e.y));
         }
-        if (!(longest > 0.04 * s->area))
+        if (!(longest > least))
             break;
         last = longest;
         int like = 0;
