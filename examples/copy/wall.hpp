@@ -183,8 +183,8 @@ class Wall
         return chance;
     }
 
-    /* The stone's own margin and the least load factor of the wall with it, each
-       0 if the options' limit ends it. places() asks where other numbers tie. */
+    /* The stone's own margin and the least load factor of the wall with it: 0
+       where a limit ends it. places() asks where the other numbers tie. */
     void complete(Place &p, kern_real density)
     {
         const kern_block stone = made(p.outline, density);
