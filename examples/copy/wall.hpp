@@ -71,7 +71,12 @@ class Wall
             block_[i].vertex = stones_[i].outline.data();
     }
 
-    Wall(Wall &&other) noexcept { swap(other); }
+    /* Leaves an empty wall with the same options, which may be used. */
+    Wall(Wall &&other)
+        : Wall(other.plan_.task.options, other.plan_.task.s.gravity)
+    {
+        swap(other);
+    }
 
     Wall &operator=(Wall other) noexcept
     {
@@ -158,7 +163,8 @@ class Wall
         Place p;
         kern_margin m{};
         measure();
-        p.status = kern_plan_bears(&plan_, &stone, 0, nullptr);
+        p.status = roomy(
+            [&] { return kern_plan_bears(&plan_, &stone, 0, nullptr); });
         if (p.status == KERN_STANDS)
             p.status = kern_plan_try(&plan_, &stone, &m, nullptr);
         if (p.status == KERN_STANDS
@@ -177,21 +183,23 @@ class Wall
         return chance;
     }
 
-    /* The stone's own margin and the least load factor of the wall with it. */
+    /* The stone's own margin and the least load factor of the wall with it: 0
+       where a limit ends it. places() asks where the other numbers tie. */
     void complete(Place &p, kern_real density)
     {
-        Wall with(*this);
+        const kern_block stone = made(p.outline, density);
         kern_collapse all;
         kern_real side[2] = {0, 0};
-        with.add(p.outline, density);
-        std::vector<kern_real> own(std::size_t(with.blocks()));
-        check(kern_profile(&with.plan_.task, KERN_SHRINK, own.data(), &all));
-        p.rank.own = own.back();
-        for (int k = 0; k < 2; k++)
-            check(kern_load_factor(&with.plan_.task, 0,
-                                   k ? KERN_RIGHT : KERN_LEFT, &side[k],
-                                   nullptr));
-        p.rank.load = std::min(side[0], side[1]);
+        check(roomy([&] { return kern_plan_add(&plan_, &stone); }));
+        std::vector<kern_real> own(std::size_t(plan_.task.s.blocks));
+        if (kern_profile(&plan_.task, KERN_SHRINK, own.data(), &all) >= 0)
+            p.rank.own = own.back();
+        if (kern_load_factor(&plan_.task, 0, KERN_LEFT, &side[0], nullptr)
+                == KERN_STANDS
+            && kern_load_factor(&plan_.task, 0, KERN_RIGHT, &side[1], nullptr)
+                   == KERN_STANDS)
+            p.rank.load = std::min(side[0], side[1]);
+        check(kern_plan_remove(&plan_, blocks() - 1));
     }
 
     /* Places where the wall stands with a stone let down at so many x from
@@ -216,6 +224,11 @@ class Wall
                 if (p.stands())
                     found.push_back(std::move(p));
             }
+        for (Place &p : found)
+            if (std::any_of(found.begin(), found.end(), [&](const Place &q) {
+                    return &p != &q && ties(p, q);
+                }))
+                complete(p, density);
         std::sort(
             found.begin(), found.end(),
             [this](const Place &a, const Place &b) { return better(a, b); });
@@ -237,6 +250,26 @@ class Wall
         bool fixed;
         std::string name;
     };
+
+    /* Whether stays and margin do not tell which of two places is better. */
+    bool ties(const Place &a, const Place &b)
+    {
+        kern_place p = a.rank, q = b.rank;
+        p.own = p.load = p.x = p.turn = 0;
+        q.own = q.load = q.x = q.turn = 0;
+        return kern_place_compare(&p, &q, measure().margin) == 0;
+    }
+
+    /* Asks again in larger arrays while these are too short. */
+    template <class Ask> int roomy(Ask ask)
+    {
+        int status;
+        if (blocks() + 1 >= plan_.block_room)
+            reserve(2 * plan_.block_room, 2 * plan_.contact_room);
+        while ((status = ask()) == KERN_NO_SPACE)
+            reserve(plan_.block_room, 2 * plan_.contact_room);
+        return status;
+    }
 
     const Stone &stone(int i) const { return stones_.at(std::size_t(i)); }
 
@@ -279,12 +312,7 @@ class Wall
     int append(Stone s)
     {
         const kern_block b = made(s.outline, s.density, s.fixed);
-        int found;
-        if (blocks() + 1 >= plan_.block_room)
-            reserve(2 * plan_.block_room, 2 * plan_.contact_room);
-        while ((found = kern_plan_add(&plan_, &b)) == KERN_NO_SPACE)
-            reserve(plan_.block_room, 2 * plan_.contact_room);
-        check(found);
+        check(roomy([&] { return kern_plan_add(&plan_, &b); }));
         stones_.push_back(std::move(s)); /* its vertices do not move */
         measured_ = false;
         return blocks() - 1;

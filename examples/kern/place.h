@@ -80,7 +80,8 @@ static inline int place_plan(const struct analysis *a, struct placing *p)
     return 1;
 }
 
-/* Returns 1 if the structure stands with the stone, and what that is worth. */
+/* Returns 1 if the structure stands with the stone, and what that is worth: -1
+   for its own margin and the load where the limit of work ends them. */
 static inline int place_rank(struct placing *p, const kern_block *stone,
                              kern_place *rank)
 {
@@ -93,6 +94,7 @@ static inline int place_rank(struct placing *p, const kern_block *stone,
     if (!stands)
         return 0;
     rank->margin = m.margin;
+    rank->own = rank->load = -1;
     if (kern_stays(task, task->s.blocks - 1, &rank->stays) != KERN_STANDS)
         rank->stays = 0;
     if (kern_profile(task, KERN_SHRINK, p->value, &all) >= 0)
@@ -227,18 +229,35 @@ static inline int find_places(struct analysis *a)
 
 /* ---- what is written ---- */
 
+/* Prints a number of a place, or that the limit of work ended it. */
+static inline void report_place(kern_real value)
+{
+    if (value < 0)
+        printf(" %11s", "none");
+    else
+        printf(" %11.4g", (double)value);
+}
+
 static inline void report_places(const struct analysis *a)
 {
     printf("  places      %11s %11s %11s %11s %11s %11s\n", "x", "turn",
            "stays", "margin", "own margin", "load");
     for (int i = 0; i < a->places; i++) {
         const kern_place *r = &a->placed[i].rank;
-        printf("              %11.4g %11.4g %11.3f %11.4g %11.4g %11.4g\n",
-               (double)r->x, (double)r->turn, (double)r->stays,
-               (double)r->margin, (double)r->own, (double)r->load);
+        printf("              %11.4g %11.4g %11.3f %11.4g", (double)r->x,
+               (double)r->turn, (double)r->stays, (double)r->margin);
+        report_place(r->own);
+        report_place(r->load);
+        printf("\n");
     }
     if (!a->places)
         printf("              the structure stands with the stone nowhere\n");
+}
+
+/* Writes a number of a place, null where the limit of work ended it. */
+static inline void json_place(const char *key, kern_real value)
+{
+    json_number(key, value < 0 ? HUGE_VAL : (double)value);
 }
 
 static inline void json_places(const struct analysis *a)
@@ -260,8 +279,8 @@ static inline void json_places(const struct analysis *a)
         printf(", \"stands\": true");
         json_number("stays", (double)at->rank.stays);
         json_number("margin", (double)at->rank.margin);
-        json_number("own_margin", (double)at->rank.own);
-        json_number("load", (double)at->rank.load);
+        json_place("own_margin", at->rank.own);
+        json_place("load", at->rank.load);
         printf("}");
     }
     printf("]");

@@ -2402,12 +2402,24 @@ class Place(NamedTuple):
     x:      where its centre was let down [m]
     turn:   by which it was turned [rad]
     stays:  the chance from 0 to 1 that it stays there
-    margin: the margin of the structure with it [m]"""
+    margin: the margin of the structure with it [m]
+    own:    the stone's own margin in the profile [m]
+    load:   the least load factor of the structure with it
+
+    own and load are 0 where stays and margin tell it from every other place."""
     block: Block
     x: float
     turn: float
     stays: float
     margin: float
+    own: float = 0.0
+    load: float = 0.0
+
+    def _c(self, whole: bool = True) -> "_Place":
+        """Returns it for kern_place_compare(); not whole: stays and margin."""
+        return _Place(self.stays, self.margin, *(
+            (self.own, self.load, self.x, self.turn) if whole else
+            (0, 0, 0, 0)))
 
 
 class Plan(Structure):
@@ -2690,7 +2702,8 @@ class Plan(Structure):
     def places(self, block: Block, xs: Iterable[float],
                turns: Iterable[float] = (0.0,)) -> List[Place]:
         """Returns the places where the structure stands with the block let
-        down, the best first: by the chance that it stays, then by the margin.
+        down, the best first: by the chance that it stays, then by the margin,
+        the stone's own margin and the load factor.
 
         block: the stone, at any height
         xs:    where its centre is let down [m]
@@ -2700,10 +2713,10 @@ class Plan(Structure):
         ...                fixed=True)
         >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> plan = Plan([ground, Block("low", box)])
-        >>> for place in plan.places(Block("top", box), (0.7, 0.5, 1.3)):
+        >>> for place in plan.places(Block("top", box), (0.7, 0.5, 0.6)):
         ...     print(place.x, round(place.margin, 3), place.stays > 0.9)
         0.5 0.5 True
-        1.3 0.5 True
+        0.6 0.4 True
         0.7 0.3 True
         """
         turns = list(turns)
@@ -2722,11 +2735,26 @@ class Plan(Structure):
                 if at and m and stays is not None:
                     found.append(Place(at, x, turn, stays, m.margin))
 
-        def better(p: Place, q: Place) -> int:
-            made = [_Place(r.stays, r.margin, 0, 0, r.x, r.turn)
-                    for r in (q, p)]
-            return int(_place_compare(byref(made[0]), byref(made[1]), alone))
+        def better(p: Place, q: Place, whole: bool = True) -> int:
+            return int(_place_compare(byref(q._c(whole)), byref(p._c(whole)),
+                                      alone))
+        found = [self._complete(p) if any(
+            q is not p and better(p, q, False) == 0 for q in found) else p
+            for p in found]
         return sorted(found, key=functools.cmp_to_key(better))
+
+    def _complete(self, place: Place) -> Place:
+        """Returns the place with own and load, 0 where a limit ends them."""
+        with self._lock:
+            self._ask(_plan_add, place.block)
+            task, n = byref(self._plan.task), self._plan.task.s.blocks
+            value, side = (c_double * n)(), (c_double * 2)()
+            own = _profile(task, SHRINK, value, byref(_Collapse())) >= 0
+            load = all(_load_factor(task, 0, to, byref(side, 8 * i), None)
+                       == _STANDS for i, to in enumerate((LEFT, RIGHT)))
+            self._check(_plan_remove(self._at_plan, n - 1))
+        return place._replace(own=value[n - 1] if own else 0.0,
+                              load=min(side) if load else 0.0)
 
 
 def overlaps(blocks: Sequence[Block], *, options: Optional[Options] = None

@@ -318,7 +318,7 @@ static void rest_pocket(void)
 }
 
 /* A ladder of length 1 against a wall, at an angle of 1 to the ground. Friction
-   mu at both ends holds it from tan 1 = 1.557 = (1 - mu^2) / (2 mu) on: 0.293. */
+   mu at both ends holds it from tan 1 = (1 - mu^2) / (2 mu) on: mu = 0.293. */
 static void rest_ladder(void)
 {
     const kern_vec thin[4] = {
