@@ -760,8 +760,9 @@ typedef struct kern_work {
     /* counters: the library adds to them, the caller may set them to 0       */
     int pivots;       /* of all linear programs                           */
     int solves;       /* top-down passes and linear programs              */
-    int units;        /* work of the last call, without searches for
-                             contacts; limit + 1 after KERN_LIMIT           */
+    int units;        /* work of the last call, of a plan's question without
+                             the search for contacts; limit + 1 after
+                             KERN_LIMIT                                     */
     kern_real error;  /* largest error of a proof / allowed error: <= 1   */
     kern_fault fault; /* of the last call with a negative status          */
     kern_end end;     /* of the last call that searched for raised forces */
@@ -986,10 +987,12 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    about seven points for each short edge of an outline), KERN_OVERLAP (the
    first pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
    KERN_FEW_VERTICES, KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the block's
-   vertices have moved, or their array was used for another block). Uses only
-   the fault of the work memory. Time: one test of boxes for each pair of
-   blocks. Where two blocks meet, a few products for each pair of close edges,
-   or tens if no edge separates the blocks. */
+   vertices have moved, or their array was used for another block), KERN_LIMIT
+   (vertices that are only read are not counted). Uses only the fault and the
+   units of the work memory. Time: one test of boxes for each pair of blocks.
+   Where two blocks meet, a few products for each pair of close edges, or tens
+   if no edge separates the blocks. At worst, as for two saws, the square of
+   the edges and contacts of a pair. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
                            int room, kern_work *work);
@@ -1326,7 +1329,8 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
    slower. Questions leave the plan as it is. Their negative statuses include
    those of kern_plan_add(). Their proof is of the structure with the block: it
    has one more motion, and the forces of the block's contacts follow those of
-   the plan. */
+   the plan. The search for these contacts may use options.limit, and the
+   question that follows may use it again. */
 
 /* Returns an empty plan under gravity (0, -9.81). The arrays, those of
    kern_known_of() and the work memory must be long enough for so many blocks
@@ -9477,8 +9481,8 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_DOUBT_PARTS 3
 #define KERN_DOUBT_TELLS KERN_R(1.5)
 #define KERN_DOUBT_MOST KERN_R(0.45)
-/* Least depth of the middle of an overlap, as a share of the overlap: half of it
-   where both blocks are thick. */
+/* Least depth of the middle of an overlap, as a share of the overlap: half
+   of it where both blocks are thick. */
 #define KERN_THIN KERN_R(0.25)
 /* Share of KERN_ANGLE_MOST up to which a measured angle is raised. */
 #define KERN_ANGLE_SHARE KERN_R(0.99)
@@ -9492,6 +9496,11 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* Most triangles of one size that are tried to find an inner point of a
    block. */
 #define KERN_TRIANGLES 32
+/* Steps of a search for contacts in a unit of work. A step is at most 80
+   instructions. */
+#define KERN_SEARCH_UNIT 24
+/* Steps for two edges that are close to each other. */
+#define KERN_SEARCH_NEAR 8
 /* Two vertices are equally far from an edge if their squared distances differ
    by less than this share. On a grid of pixels many are, except for
    rounding. */
@@ -9576,6 +9585,7 @@ typedef struct kern_outline {
     const kern_block *block;
     int straight, reflex; /* nonzero: it has such vertices, or spikes   */
     int each;             /* vertices of a run                          */
+    int looks;            /* at vertices and runs, not counted yet      */
     kern_box box[KERN_RUNS];
 } kern_outline;
 
@@ -9596,6 +9606,7 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
     int i;
     o->block = block;
     o->straight = o->reflex = 0;
+    o->looks = n;
     for (i = 0; i < n; i++) {
         const int turn = kern_polygon_turn(block, i);
         o->straight |= turn == 0;
@@ -9649,12 +9660,12 @@ static kern_real kern_edge_foot(const kern_edge *e, kern_vec p)
 
 /* Finds the next edge within the gap of the box, among those that start after
    vertex e->at, which is -1 at first. Returns 0 if there is none. */
-static int kern_edge_next(kern_edge *e, const kern_outline *o,
-                          const kern_box *box, kern_real gap)
+static int kern_edge_next(kern_edge *e, kern_outline *o, const kern_box *box,
+                          kern_real gap)
 {
     const kern_block *block = o->block;
     int i;
-    for (i = e->at + 1; i < block->vertices; i++)
+    for (i = e->at + 1; i < block->vertices; i++, o->looks++)
         if (o->each < block->vertices && i % o->each == 0
             && !kern_box_near(&o->box[i / o->each], box, gap)) {
             i += o->each - 1;
@@ -9689,8 +9700,7 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
 /* Returns the distance of p from the boundary, negative if p is outside. Writes
    the first vertex of the nearest edge to *nearest. The old value of *nearest
    is a guess, which saves time. */
-static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
-                                    int *nearest)
+static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
 {
     const kern_block *block = o->block;
     const kern_vec *vertex = block->vertex;
@@ -9711,6 +9721,7 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
         const int skip = /* beyond all rounding */
             KERN_R(0.999) * kern_vec_dot(way, way) > least;
         end = n - start > o->each ? start + o->each : n;
+        o->looks += 1 + (skip ? 0 : end - start);
 
         /* p is inside if edges to its right cross its level an odd number of
            times */
@@ -10005,6 +10016,46 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
    4. Travels: kern_point_travels().
    At the end each line becomes two contact points. */
 
+/* ---- the pair ---- */
+
+/* Two blocks, and the contacts of all pairs so far in the caller's array. In
+   that array a line is one contact: p is its middle and travel half its
+   length. */
+typedef struct kern_pair {
+    int a, b;        /* indices of the blocks, a before b             */
+    kern_real gap;   /* widest gap [m], without errors of angle       */
+    kern_real swing; /* gap per distance that errors of angle add     */
+    kern_real deep;  /* deepest overlap [m]                           */
+    kern_real reach; /* no gap or overlap is wider [m]                */
+    kern_real least; /* least length of a line [m]                    */
+    kern_real foot;  /* least distance of a foot from an edge's ends [m] */
+    kern_real sure;  /* that distance for measured structures, and least
+                              length of a line; below 0: beyond the ends */
+    kern_real apart; /* widest hollow of a face [m]                   */
+    kern_real sine;  /* of the angle of the options                   */
+    const kern_options *options;
+    kern_work *work;
+    int steps; /* since the last unit of work                         */
+    kern_contact *out;
+    int room, count;         /* count may exceed room: no more is stored    */
+    int first;               /* first contact of this pair                  */
+    kern_outline outline[2]; /* a and b                                     */
+} kern_pair;
+
+/* Counts steps that a search is about to take, and the looks at its
+   outlines. Returns 0 from the unit of work on that exceeds the limit: there
+   every loop of the search ends. */
+static int kern_pair_spend(kern_pair *pair, int steps)
+{
+    pair->steps += steps + pair->outline[0].looks + pair->outline[1].looks;
+    pair->outline[0].looks = pair->outline[1].looks = 0;
+    if (pair->steps >= KERN_SEARCH_UNIT
+        && kern_spend(pair->work, pair->options->limit,
+                      pair->steps / KERN_SEARCH_UNIT))
+        pair->steps %= KERN_SEARCH_UNIT;
+    return pair->steps < KERN_SEARCH_UNIT;
+}
+
 /* ---- overlap ---- */
 /* The search goes along the edges of one block. The depth in the other block
    changes by no more than the distance covered, so each depth gives a safe
@@ -10012,8 +10063,9 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
 
 /* Returns how far b reaches to a side of an edge, its left where side is 1, its
    right where it is -1; or, beyond `most`, how far a vertex does. */
-static kern_real kern_overlap_side(const kern_edge *e, const kern_block *b,
-                                   kern_real side, kern_real most)
+static kern_real kern_overlap_side(kern_pair *pair, const kern_edge *e,
+                                   const kern_block *b, kern_real side,
+                                   kern_real most)
 {
     const kern_vec d = kern_vec_scale(e->d, side);
     kern_real reach = -KERN_INFINITY;
@@ -10021,11 +10073,12 @@ static kern_real kern_overlap_side(const kern_edge *e, const kern_block *b,
     for (k = 0; k < b->vertices && reach <= most; k++)
         reach = kern_max(reach,
                          kern_vec_cross(d, kern_vec_sub(b->vertex[k], e->p)));
+    pair->steps += k / 4;
     return reach;
 }
 
-/* Returns how far both ends of f are from the line of e, below 0 unless they are
-   on both sides of it. */
+/* Returns how far both ends of f are from the line of e, below 0 unless they
+   are on both sides of it. */
 static kern_real kern_edge_across(const kern_edge *e, const kern_edge *f)
 {
     const kern_real p = kern_vec_cross(e->d, kern_vec_sub(f->p, e->p));
@@ -10033,23 +10086,25 @@ static kern_real kern_edge_across(const kern_edge *e, const kern_edge *f)
     return kern_max(kern_min(p, -q), kern_min(-p, q));
 }
 
-/* Raises *deep to the depth in b of the boundary of a, or where edges cross, as
-   in thin blocks, to the shortest way after which they do not. An overlap may be
-   a stride deeper. Stops at one beyond `enough`. Strides grow, since a gap of
-   few roundings would take too many. */
-static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
-                                  kern_real enough, kern_real *deep)
+/* Raises *deep to the depth of the boundary of block a (on 0) or b (1) in the
+   other, or where edges cross, as in thin blocks, to the shortest way after
+   which they do not. An overlap may be a stride deeper. Stops at one beyond
+   `enough`. Strides grow, since a gap of few roundings would take too many. */
+static void kern_overlap_boundary(kern_pair *pair, int on, kern_real enough,
+                                  kern_real *deep)
 {
+    kern_outline *a = &pair->outline[on], *b = &pair->outline[!on];
     kern_edge e, f;
     int nearest = 0;
     e.at = -1;
     while (kern_edge_next(&e, a, &b->block->box, -*deep)) {
         kern_real s, step, low, stride = *deep / KERN_STRIDES;
         f.at = -1;
-        while (kern_edge_next(&f, b, &e.box, -*deep))
+        while (kern_pair_spend(pair, 1)
+               && kern_edge_next(&f, b, &e.box, -*deep))
             *deep = kern_max(*deep, kern_min(kern_edge_across(&e, &f),
                                              kern_edge_across(&f, &e)));
-        for (s = 0; s < e.length; s += step) {
+        for (s = 0; s < e.length && kern_pair_spend(pair, 1); s += step) {
             const kern_vec at = kern_vec_step(e.p, s, e.d);
             const kern_real depth = kern_polygon_depth(b, at, &nearest);
             *deep = kern_max(*deep, depth);
@@ -10071,18 +10126,19 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
     }
 }
 
-/* Raises *deep to the depth in b of inner points of a. The points are the
-   middles of triangles of vertices, first of vertices far apart. They lie
-   inside where the outline turns left. If no boundary is deep, one inner point
-   decides for all points around it. */
-static void kern_overlap_middles(const kern_outline *a, const kern_outline *b,
-                                 kern_real *deep)
+/* Raises *deep to the depth of inner points of block a (on 0) or b (1) in the
+   other. The points are the middles of triangles of vertices, first of vertices
+   far apart. They lie inside where the outline turns left. If no boundary is
+   deep, one inner point decides for all points around it. */
+static void kern_overlap_middles(kern_pair *pair, int on, kern_real *deep)
 {
+    kern_outline *a = &pair->outline[on], *b = &pair->outline[!on];
     const kern_vec *vertex = a->block->vertex;
     const int n = a->block->vertices;
     int step, i, near_a = 0, near_b = 0;
     for (step = n / 3; step > 0; step /= 2)
-        for (i = 0; i < n; i += 1 + n / KERN_TRIANGLES) {
+        for (i = 0; i < n && kern_pair_spend(pair, 1);
+             i += 1 + n / KERN_TRIANGLES) {
             const kern_vec sum = kern_vec_add(
                 kern_vec_add(vertex[i], vertex[(i + step) % n]),
                 vertex[(i + 2 * step) % n]);
@@ -10096,71 +10152,54 @@ static void kern_overlap_middles(const kern_outline *a, const kern_outline *b,
         }
 }
 
-/* Returns the depth of the overlap of a and b, or a depth beyond `enough`, or 0
-   if none is deeper than the gap. A stride of depth may be missed. Where convex
-   blocks are too thin to be that deep, it is the shortest way that parts them.
-   Two blocks at one place have no deep boundary. */
-KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
-                                                const kern_outline *b,
-                                                kern_real gap, kern_real enough)
+/* Returns the depth of the pair's overlap, or a depth beyond `enough`, or 0 if
+   none is deeper than a contact may be. A stride of depth may be missed. Where
+   convex blocks are too thin to be that deep, it is the shortest way that parts
+   them. Two blocks at one place have no deep boundary. */
+KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
+                                                kern_real enough)
 {
-    const kern_outline *const side[3] = {a, b, a};
-    const int convex = a->reflex + a->straight + b->reflex + b->straight == 0;
+    const kern_outline *const o = pair->outline;
+    const int convex = o[0].reflex + o[0].straight + o[1].reflex + o[1].straight
+                    == 0;
+    const kern_real gap = pair->deep;
     kern_real deep = gap, least = KERN_INFINITY;
     kern_edge e;
     int i, k, apart = 0;
-    if (!kern_box_near(&a->block->box, &b->block->box, -gap))
+    if (!kern_box_near(&pair->outline[0].block->box,
+                       &pair->outline[1].block->box, -gap))
         return KERN_R(0);
 
     /* the line of an edge that parts them, but for half a gap */
     for (i = 1; i >= 0; i--) {
-        const kern_block *own = side[i]->block, *other = side[i + 1]->block;
-        for (k = 0; k < own->vertices && !apart; k++) {
+        const kern_block *own = o[i].block, *other = o[!i].block;
+        for (k = 0; k < own->vertices && !apart && kern_pair_spend(pair, 1);
+             k++) {
             kern_real reach;
             kern_edge_set(&e, own, k, kern_polygon_next(own, k));
-            reach = kern_overlap_side(&e, other, 1, kern_max(least, gap / 2));
+            reach = kern_overlap_side(pair, &e, other, 1,
+                                      kern_max(least, gap / 2));
             least = kern_min(least, reach);
             apart = reach <= gap / 2
-                 && (side[i]->reflex + side[i]->straight == 0 /* convex */
-                     || kern_overlap_side(&e, own, -1, gap / 2) <= gap / 2);
+                 && (o[i].reflex + o[i].straight == 0 /* convex */
+                     || kern_overlap_side(pair, &e, own, -1, gap / 2)
+                            <= gap / 2);
         }
     }
-    if (apart)
+    if (apart || !kern_pair_spend(pair, 0))
         return KERN_R(0);
 
     /* the depth of points, or how far convex blocks must go to part */
     for (i = 0; i < 2 && !(deep > enough); i++)
-        kern_overlap_boundary(side[i], side[i + 1], enough, &deep);
+        kern_overlap_boundary(pair, i, enough, &deep);
     for (i = 0; i < 2 && !(deep > gap); i++)
-        kern_overlap_middles(side[i], side[i + 1], &deep);
+        kern_overlap_middles(pair, i, &deep);
     if (convex && !(deep > gap))
         deep = least;
     return deep > gap ? deep : KERN_R(0);
 }
 
-/* ---- the pair ---- */
-
-/* Two blocks, and the contacts of all pairs so far in the caller's array. In
-   that array a line is one contact: p is its middle and travel half its
-   length. */
-typedef struct kern_pair {
-    int a, b;        /* indices of the blocks, a before b             */
-    kern_real gap;   /* widest gap [m], without errors of angle       */
-    kern_real swing; /* gap per distance that errors of angle add     */
-    kern_real deep;  /* deepest overlap [m]                           */
-    kern_real reach; /* no gap or overlap is wider [m]                */
-    kern_real least; /* least length of a line [m]                    */
-    kern_real foot;  /* least distance of a foot from an edge's ends [m] */
-    kern_real sure;  /* that distance for measured structures, and least
-                              length of a line; below 0: beyond the ends */
-    kern_real apart; /* widest hollow of a face [m]                   */
-    kern_real sine;  /* of the angle of the options                   */
-    const kern_options *options;
-    kern_contact *out;
-    int room, count;         /* count may exceed room: no more is stored    */
-    int first;               /* first contact of this pair                  */
-    kern_outline outline[2]; /* a and b                                     */
-} kern_pair;
+/* ---- lines ---- */
 
 /* Returns one end of a line: side is -1 or 1. */
 static kern_vec kern_line_end(const kern_contact *line, kern_real side)
@@ -10182,6 +10221,7 @@ static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
     for (; i > pair->first && at[i - 1].travel < half; i--)
         at[i] = at[i - 1];
     at[i] = made;
+    pair->steps += (pair->count - i) / 4;
 }
 
 /* Returns 1 if two edges are antiparallel within the angle. */
@@ -10210,7 +10250,7 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 /* Returns 1 if p, the middle of a gap or of an overlap, is inside both blocks
    that overlap, but for `slack`. It is not where one has passed through a part
    that is thinner. `gap` is below 0 for an overlap. */
-static int kern_pair_inside(const kern_pair *pair, kern_vec p, kern_real gap,
+static int kern_pair_inside(kern_pair *pair, kern_vec p, kern_real gap,
                             kern_real slack)
 {
     int k, nearest, inside = 1;
@@ -10317,13 +10357,15 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
 /* Finds lines and points of each pair of edges that are close to each other. */
 static void kern_pair_edges(kern_pair *pair)
 {
-    const kern_outline *a = &pair->outline[0], *b = &pair->outline[1];
+    kern_outline *a = &pair->outline[0], *b = &pair->outline[1];
     kern_edge edge[2];
     edge[0].at = -1;
-    while (kern_edge_next(&edge[0], a, &b->block->box, pair->reach)) {
+    while (kern_edge_next(&edge[0], a, &b->block->box, pair->reach)
+           && kern_pair_spend(pair, 1)) {
         edge[1].at = -1;
         while (kern_edge_next(&edge[1], b, &edge[0].box, pair->reach)) {
             const kern_real turn = kern_vec_cross(edge[0].d, edge[1].d);
+            pair->steps += KERN_SEARCH_NEAR;
             kern_pair_line(pair, edge);
             if (turn >= -pair->sine)
                 kern_pair_point(pair, edge, 1);
@@ -10406,11 +10448,12 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 static void kern_pair_faces(kern_pair *pair)
 {
     int i, count;
-    for (i = pair->first; i < pair->count; i++)
-        do {
-            count = pair->count;
-            kern_pair_face(pair, i);
-        } while (pair->apart < KERN_INFINITY && pair->count < count);
+    for (i = pair->first;
+         i < pair->count && kern_pair_spend(pair, pair->count - i);
+         i += !(pair->apart < KERN_INFINITY && pair->count < count)) {
+        count = pair->count;
+        kern_pair_face(pair, i);
+    }
 }
 
 /* ---- travels ---- */
@@ -10436,13 +10479,15 @@ static int kern_same_group(const kern_contact *c, const kern_contact *d,
 /* Returns the middle of the two points farthest apart in the group of *of. Of
    pairs that are equally far apart it takes the first by index. */
 static kern_vec kern_middle(const kern_contact *contact, int contacts,
-                            const kern_contact *of, const kern_vec *down)
+                            const kern_contact *of, const kern_vec *down,
+                            kern_pair *pair)
 {
     kern_vec middle = of->p;
     kern_real widest = KERN_R(0);
     int j, k;
     for (j = 0; j < contacts; j++)
-        for (k = j + 1; k < contacts && kern_same_group(of, &contact[j], down);
+        for (k = j + 1; k < contacts && kern_same_group(of, &contact[j], down)
+                        && (!pair || kern_pair_spend(pair, 1));
              k++) {
             const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
             const kern_real square = kern_vec_dot(d, d);
@@ -10458,12 +10503,15 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
    points, or with `down` those that are alone in their interface and carry a
    block. Successive points usually have the same middle. */
 static void kern_point_travels(kern_contact *contact, int contacts,
-                               const kern_vec *down)
+                               const kern_vec *down, kern_pair *pair)
 {
     kern_vec middle = kern_vec_make(KERN_R(0), KERN_R(0));
     const kern_contact *of = NULL;
     int i, k;
-    for (i = 0; i < contacts; i++) {
+    for (i = 0;
+         i < contacts
+         && (!pair || kern_pair_spend(pair, down ? 1 + contacts / 8 : 1));
+         i++) {
         kern_contact *c = contact + i;
         int found = 0;
         for (k = 0; down && !c->line && k < contacts; k++)
@@ -10473,7 +10521,7 @@ static void kern_point_travels(kern_contact *contact, int contacts,
             continue;
         if (!of || !kern_same_group(of, c, down)) {
             of = c;
-            middle = kern_middle(contact, contacts, c, down);
+            middle = kern_middle(contact, contacts, c, down, pair);
         }
         c->travel = 0 /* turns -0 into 0 */
                   + kern_vec_cross(c->n, kern_vec_sub(middle, c->p));
@@ -10582,9 +10630,10 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     /* an overlap ends a search for contacts; a search for overlaps lists it */
     kern_outline_set(&pair->outline[0], a);
     kern_pair_tolerances(pair, s);
-    depth = kern_overlap_depth(&pair->outline[0], &pair->outline[1], pair->deep,
-                               s->kind == KERN_SEARCH_OVERLAPS ? KERN_INFINITY
-                                                               : pair->deep);
+    if (!kern_pair_spend(pair, 1))
+        return KERN_LIMIT;
+    depth = kern_overlap_depth(
+        pair, s->kind == KERN_SEARCH_OVERLAPS ? KERN_INFINITY : pair->deep);
     if (depth > 0 && s->kind == KERN_SEARCH_CONTACTS) {
         s->fault->block = i;
         s->fault->other = j;
@@ -10611,7 +10660,7 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
         kern_pair_faces(pair);
     if (s->kind <= KERN_SEARCH_EDGES)
         kern_point_travels(pair->out + pair->first, pair->count - pair->first,
-                           NULL);
+                           NULL, pair);
     return KERN_OK;
 }
 
@@ -10642,7 +10691,7 @@ static void kern_search_ground(kern_search *s)
     pair->gap = pair->apart = kern_search_gap(s, KERN_R(0));
     if (more)
         kern_pair_faces(pair);
-    kern_point_travels(out, pair->count, NULL);
+    kern_point_travels(out, pair->count, NULL, pair);
 }
 
 /* Makes two points of every line, from the last line to the first. Returns how
@@ -10721,9 +10770,9 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
     return KERN_OK;
 }
 
-/* Returns KERN_OK or the fault of the arguments of a search, except the
-   blocks. */
-static kern_status kern_search_asked(const kern_search *s)
+/* Returns KERN_OK or the fault of the arguments of a search, except the blocks,
+   or KERN_LIMIT if these are too many to read. */
+static kern_status kern_search_asked(kern_search *s)
 {
     const kern_options *o = s->pair.options;
     const kern_status status = o ? kern_options_check(o) : KERN_BAD_POINTER;
@@ -10733,7 +10782,8 @@ static kern_status kern_search_asked(const kern_search *s)
              ? KERN_BAD_COUNT
          : (s->blocks > 0 && !s->block) || (s->pair.room > 0 && !s->pair.out)
              ? KERN_BAD_POINTER
-             : KERN_OK;
+         : kern_pair_spend(&s->pair, 2 * s->blocks - s->from) ? KERN_OK
+                                                              : KERN_LIMIT;
 }
 
 /* Finds contacts of the blocks from index `from` on with earlier blocks, or
@@ -10749,11 +10799,14 @@ static int kern_search_run(const kern_block *block, int blocks,
         return (int)KERN_BAD_POINTER;
 
     /* the search and its pair, which later steps complete */
-    kern_fault_clear(&work->fault);
+    kern_work_begin(work);
     s.block = block;
     s.blocks = blocks;
     s.from = from;
     s.pair.options = options;
+    s.pair.work = work;
+    s.pair.steps = KERN_SEARCH_UNIT - 1; /* of the first unit */
+    s.pair.outline[0].looks = s.pair.outline[1].looks = 0;
     s.fault = &work->fault;
     s.kind = kind;
     s.overlap = (kern_overlap *)out;
@@ -10766,6 +10819,8 @@ static int kern_search_run(const kern_block *block, int blocks,
     if (status == KERN_OK)
         status = kern_search_survey(&s);
     for (b = from; b < blocks && status == KERN_OK; b++) {
+        if (!kern_pair_spend(&s.pair, b / 4))
+            return (int)KERN_LIMIT;
         kern_outline_set(&s.pair.outline[1], &block[b]);
         for (a = block[b].vertices ? 0 : b; a < b && status == KERN_OK; a++)
             status = kern_search_pair(&s, a, b);
@@ -10776,14 +10831,13 @@ static int kern_search_run(const kern_block *block, int blocks,
     /* Turns each line into two points. The travel of single points
        (options.lone) is set last, since it depends on all contacts that carry
        the block. */
-    if (kind == KERN_SEARCH_OVERLAPS)
-        return s.pair.count;
     if (kind >= KERN_SEARCH_STRETCHES)
         kern_search_ground(&s);
-    room = kern_search_close(&s);
-    if (room > 0 && kern_vec_largest(options->lone) > 0)
-        kern_point_travels(s.pair.out, room, &options->lone);
-    return room;
+    room = kind == KERN_SEARCH_OVERLAPS ? s.pair.count : kern_search_close(&s);
+    if (room > 0 && kind != KERN_SEARCH_OVERLAPS
+        && kern_vec_largest(options->lone) > 0)
+        kern_point_travels(s.pair.out, room, &options->lone, &s.pair);
+    return kern_pair_spend(&s.pair, 0) ? room : (int)KERN_LIMIT;
 }
 
 KERN_API int kern_contacts(const kern_block *block, int blocks,
@@ -10874,7 +10928,7 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
     int i;
     if (!contact)
         return;
-    kern_point_travels(contact, contacts, NULL);
+    kern_point_travels(contact, contacts, NULL, NULL);
     for (i = 0; i < contacts; i++)
         if (kern_line_begins(contact, contacts, i)) {
             kern_contact *c = &contact[i++];
@@ -10967,40 +11021,48 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     return KERN_OK;
 }
 
-/* Adds the block, if any. Returns how many contacts it has, or a status. */
-KERN_SHARED static int kern_plan_open(kern_plan *plan, const kern_block *block)
+/* Adds the block, if any, and writes the structure without it. Where it
+   cannot be added the status takes the place of the count of contacts: every
+   question returns it, and writes what it does then. */
+KERN_SHARED static kern_status kern_plan_open(kern_plan *plan,
+                                              const kern_block *block,
+                                              kern_structure *without)
 {
-    return block                    ? kern_plan_add(plan, block)
-         : kern_plan_is_whole(plan) ? 0
-                                    : (int)KERN_BAD_POINTER;
+    int found;
+    if (!kern_plan_is_whole(plan))
+        return KERN_BAD_POINTER;
+    *without = plan->task.s;
+    found = block ? kern_plan_add(plan, block) : 0;
+    if (found < 0)
+        plan->task.s.contacts = found;
+    return KERN_OK;
 }
 
-/* Undoes kern_plan_add(), which found so many contacts. Returns the answer. */
-static kern_status kern_plan_back(kern_plan *plan, const kern_block *block,
-                                  int found, kern_status answer)
+/* Gives the plan back its structure. Returns the answer. */
+static kern_status kern_plan_back(kern_plan *plan,
+                                  const kern_structure *without,
+                                  kern_status answer)
 {
-    if (found >= 0) {
-        KERN_ASSERT(found <= plan->task.s.contacts);
-        plan->task.s.blocks -= block != NULL;
-        plan->task.s.contacts -= found;
-    }
+    plan->task.s = *without;
     return answer;
 }
 
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof)
 {
-    const int found = kern_plan_add(plan, block);
-    return kern_plan_back(
-        plan, block, found,
-        found < 0
-            ? (kern_status)found
-            : kern_measure_anew(&plan->task, &plan->task.known, out, proof));
+    kern_structure without;
+    const kern_status status = block ? kern_plan_open(plan, block, &without)
+                                     : KERN_BAD_POINTER;
+    return status != KERN_OK
+             ? status
+             : kern_plan_back(
+                 plan, &without,
+                 kern_measure_anew(&plan->task, &plan->task.known, out, proof));
 }
 
-/* Returns the verdict at a margin, first without the points that travel if kerns
-   are not nested: what stands without them stands at every smaller margin.
-   *below: 1 if it may fall at a smaller one though it stands here. */
+/* Returns the verdict at a margin, first without the points that travel if
+   kerns are not nested: what stands without them stands at every smaller
+   margin. *below: 1 if it may fall at a smaller one though it stands here. */
 static kern_status kern_plan_ask(kern_call *c, kern_real margin, int *below)
 {
     kern_real range[2];
@@ -11024,8 +11086,8 @@ static kern_status kern_plan_ask(kern_call *c, kern_real margin, int *below)
     return kern_model_evaluate(&c->m, &c->part, &c->path.q);
 }
 
-/* Returns the verdict at a margin; if kerns are not nested, KERN_FALLS too where
-   it falls at a smaller one. */
+/* Returns the verdict at a margin; if kerns are not nested, KERN_FALLS too
+   where it falls at a smaller one. */
 static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
                                     const kern_proof *proof)
 {
@@ -11062,32 +11124,38 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof)
 {
-    const int found = kern_plan_add(plan, block);
-    return kern_plan_back(plan, block, found,
-                          found < 0
-                              ? (kern_status)found
-                              : kern_plan_stands(&plan->task, margin, proof));
+    kern_structure without;
+    const kern_status status = block ? kern_plan_open(plan, block, &without)
+                                     : KERN_BAD_POINTER;
+    return status != KERN_OK
+             ? status
+             : kern_plan_back(plan, &without,
+                              kern_plan_stands(&plan->task, margin, proof));
 }
 
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
                                      kern_real *chance)
 {
-    const int found = kern_plan_open(plan, block);
-    return kern_plan_back(
-        plan, block, found,
-        found < 0 ? (kern_status)found
-                  : kern_stays(&plan->task, plan->task.s.blocks - 1, chance));
+    kern_structure without;
+    const kern_status status = kern_plan_open(plan, block, &without);
+    return status != KERN_OK
+             ? status
+             : kern_plan_back(
+                 plan, &without,
+                 kern_stays(&plan->task, plan->task.s.blocks - 1, chance));
 }
 
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
                                       kern_raising *out, kern_real *reserve,
                                       const kern_proof *proof)
 {
-    const int found = kern_plan_open(plan, block);
-    return kern_plan_back(
-        plan, block, found,
-        found < 0 ? (kern_status)found
-                  : kern_raised(&plan->task, KERN_R(0), out, reserve, proof));
+    kern_structure without;
+    const kern_status status = kern_plan_open(plan, block, &without);
+    return status != KERN_OK
+             ? status
+             : kern_plan_back(
+                 plan, &without,
+                 kern_raised(&plan->task, KERN_R(0), out, reserve, proof));
 }
 
 KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
@@ -11125,11 +11193,12 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
 
 /* ---- Coming to rest ---------------------------------------------- >>rest */
 /* A stone goes down to the first touch, and then from touch to touch. Of all
-   motions that are free (a turn about a touch, a slide along an edge too steep
-   for friction, a turn on which it slides at two touches) it takes the one on
-   which its centre goes down most steeply, until there is none. A motion ends where a vertex of one outline meets an
-   edge of the other, along a line or on an arc: so nothing overlaps. The way is
-   always down, so no pose comes twice. */
+   motions that are free (a turn about a touch, a slide along an edge too
+   steep for friction, a turn on which it slides at two touches) it takes the
+   one on which its centre goes down most steeply, until there is none. A
+   motion ends where a vertex of one outline meets an edge of the other,
+   along a line or on an arc: so nothing overlaps. The way is always down, so
+   no pose comes twice. */
 
 /* A point where the stone touches a block. */
 typedef struct kern_footing {
@@ -11255,8 +11324,8 @@ static void kern_descent_slide(const kern_descent *r, kern_course *c,
 }
 
 /* Ends a turn where a point meets the edge from outside. Places are measured
-   along the edge and out of it. Where the point begins at an end of the edge and
-   does not move along it, kern_descent_prefer() has decided. */
+   along the edge and out of it. Where the point begins at an end of the edge
+   and does not move along it, kern_descent_prefer() has decided. */
 static void kern_descent_arc(const kern_descent *r, kern_course *c,
                              const kern_edge *e, kern_vec p)
 {
@@ -11286,10 +11355,10 @@ static void kern_descent_arc(const kern_descent *r, kern_course *c,
         c->end = kern_max(q, KERN_R(0));
 }
 
-/* Keeps the place where vertex k of b touches an edge of a, if it does and both
-   edges of the vertex are on the outer side. Of two convex corners that meet two
-   edges pass, which bound all that the corners' edges span: the stone must move
-   to the outer side of one of them. */
+/* Keeps the place where vertex k of b touches an edge of a, if it does and
+   both edges of the vertex are on the outer side. Of two convex corners that
+   meet two edges pass, which bound all that the corners' edges span: the
+   stone must move to the outer side of one of them. */
 static void kern_descent_keep(kern_descent *r, const kern_edge *e,
                               const kern_block *a, const kern_block *b, int k)
 {
@@ -11806,8 +11875,9 @@ static kern_real kern_repose_hold(const kern_repose *r, int i)
     return r->ease[i] * kern_vec_largest(by);
 }
 
-/* Returns 1 if contact point i, the end of a line, slid by half of the line, and
-   the block that slides beyond that end, or that it slides on, ends there. */
+/* Returns 1 if contact point i, the end of a line, slid by half of the line,
+   and the block that slides beyond that end, or that it slides on, ends
+   there. */
 static int kern_repose_slid(const kern_repose *r, int i)
 {
     const kern_contact *c = r->task->s.contact + i;

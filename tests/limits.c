@@ -18,12 +18,12 @@
 #include <string.h>
 #include <valgrind/callgrind.h>
 
-enum { QUESTIONS = 14, LIMITS = 6, POINTS = 20000, STONES = 1000 };
+enum { QUESTIONS = 15, LIMITS = 6, POINTS = 20000, STONES = 1000 };
 
 static const char *const question[QUESTIONS] = {
-    "verdict", "measure",     "load",    "tilt",       "raised",
-    "reserve", "bearing",     "deficit", "profile",    "profile_load",
-    "forces",  "raised_load", "stays",   "stays_known"};
+    "verdict", "measure",     "load",     "tilt",    "raised",
+    "reserve", "bearing",     "deficit",  "profile", "profile_load",
+    "forces",  "raised_load", "contacts", "stays",   "stays_known"};
 
 static kern_contact contact[POINTS];
 static kern_force force[POINTS];
@@ -49,6 +49,9 @@ static int ask(int i, kern_task *task)
     case 9: return kern_profile(task, KERN_RIGHT, value, &c);
     case 10: return kern_forces(task, 0, force);
     case 11: return kern_raised_load(task, 0, KERN_RIGHT, NULL, &x, NULL);
+    case 12:
+        return kern_contacts(task->s.block, task->s.blocks, &task->options,
+                             contact, POINTS, task->work);
     default: return kern_stays(task, task->s.blocks - 1, &x);
     }
 }

@@ -1183,16 +1183,11 @@ static void contact_of_discs(void)
     }
 }
 
-/* Two saws of n teeth in each other: time grows with the square of n at most,
-   where with the cube it would be 64 times as long. */
-static void saws_of(int n)
+/* Two saws of n teeth in each other. */
+static void saws_make(kern_block block[2], int n)
 {
-    static kern_contact out[8000];
-    const kern_options o = kern_defaults();
-    kern_work work = kern_work_of(NULL, 0, NULL, 0);
-    kern_block block[2];
     static kern_vec v[2][4000];
-    int i, b, k = 0;
+    int i, b, k;
     for (b = 0; b < 2; b++) {
         for (i = k = 0; i <= 2 * n; i++)
             v[b][k++] = vec(i, i % 2);
@@ -1200,10 +1195,85 @@ static void saws_of(int n)
         v[b][k++] = vec(0, b ? n : -n);
         CHECK_INT(kern_block_init(&block[b], v[b], k, R(1), NULL), KERN_OK);
     }
+}
+
+/* Time grows with the square of n at most, where with the cube it would be 64
+   times as long. */
+static void saws_of(int n)
+{
+    static kern_contact out[8000];
+    const kern_options o = kern_defaults();
+    kern_work work = kern_work_of(NULL, 0, NULL, 0);
+    kern_block block[2];
+    saws_make(block, n);
     CHECK_INT(kern_contacts(block, 2, &o, out, 8000, &work), 4 * n);
 }
 
 static void contact_of_saws(void) { CHECK(grows_less(saws_of, 100, 32)); }
+
+/* A search of any kind: contacts, overlaps, stretches, the contacts of one. */
+static int search_of_kind(int kind, const kern_block *block,
+                          const kern_options *o, kern_work *work)
+{
+    static kern_contact out[800];
+    static kern_overlap overlap[1];
+    return kind == 0 ? kern_contacts(block, 2, o, out, 800, work)
+         : kind == 1 ? kern_overlaps(block, 2, o, overlap, 1, work)
+         : kind == 2 ? kern_stretches(block, 2, o, out, 800, work)
+                     : kern_touch(block, 1, o, out, 800, work);
+}
+
+/* A search is ended by each limit below its work, and by no other. */
+static void contact_limits(void)
+{
+    kern_options o = kern_defaults();
+    kern_work work = kern_work_of(NULL, 0, NULL, 0);
+    kern_block block[2];
+    int kind, n, units;
+    for (kind = 0; kind < 4; kind++) {
+        saws_make(block, 50);
+        o.limit = 0;
+        n = search_of_kind(kind, block, &o, &work);
+        units = work.units;
+        CHECK_INT(n, kind == 1 ? 0 : 200);
+        CHECK(units > 100);
+        for (o.limit = 1; o.limit < units; o.limit += 1 + o.limit / 8) {
+            CHECK_INT(search_of_kind(kind, block, &o, &work), KERN_LIMIT);
+            CHECK_INT(work.units, o.limit + 1);
+        }
+        o.limit = units - 1;
+        CHECK_INT(search_of_kind(kind, block, &o, &work), KERN_LIMIT);
+        o.limit = units;
+        CHECK_INT(search_of_kind(kind, block, &o, &work), n);
+        CHECK_INT(work.units, units);
+
+        /* a larger search ends, too */
+        saws_make(block, 200);
+        CHECK_INT(search_of_kind(kind, block, &o, &work), KERN_LIMIT);
+    }
+}
+
+/* Stones on their tips: every lone point looks at all contacts. */
+static void contact_limits_lone(void)
+{
+    static world w;
+    int n = -1, i;
+    world_reset(&w);
+    world_box(&w, 0, -9, -1, 99, 0);
+    for (i = 0; i < 24; i++) {
+        const double stone[] = {3 * i, 0, 3 * i + 1, 1, 3 * i - 1, 1};
+        world_polygon(&w, 1, stone, 3);
+    }
+    w.options.lone = vec(0, -1);
+    w.options.limit = 0;
+    for (i = 0; i < 3; i++) {
+        kern_work work = kern_work_of(NULL, 0, NULL, 0);
+        n = kern_contacts(w.block, w.blocks, &w.options, w.contact, MAX_POINTS,
+                          &work);
+        CHECK_INT(n, i == 1 ? (int)KERN_LIMIT : 24);
+        w.options.limit = work.units - (i == 0);
+    }
+}
 
 static const test contact_tests[] = {
     TEST(contact_cube_on_cube),
@@ -1231,6 +1301,8 @@ static const test contact_tests[] = {
     TEST(contact_short_faces),
     TEST(contact_of_discs),
     TEST(contact_of_saws),
+    TEST(contact_limits),
+    TEST(contact_limits_lone),
 };
 
 #endif

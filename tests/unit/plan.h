@@ -51,8 +51,11 @@ static void site_add(site *p, int number)
 {
     const world *w = p->w;
     const int last = p->plan.task.s.blocks, before = p->plan.task.s.contacts;
-    const int found = kern_plan_add(&p->plan, &w->block[number]);
-    int k;
+    const int limit = p->plan.task.options.limit;
+    int found, k;
+    p->plan.task.options.limit = 0;
+    found = kern_plan_add(&p->plan, &w->block[number]);
+    p->plan.task.options.limit = limit;
     CHECK(found >= 0);
     CHECK_INT(p->plan.task.s.blocks, last + 1);
     CHECK_INT(p->plan.task.s.contacts, before + found);
@@ -497,6 +500,44 @@ static void plan_saturated(void)
 
 /* Blocks and contacts taken back by hand, and garbage in the work memory: the
    plan goes on with less than it knew, and answers the same. */
+/* A search for contacts that the limit ends: nothing is proven of the plan with
+   the stone, and the plan is as it was. */
+static void plan_limits(void)
+{
+    static world w;
+    static site p;
+    static kern_vec v[2][500];
+    kern_margin m;
+    kern_real chance = 0, reserve = 0;
+    kern_raising raising = KERN_RAISED;
+    int i, b, k = 0;
+    world_reset(&w);
+    for (b = 0; b < 2; b++) {
+        for (i = k = 0; i <= 400; i++)
+            v[b][k++] = vec(i, i % 2);
+        v[b][k++] = vec(400, b ? 200 : -200);
+        v[b][k++] = vec(0, b ? 200 : -200);
+        CHECK_INT(kern_block_init(&w.block[b], v[b], k, R(1), NULL), KERN_OK);
+    }
+    w.block[0].fixed = 1;
+    w.blocks = 2;
+    site_open(&p, &w);
+    site_add(&p, 0);
+    p.plan.task.options.limit = 1000;
+    CHECK_INT(kern_plan_add(&p.plan, &w.block[1]), KERN_LIMIT);
+    CHECK_INT(kern_plan_try(&p.plan, &w.block[1], &m, NULL), KERN_LIMIT);
+    CHECK(m.margin < 0 && m.holds < 0 && m.fails >= KERN_INFINITY);
+    CHECK_INT(m.level, -1);
+    CHECK_INT(kern_plan_bears(&p.plan, &w.block[1], R(0.1), NULL), KERN_LIMIT);
+    CHECK_INT(kern_plan_stays(&p.plan, &w.block[1], &chance), KERN_LIMIT);
+    CHECK_INT(kern_plan_raised(&p.plan, &w.block[1], &raising, &reserve, NULL),
+              KERN_LIMIT);
+    CHECK_INT(p.plan.task.s.blocks, 1);
+    CHECK_INT(p.plan.task.s.contacts, 0);
+    p.plan.task.options.limit = 0;
+    CHECK_INT(kern_plan_add(&p.plan, &w.block[1]), 800);
+}
+
 /* Every stone of a plan in the same array of vertices: the second one is
    refused, wherever it lies, to be added and to be tried. */
 static void plan_with_one_array(void)
@@ -1148,25 +1189,16 @@ static void plan_out_of_date(void)
 }
 
 static const test plan_tests[] = {
-    TEST(plan_random),
-    TEST(plan_points),
-    TEST(plan_changes),
-    TEST(plan_candidates),
-    TEST(plan_saturated),
-    TEST(plan_with_one_array),
-    TEST(critical_by_hand),
-    TEST(critical_narrow),
-    TEST(critical_laws),
-    TEST(critical_bad_input),
-    TEST(known_garbage),
-    TEST(plan_stale),
-    TEST(plan_ground_only),
-    TEST(plan_by_hand),
-    TEST(plan_bears_when_closed),
-    TEST(plan_faults),
-    TEST(plan_bad_input),
-    TEST(plan_every_size),
-    TEST(relative_shares),
+    TEST(plan_random),         TEST(plan_points),
+    TEST(plan_changes),        TEST(plan_candidates),
+    TEST(plan_saturated),      TEST(plan_limits),
+    TEST(plan_with_one_array), TEST(critical_by_hand),
+    TEST(critical_narrow),     TEST(critical_laws),
+    TEST(critical_bad_input),  TEST(known_garbage),
+    TEST(plan_stale),          TEST(plan_ground_only),
+    TEST(plan_by_hand),        TEST(plan_bears_when_closed),
+    TEST(plan_faults),         TEST(plan_bad_input),
+    TEST(plan_every_size),     TEST(relative_shares),
     TEST(plan_out_of_date),
 };
 
