@@ -502,7 +502,7 @@ static const struct {
     const char *name;
     int digits;
 } walls_column[WALLS_FIGURES] = {
-    {"stones", 1}, {"filling", 3}, {"collapse", 1}, {"tilted", 2},
+    {"stones", 1}, {"filling", 3}, {"collapse", 1}, {"off level", 2},
     {"on two", 2}, {"no bed", 2},  {"corners", 2},  {"gaping", 2},
     {"uneven", 2}, {"ends", 2},    {"running", 2},  {"seconds", 1}};
 
