@@ -1031,8 +1031,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    whole call, what is proven by then.
    Time: four searches for contacts, six margins or verdicts, and five settlings
    of at most 7,200 visits of every contact point. In the median settled
-   structures that stand take as long as 30 (errors of 2 % of the mean size) to
-   150 calls of kern_measure() (.2 %). */
+   structures that stand take as long as 50 (errors of 2 % of the mean size) to
+   200 calls of kern_measure() (.2 %). */
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
                                   int room);
