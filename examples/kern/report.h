@@ -735,6 +735,8 @@ static inline void report_verdict(const struct analysis *a)
         if (a->certain)
             printf("; may settle by %.4g", (double)a->interval.settles);
     }
+    if (is_open_certain(a) && !is_open(a->verdict))
+        printf("; whether within +- %.4g is undecided: limit", pose_error(a));
     printf("\n");
     if (is_open(a->verdict))
         printf("  undecided   %s\n", undecided_why(a, a->verdict));
