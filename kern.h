@@ -10150,6 +10150,33 @@ static void kern_overlap_middles(kern_pair *pair, int on, kern_real *deep)
         }
 }
 
+/* Returns the shortest way that parts a convex pair: the least reach of a block
+   beyond an edge of the other. It is at most half of the deepest overlap where
+   the line of an edge parts the pair, convex or not. */
+static kern_real kern_overlap_least(kern_pair *pair)
+{
+    const kern_real some = pair->deep / 2;
+    kern_real least = KERN_INFINITY;
+    kern_edge e;
+    int i, k;
+    for (i = 1; i >= 0; i--) {
+        const kern_outline *o = &pair->outline[i];
+        const kern_block *own = o->block, *other = pair->outline[!i].block;
+        for (k = 0; k < own->vertices && kern_pair_spend(pair, 1); k++) {
+            kern_real reach;
+            kern_edge_set(&e, own, k, kern_polygon_next(own, k));
+            reach = kern_overlap_side(pair, &e, other, 1,
+                                      kern_max(least, some));
+            if (reach > some)
+                least = kern_min(least, reach);
+            else if (o->reflex + o->straight == 0 /* convex */
+                     || kern_overlap_side(pair, &e, own, -1, some) <= some)
+                return reach;
+        }
+    }
+    return least;
+}
+
 /* Returns the depth of the pair's overlap, or a depth beyond `enough`, or 0 if
    none is deeper than a contact may be. A stride of depth may be missed. Where
    convex blocks are too thin to be that deep, it is the shortest way that parts
@@ -10158,33 +10185,13 @@ KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
                                                 kern_real enough)
 {
     const kern_outline *const o = pair->outline;
-    const int convex = o[0].reflex + o[0].straight + o[1].reflex + o[1].straight
-                    == 0;
     const kern_real gap = pair->deep;
-    kern_real deep = gap, least = KERN_INFINITY;
-    kern_edge e;
-    int i, k, apart = 0;
-    if (!kern_box_near(&pair->outline[0].block->box,
-                       &pair->outline[1].block->box, -gap))
+    kern_real deep = gap, least;
+    int i;
+    if (!kern_box_near(&o[0].block->box, &o[1].block->box, -gap))
         return KERN_R(0);
-
-    /* the line of an edge that parts them, but for half a gap */
-    for (i = 1; i >= 0; i--) {
-        const kern_block *own = o[i].block, *other = o[!i].block;
-        for (k = 0; k < own->vertices && !apart && kern_pair_spend(pair, 1);
-             k++) {
-            kern_real reach;
-            kern_edge_set(&e, own, k, kern_polygon_next(own, k));
-            reach = kern_overlap_side(pair, &e, other, 1,
-                                      kern_max(least, gap / 2));
-            least = kern_min(least, reach);
-            apart = reach <= gap / 2
-                 && (o[i].reflex + o[i].straight == 0 /* convex */
-                     || kern_overlap_side(pair, &e, own, -1, gap / 2)
-                            <= gap / 2);
-        }
-    }
-    if (apart || !kern_pair_spend(pair, 0))
+    least = kern_overlap_least(pair);
+    if (least <= gap / 2 || !kern_pair_spend(pair, 0))
         return KERN_R(0);
 
     /* the depth of points, or how far convex blocks must go to part */
@@ -10192,7 +10199,8 @@ KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
         kern_overlap_boundary(pair, i, enough, &deep);
     for (i = 0; i < 2 && !(deep > gap); i++)
         kern_overlap_middles(pair, i, &deep);
-    if (convex && !(deep > gap))
+    if (!(deep > gap)
+        && o[0].reflex + o[0].straight + o[1].reflex + o[1].straight == 0)
         deep = least;
     return deep > gap ? deep : KERN_R(0);
 }
