@@ -1104,7 +1104,8 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                     shrinkage proven to stand, -1: none yet; fails the smallest
                     proven to fall, `most`: none; these and epsilon infinity
                     where the input was not read. The proof means nothing.
-     KERN_UNDECIDED, KERN_BAD_STEP (most / epsilon > 1,000,000): *out is kept.
+     KERN_UNDECIDED As with KERN_LIMIT: no verdict between them is proven.
+     KERN_BAD_STEP  *out is kept: most / epsilon > 1,000,000.
    How wide [holds, fails] is: >>limits. The level is proven with the margin
    where kerns are nested, else by a proof of each step.
    options.narrow = k: at shrinkage d > 0 friction mu is max(0, (mu - k d) / (1
@@ -7586,17 +7587,17 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
         kern_level_scan(&c->m, path, nested, last, &r);
     }
 
-    /* Where the limit ended the call, what has a proof by then is the
-       answer. */
+    /* Where the limit ended the call, or nothing in between can be proven, what
+       has a proof by then is the answer. */
     status = kern_ended(task, status);
-    if (status == KERN_LIMIT) {
+    if (status == KERN_LIMIT || status == KERN_UNDECIDED) {
         r.fails = kern_min(path->proven.high, r.most);
         r.margin = r.holds = kern_min(path->proven.low, r.fails);
         r.level = -1;
         r.saturated = 0;
     }
 
-    if (status >= 0 || status == KERN_LIMIT)
+    if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
         *out = r;
     return status;
 }
