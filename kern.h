@@ -1186,7 +1186,8 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                     is the smallest proven to fall, or `most`. If the input was
                     not read fails, most and epsilon are infinite. The proof
                     means nothing.
-     KERN_UNDECIDED, KERN_BAD_STEP (most / epsilon > 1,000,000): *out is kept.
+     KERN_UNDECIDED As for KERN_LIMIT: no verdict between these two is proven.
+     KERN_BAD_STEP  *out is kept: most / epsilon > 1,000,000.
    How wide [holds, fails] may be: >>limits. The level is proven with the margin
    if kerns are nested, otherwise by a proof of each step.
    options.narrow = k: in every question about kerns shrunk by d > 0, friction
@@ -7761,16 +7762,17 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
         kern_level_scan(&c->m, path, nested, last, &r);
     }
 
-    /* If the limit ended the call, the result is what has a proof so far. */
+    /* If the limit ended the call, or nothing in between can be proven, the
+       result is what has a proof so far. */
     status = kern_ended(task, status);
-    if (status == KERN_LIMIT) {
+    if (status == KERN_LIMIT || status == KERN_UNDECIDED) {
         r.fails = kern_min(path->proven.high, r.most);
         r.margin = r.holds = kern_min(path->proven.low, r.fails);
         r.level = -1;
         r.saturated = 0;
     }
 
-    if (status >= 0 || status == KERN_LIMIT)
+    if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
         *out = r;
     return status;
 }

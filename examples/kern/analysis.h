@@ -38,6 +38,9 @@ static inline int find_contacts(struct analysis *a)
         return 0;
     }
     int found = KERN_NO_SPACE, ints = 2 * t->blocks;
+    kern_options search = a->task.options; /* a short limit is for questions */
+    if (search.limit > 0 && search.limit < kern_defaults().limit)
+        search.limit = kern_defaults().limit;
     int *index = malloc((size_t)ints * sizeof *index + 1);
     kern_work work = kern_work_of(NULL, 0, index, ints);
     for (int room = 16 * t->blocks + 64;
@@ -46,8 +49,8 @@ static inline int find_contacts(struct analysis *a)
         if (!more)
             break;
         a->contact = more;
-        found = kern_contacts(t->block, t->blocks, &a->task.options, a->contact,
-                              room, &work);
+        found = kern_contacts(t->block, t->blocks, &search, a->contact, room,
+                              &work);
     }
     free(index);
     if (found == KERN_NO_SPACE)

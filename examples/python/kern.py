@@ -1667,6 +1667,9 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
             if not isinstance(asked, Options):
                 raise TypeError("options are Options(...), read %r" % (asked,))
             names, options = [b.name for b in self.blocks], asked._c()
+            search = asked._c()  # a short limit is meant for the questions
+            if search.limit > 0:
+                search.limit = max(search.limit, Options().limit)
             _name_once(self.blocks)
             room = 16 * n if given is None else len(given)
             while True:
@@ -1675,7 +1678,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
                     held.vertex.append(block._copy_to(held.block[i]))
                 if given is None:
                     self.options._suits(_mean_size(held.block, n) or math.inf)
-                    found = _contacts(held.block, n, byref(options),
+                    found = _contacts(held.block, n, byref(search),
                                       held.contact, room, byref(held.work))
                     room *= 2
                 else:
