@@ -71,7 +71,7 @@ static const char help[] =
     "      --film OUT.svg    a picture that shows how it is built, with margin, level\n"
     "                        and sideways reserve after each stone\n"
     "      --steps NAME      a picture a step: NAME-01.svg and so on\n"
-    "      --against FILE    another wall, for the same table\n"
+    "      --against FILE    another wall, its stones in the order of laying\n"
     "      --no-shaking      leave out the shaking test\n"
     "      --json            one JSON object a wall, one line each, no table:\n"
     "                        lengths in mean stones, limit in g\n"
@@ -689,7 +689,8 @@ static void show_progress(const struct stack_wall *w, int wall)
 /* NAME.* becomes NAME-SEED.* */
 static int name_seeded(char out[PATH], const char *name, int seed)
 {
-    const char *dot = strrchr(name, '.');
+    const char *slash = strrchr(name, '/');
+    const char *dot = strrchr(slash ? slash : name, '.');
     const int stem = dot ? (int)(dot - name) : (int)strlen(name);
     const int n = snprintf(out, PATH, "%.*s-%d%s", stem, name, seed,
                            name + stem);
