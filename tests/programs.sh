@@ -362,6 +362,19 @@ sweep() { # as an ordinary load at its place and on its block, what --sweep says
         grep -q '>mass<' "$out/fill.svg" &&
         ! grep -q 'live load' "$out/fill.svg" || return 1
     refuses 'no live load' --sweep 3 "$arch" || return 1
+    # a beam of 10 on a pier below its middle half tips under 10 at its end: that
+    # comes first, though the file has the load where it may have any factor
+    printf '%s\n' 'gravity 0 -1' 'friction .6' 'fixed g 1 -1 3 -1 3 0 1 0' \
+        'block beam 10 0 0 4 0 4 1 0 1' 'live beam 0 -1 2 1' >"$out/beam.kern"
+    says 'worst place 10        least factor, with the first force at x = 0, when' \
+        --sweep 9 --report "$out/beam.html" "$out/beam.kern" &&
+        says ' 1.11111           1         any         any  beam' --sweep 9 \
+            "$out/beam.kern" &&
+        grep -q 'The factor that governs is 10, with' "$out/beam.html" &&
+        grep -A2 '<h2>Results' "$out/beam.html" |
+        grep -q 'worst place</th><td>10</td>' &&
+        grep -q '<td>0 to any</td><td>factors at which it stays' \
+            "$out/beam.html" || return 1
     # the worst place is found from few places as from many
     for axle in "live v7 0 -100 -5 9" "axle -5 100 1"; do
         { cat "$arch"; echo "$axle"; } >"$out/axle.kern"

@@ -55,6 +55,51 @@ static inline void page_line(const char *word, const char *what, void *out)
     page_row(out, word, "", what);
 }
 
+/* The largest factor of the live load where the file has it: that at which it
+   stays when it is let go, where that is asked for. */
+static inline const char *page_live(const struct analysis *a, char out[100])
+{
+    char one[40], two[40];
+    if (!asks_raised_loads(a))
+        snprintf(out, 100, "%s to %s", factor_text(a->live_least, 1, "", one),
+                 factor_text(a->live, 1, "", two));
+    else if (isnan(a->live_let_go[0]))
+        snprintf(out, 100, "not shown");
+    else
+        snprintf(out, 100, "%s to %s",
+                 factor_text(a->live_let_go[0], 1, "", one),
+                 shown_text(a, LIVE, two));
+    return out;
+}
+
+/* Writes the factor that governs: of all places, or of the file's. */
+static inline void page_governing(FILE *out, const struct analysis *a)
+{
+    const int least = sweep_governs(a);
+    char value[100], one[40];
+    if (a->lived != KERN_STANDS || a->text.lives == 0)
+        return;
+    if (a->sweeps > 0 && least < 0)
+        fputs(" No least factor of the live load is known as it drives over.",
+              out);
+    else if (a->sweeps > 0)
+        fprintf(out,
+                " The factor that governs is %s, with the live load at its "
+                "worst place, x = %.4g%s.",
+                factor_text(sweep_factor_least(a), 1, "", one),
+                tidy(a, a->swept[least].x),
+                sweeps_let_go(a) ? "" : " (limit analysis)");
+    else {
+        fputs(" Factors of the live load: ", out);
+        page_text(out, page_live(a, value));
+        fputs(asks_raised_loads(a) ? "." : " (limit analysis).", out);
+    }
+    if (as_stated(a) == KERN_STANDS && asks_raised_loads(a)
+        && !(a->live_let_go[0] <= 1 && a->live_let_go[1] >= 1 - 1e-9))
+        fputs(" Let go under the live load as stated, it is not shown to stay.",
+              out);
+}
+
 /* The verdict in a sentence. */
 static inline void page_verdict(FILE *out, const struct analysis *a)
 {
@@ -76,6 +121,7 @@ static inline void page_verdict(FILE *out, const struct analysis *a)
         page_text(out, as_stated(a) == KERN_STANDS
                            ? " Under the live load as stated it stands."
                            : " Under the live load as stated it falls.");
+    page_governing(out, a);
     if (a->certain >= 0)
         page_text(out, a->certain ? " Within the error of the outlines that is "
                                     "certain."
@@ -111,21 +157,47 @@ static inline void page_margin(FILE *out, const struct analysis *a)
         page_row(out, "margin", "undecided", "");
 }
 
-/* Factors of the live load, of horizontal loads, and tilts. */
+/* Factors of the live load, first the one that governs. */
+static inline void page_live_load(FILE *out, const struct analysis *a)
+{
+    char one[40], two[40], value[100], means[LOADS_ROOM];
+    if (a->shown < 0 || a->text.lives == 0)
+        return;
+    if (a->sweeps > 0) {
+        sweep_sentence(a, means);
+        page_row(out, "live load, worst place",
+                 sweep_governs(a) < 0
+                     ? "unknown"
+                     : factor_text(sweep_factor_least(a), 1, "", one),
+                 means);
+    }
+    if (a->lived != KERN_STANDS) {
+        page_row(out, "live load",
+                 a->lived == KERN_FALLS ? "none" : "undecided",
+                 "factors at which it stands, where the file has it");
+        return;
+    }
+    page_row(
+        out, "live load as placed", page_live(a, value),
+        asks_raised_loads(a)
+            ? "factors at which it stays when it is let go, where the file "
+              "has it"
+            : "factors at which it stands by limit analysis, where the "
+              "file has it (--raised: let go)");
+    if (!asks_raised_loads(a))
+        return;
+    snprintf(value, sizeof value, "%s to %s",
+             factor_text(a->live_least, 1, "", one),
+             factor_text(a->live, 1, "", two));
+    page_row(out, "the same, limit analysis", value,
+             "with dilatant sliding: where it is larger it is too high");
+}
+
+/* Horizontal loads, and tilts. */
 static inline void page_factors(FILE *out, const struct analysis *a)
 {
     static const double degrees = 57.295779513082321;
     char one[40], two[40], value[100];
-    if (a->shown >= 0 && a->text.lives > 0) {
-        if (a->lived == KERN_STANDS)
-            snprintf(value, sizeof value, "%s to %s",
-                     factor_text(a->live_least, 1, "", one),
-                     factor_text(a->live, 1, "", two));
-        else
-            snprintf(value, sizeof value, "%s",
-                     a->lived == KERN_FALLS ? "none" : "undecided");
-        page_row(out, "live load", value, "factors at which it stands");
-    }
     if (a->shown != KERN_STANDS || !(gravity_of(a) > 0))
         return;
     if (asks_raised_loads(a) && !is_near(a)) {
@@ -154,6 +226,7 @@ static inline void page_results(FILE *out, const struct analysis *a)
         return;
     page_head(out, "Results");
     fputs("<table>\n", out);
+    page_live_load(out, a);
     page_margin(out, a);
     page_factors(out, a);
     if (a->set->thrust && a->shown == KERN_STANDS) {
@@ -279,15 +352,16 @@ static inline void page_mechanism(FILE *out, const struct analysis *a)
 
 static inline void page_sweep(FILE *out, const struct analysis *a)
 {
-    const int least = sweep_least(a);
-    char one[40];
-    if (a->sweeps == 0 || least < 0)
+    char what[LOADS_ROOM], one[40];
+    if (a->sweeps == 0 || sweep_least(a) < 0)
         return;
+    sweep_sentence(a, what);
     page_head(out, "A live load that drives over it");
-    fprintf(out,
-            "<p>The least factor is %s, with the first force at x = %.4g.</p>\n"
-            "<div class=\"picture\">\n",
-            factor_text(a->swept[least].live, 1, "", one), a->swept[least].x);
+    fprintf(out, "<p>The least factor is %s, ",
+            factor_text(sweep_factor_least(a), 1, "", one));
+    page_text(out, what);
+    fputs(". Arrows at the top: any factor.</p>\n<div class=\"picture\">\n",
+          out);
     sweep_plot(a, out);
     fputs("</div>\n", out);
 }
