@@ -320,7 +320,7 @@ static inline void page_thrust(FILE *out, const struct analysis *a)
                 "</td><td>%.4g</td><td>%.4g</td><td>%.4g</td><td>%.4g</td>"
                 "<td>%.3f</td><td>%s</td><td>%s</td><td>%s</td><td>%s</td>"
                 "</tr>\n",
-                tidy(a, (double)r.at.x), tidy(a, (double)r.at.y), d->normal,
+                tidy(a, (double)r.at.x), tidy(a, (double)r.at.y), r.normal,
                 r.shear, r.e, bed_number(r.low, from),
                 loads_at(a, r.low_end, low), bed_number(r.high, to),
                 loads_at(a, r.high_end, high));
