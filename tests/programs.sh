@@ -374,7 +374,11 @@ sweep() { # as an ordinary load at its place and on its block, what --sweep says
         grep -A2 '<h2>Results' "$out/beam.html" |
         grep -q 'worst place</th><td>10</td>' &&
         grep -q '<td>0 to any</td><td>factors at which it stays' \
-            "$out/beam.html" || return 1
+            "$out/beam.html" &&
+        grep -q 'g bears it with 0 to the right and 10 up' "$out/beam.html" &&
+        grep -q 'g bears it with 0 to the right and 11 up' "$out/beam.html" &&
+        grep -q '<td>5</td><td>between g and beam' "$out/beam.html" &&
+        grep -q '<td>5.5</td><td>between g and beam' "$out/beam.html" || return 1
     # the worst place is found from few places as from many
     for axle in "live v7 0 -100 -5 9" "axle -5 100 1"; do
         { cat "$arch"; echo "$axle"; } >"$out/axle.kern"

@@ -217,9 +217,61 @@ static inline void page_factors(FILE *out, const struct analysis *a)
     page_row(out, "tilt", value, "of the ground, until it falls");
 }
 
+/* The analysis with the forces under the live load as stated, where these are
+   known; otherwise with those that hold it without. */
+static inline struct analysis page_loaded(const struct analysis *a)
+{
+    struct analysis loaded = *a;
+    if (a->live_force) {
+        loaded.force = a->live_force;
+        loaded.least = 1;
+    }
+    return loaded;
+}
+
+/* What the forces are of. */
+static inline const char *page_of(const struct analysis *a, int loaded)
+{
+    return loaded            ? "with the live load as stated"
+         : a->text.lives > 0 ? "without the live load"
+                             : "of the loads that stay";
+}
+
+/* The largest linear stress at the edge of a bed, and where. */
+static inline void page_edge(FILE *out, const struct analysis *a, int loaded)
+{
+    struct bed *bed;
+    struct bed_row r, worst = {{0, 0}, {0, 0}, {0, 0}, 0, 0, 0, 0, 0};
+    const int beds = find_beds(a, &bed);
+    char value[LOADS_QUANTITY], means[2 * TEXT_SHOW_ROOM + 200], at[64];
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    double most = 0;
+    int k = -1;
+    for (int i = 0; i < beds; i++)
+        if (bed_row_of(a, bed + i, &r) && fmax(r.low, r.high) > most) {
+            most = fmax(r.low, r.high);
+            worst = r;
+            k = i;
+        }
+    if (k >= 0) {
+        snprintf(
+            means, sizeof means,
+            "between %s and %s at %s, %s: linear over the joint",
+            name_of(a, bed[k].a, one), name_of(a, bed[k].b, two),
+            loads_at(a, worst.low < most ? worst.high_end : worst.low_end, at),
+            page_of(a, loaded));
+        page_row(out, "largest edge stress",
+                 isinf(most) ? "all on an edge"
+                             : loads_number(a, most, 2, value),
+                 means);
+    }
+    free(bed);
+}
+
 static inline void page_results(FILE *out, const struct analysis *a)
 {
     const int most = most_stressed(a, 0, a->task.s.contacts);
+    const struct analysis loaded = page_loaded(a);
     char value[LOADS_QUANTITY], means[2 * TEXT_SHOW_ROOM + 200];
     char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
     if (a->set->verdict_only)
@@ -234,15 +286,17 @@ static inline void page_results(FILE *out, const struct analysis *a)
         loads_thrust(a, thrust);
         page_row(out, "thrust", "", thrust);
     }
+    if (a->live_force)
+        page_edge(out, &loaded, 1);
+    page_edge(out, a, 0);
     if (most >= 0) {
         const kern_contact *c = &a->task.s.contact[most];
         snprintf(means, sizeof means,
-                 "between %s and %s: mean over twice the margin%s, the "
-                 "length that is sure; linear stresses of the forces shown are "
-                 "in the table of beds",
-                 name_of(a, c->a, one), name_of(a, c->b, two),
+                 "between %s and %s, %s: mean if it were only twice the "
+                 "margin%s long",
+                 name_of(a, c->a, one), name_of(a, c->b, two), page_of(a, 0),
                  a->whole ? " and what crushes" : "");
-        page_row(out, "largest stress (Meyerhof)",
+        page_row(out, "mean stress at the margin",
                  loads_number(a, a->stress[most], 2, value), means);
     }
     fputs("</table>\n", out);
@@ -284,28 +338,92 @@ static inline void page_structure(FILE *out, const struct analysis *a)
     fputs("</table>\n", out);
 }
 
+/* What each support gives the structure: the sum of its contact forces. */
+static inline void page_reactions(FILE *out, const struct analysis *a)
+{
+    const kern_structure *s = &a->task.s;
+    char one[LOADS_QUANTITY], two[LOADS_QUANTITY], name[TEXT_SHOW_ROOM];
+    if (a->text.bond > 0)
+        return;
+    fputs("<ul>\n", out);
+    for (int i = 0; i < stones(a); i++) {
+        double fx = 0, fy = 0;
+        for (int k = 0; k < s->contacts && s->block[i].fixed; k++) {
+            const kern_contact *c = &s->contact[k];
+            const double side = c->a == i ? 1 : c->b == i ? -1 : 0;
+            if (c->a >= stones(a) || c->b >= stones(a))
+                continue;
+            fx += side
+                * (double)(a->force[k].normal * c->n.x
+                           - a->force[k].tangential * c->n.y);
+            fy += side
+                * (double)(a->force[k].normal * c->n.y
+                           + a->force[k].tangential * c->n.x);
+        }
+        if (!(hypot(fx, fy) > 0))
+            continue;
+        fputs("<li>", out);
+        page_text(out, name_of(a, i, name));
+        fputs(" bears it with ", out);
+        page_text(out, loads_number(a, fabs(fx), 0, one));
+        fputs(fx < 0 ? " to the left and " : " to the right and ", out);
+        page_text(out, loads_number(a, fabs(fy), 0, two));
+        fprintf(out, " %s%s</li>\n", fy < 0 ? "down" : "up",
+                a->text.props > 0 ? ", beside pushes" : "");
+    }
+    fputs("</ul>\n", out);
+}
+
+/* A cell of the head of a table, with its unit. */
+static inline void page_unit(FILE *out, const struct analysis *a,
+                             const char *name, int per_length)
+{
+    const struct text_file *t = &a->text;
+    char value[LOADS_QUANTITY];
+    fputs("<th>", out);
+    page_text(out, name);
+    if (per_length < 0 ? t->units != NULL : t->force_units != NULL) {
+        fputs(" [", out);
+        page_text(out,
+                  per_length < 0
+                      ? t->units
+                      : strchr(loads_number(a, 0, per_length, value), ' ') + 1);
+        fputs("]", out);
+    }
+    fputs("</th>", out);
+}
+
 /* One resultant a bed. */
-static inline void page_thrust(FILE *out, const struct analysis *a)
+static inline void page_thrust(FILE *out, const struct analysis *a, int loaded)
 {
     struct bed *bed;
     const int beds = find_beds(a, &bed);
     char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
     struct bed_row r;
     if (beds > 0) {
-        page_head(out, "Thrust: one resultant a bed or joint");
+        fprintf(out, "<h2>Thrust: one resultant a bed or joint, %s</h2>\n",
+                page_of(a, loaded));
+        page_reactions(out, a);
         fprintf(out,
-                "<p>%s. Eccentricity is a share of the length, below 1/6 where "
+                "<p>%s. Forces are those of \"from\" on \"on\"; shear and "
+                "eccentricity are above 0 toward the second end. "
+                "Eccentricity is a share of the length, below 1/6 where "
                 "all of it is pressed; stresses are linear over all of it%s, "
                 "\"edge\" where all is on an end.</p>\n",
                 a->least ? "The forces of the least norm that hold it"
                          : "Forces that hold it",
                 a->text.bond > 0 ? ", below 0 what mortar bears"
                                  : " without tension");
-        fputs("<table class=\"numbers\">\n<tr><th>from</th><th>on</th><th>x"
-              "</th><th>y</th><th>normal</th><th>shear</th><th>eccentricity"
-              "</th><th>stress</th><th>at</th><th>stress</th><th>at</th>"
-              "</tr>\n",
-              out);
+        fputs("<table class=\"numbers\">\n<tr><th>from</th><th>on</th>", out);
+        page_unit(out, a, "x", -1);
+        page_unit(out, a, "y", -1);
+        page_unit(out, a, "normal", 0);
+        page_unit(out, a, "shear", 0);
+        fputs("<th>eccentricity</th>", out);
+        page_unit(out, a, "stress", 2);
+        fputs("<th>at one end</th>", out);
+        page_unit(out, a, "stress", 2);
+        fputs("<th>at the second</th></tr>\n", out);
     }
     for (int i = 0; i < beds && i < PAGE_BEDS; i++) {
         const struct bed *d = &bed[i];
@@ -445,8 +563,8 @@ static inline void page_assumptions(FILE *out, const struct analysis *a)
         "answer without bond holds. Forces and thrust hold it as a "
         "compression.");
     page_item(out, a->text.lives > 0,
-              "Margin, stress, horizontal load, tilt and thrust are without "
-              "the live load.");
+              "Margin, stress at the margin, horizontal load and tilt are "
+              "without the live load.");
     page_item(out, fill || (notes && strstr(notes, "fill: ")),
               "Fill lies on the stones right below it with its weight.");
     page_item(out, a->text.props > 0,
@@ -570,6 +688,7 @@ static const char page_style[] =
 /* Writes the whole page. */
 static inline int page_write(FILE *out, const struct analysis *a)
 {
+    const struct analysis loaded = page_loaded(a);
     char name[200];
     int stem;
     snprintf(name, sizeof name, "%s", stem_of(a->file, &stem));
@@ -583,14 +702,19 @@ static inline int page_write(FILE *out, const struct analysis *a)
     fputs("</h1>\n", out);
     page_verdict(out, a);
     fputs("<div class=\"picture\">\n", out);
-    if (draw_to(out, a))
+    if (draw_to(out, &loaded))
         return -1;
     fputs("</div>\n", out);
+    if (a->text.lives > 0 && a->shown == KERN_STANDS)
+        fprintf(out, "<p>Forces and thrust line of the picture are %s.</p>\n",
+                page_of(a, a->live_force != NULL));
     page_results(out, a);
     page_structure(out, a);
     page_mechanism(out, a);
     page_sweep(out, a);
-    page_thrust(out, a);
+    page_thrust(out, a, 0);
+    if (a->live_force)
+        page_thrust(out, &loaded, 1);
     page_drawing(out, a);
     page_assumptions(out, a);
     page_sources(out, a);

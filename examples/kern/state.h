@@ -74,6 +74,8 @@ struct analysis {
                                near ones too                     */
     kern_force *force;      /* there, if it stands               */
     int least;              /* they are the least forces         */
+    kern_force *live_force; /* with the live load as stated, for the page, if
+                               it stands; NULL: not found        */
     kern_motion *motion;    /* there, if it falls                */
     kern_motion *fall;      /* the same with all other mechanisms: falls.h */
 
