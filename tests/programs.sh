@@ -563,6 +563,11 @@ hand_in() { # drawings of the bridge and the wall, and a photograph: the answers
         tests/seeds/drawing-labelme.json >"$out/o"
     [ $? -le 1 ] || return 1
     "$kern" --raised --report "$out/all.html" $bridge $wall >"$out/o"
+    # pushes are arrows, no stones; the back of the wall is a line
+    ! grep -q '#dfe9d8' "$out/all-prestwood.html" &&
+        grep -q 'Short arrows onto the stones' "$out/all-prestwood.html" &&
+        grep -q 'stroke-dasharray="4 3"' "$out/all-retaining-wall.html" ||
+        return 1
     # what was read stands in the page, and can be run again from it
     python3 - "$out/all-prestwood.html" $bridge <<'END' || return 1
 import html, re, sys

@@ -708,6 +708,15 @@ static inline int page_write(FILE *out, const struct analysis *a)
     if (a->text.lives > 0 && a->shown == KERN_STANDS)
         fprintf(out, "<p>Forces and thrust line of the picture are %s.</p>\n",
                 page_of(a, a->live_force != NULL));
+    if (a->text.props > 0)
+        fputs("<p>Short arrows onto the stones: pushes (of fill, props) where "
+              "these forces need them; none is drawn where none is "
+              "needed.</p>\n",
+              out);
+    if (page_has(a, TEXT_EARTH))
+        fputs("<p>Dashed: the back from foot to head, whose lean the pressure "
+              "of earth has.</p>\n",
+              out);
     page_results(out, a);
     page_structure(out, a);
     page_mechanism(out, a);
