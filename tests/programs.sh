@@ -452,7 +452,9 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
         says '[0, 0.2092]: factors' "$out/bare.kern" || return 1
     # K = .2444 of Coulomb, 57 kN/m level; tests/REALITY.md: falls at 25.2 feet
     says 'earth       57 kN to the left and 24.59 kN down, ' $wall &&
-        says '(1.626, 2.032), on 20 faces' $wall &&
+        says '(1.626, 2.032), on 20 faces; K = 0.2444 of' $wall &&
+        says 'leans 0 degrees, phi 35, delta 23.33' $wall &&
+        says ' when it is let go, 1.924 times by limit' $wall &&
         sed 's/^earth right 6.096/earth right 7.66/' $wall >"$out/high.kern" &&
         "$kern" --verdict "$out/high.kern" | grep -q stands &&
         sed 's/^earth right 6.096/earth right 7.7/' $wall >"$out/high.kern" &&

@@ -12,6 +12,7 @@
 #include "../parts/drawing.h"
 #include "asked.h"
 #include "crush.h"
+#include "earth.h"
 #include "place.h"
 #include "sweep.h"
 #include "thrust.h"
@@ -281,6 +282,7 @@ static inline int find_lengths(struct analysis *a)
 static inline int find_more(struct analysis *a)
 {
     const struct settings *set = a->set;
+    find_earth(a);
     return (set->page && find_live_forces(a))
                 || (set->sweep > 0 && find_sweep(a))
                 || (set->place && find_places(a))

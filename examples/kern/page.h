@@ -273,12 +273,16 @@ static inline void page_results(FILE *out, const struct analysis *a)
     const int most = most_stressed(a, 0, a->task.s.contacts);
     const struct analysis loaded = page_loaded(a);
     char value[LOADS_QUANTITY], means[2 * TEXT_SHOW_ROOM + 200];
-    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM], earth[LOADS_ROOM];
     if (a->set->verdict_only)
         return;
     page_head(out, "Results");
     fputs("<table>\n", out);
     page_live_load(out, a);
+    if (isnan(a->earth_limit) || a->earth_limit > 0) {
+        loads_growth(a, earth);
+        page_row(out, "earth", "", earth);
+    }
     page_margin(out, a);
     page_factors(out, a);
     if (a->set->thrust && a->shown == KERN_STANDS) {

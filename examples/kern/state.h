@@ -101,6 +101,8 @@ struct analysis {
     int settled;               /* the forces no longer move ends             */
 
     double thrust_least, thrust_most; /* of --thrust, to the left     */
+    double earth_limit, earth_let_go; /* times that earth may grow to, 0: there
+                                         is none; let go NAN: not shown */
     struct swept *swept;              /* the live load at each place       */
     int sweeps;
 
