@@ -143,11 +143,12 @@ static inline void loads_strength(const struct analysis *a,
         snprintf(point, sizeof point,
                  "; not applied to %d point contact%s, which %s no width",
                  points, plural(points), points > 1 ? "have" : "has");
-    snprintf(out, LOADS_ROOM,
-             "%.60s: ends of contacts are moved in by up to %.4g where stone "
-             "crushes%s%s; tilts and horizontal loads crush no more%s",
-             loads_number(a, a->text.strength, 2, one), a->crushed, broken,
-             a->settled ? "" : ", and did not settle", point);
+    snprintf(
+        out, LOADS_ROOM,
+        "%.60s: ends of contacts are moved in by up to %.4g where stone "
+        "crushes%s%s; tilts and horizontal loads cause no further crushing%s",
+        loads_number(a, a->text.strength, 2, one), a->crushed, broken,
+        a->settled ? "" : ", and did not settle", point);
 }
 
 /* Does water press on a wall? */
@@ -175,8 +176,8 @@ static inline void loads_thrust(const struct analysis *a, char out[LOADS_ROOM])
     const int right = most <= 0 && least < 0;
     const double low = right ? fabs(most) : least;
     snprintf(out, LOADS_ROOM,
-             "[%.60s, %.60s]: to the %s, of %.60s; one end as it gives "
-             "way, the other as it is pressed in%s",
+             "[%.60s, %.60s]: to the %s, of %.60s; the least as it "
+             "gives way, the greatest as it is pressed in%s",
              loads_number(a, low, 0, one),
              loads_number(a, right ? -least : most, 0, two),
              right ? "right" : "left", text_show(name, a->set->thrust),

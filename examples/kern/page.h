@@ -313,11 +313,13 @@ static inline void page_structure(FILE *out, const struct analysis *a)
     const int ends = line_points(a), given = a->text.given && !a->text.found;
     page_head(out, "Structure and loads");
     fputs("<table>\n", out);
-    snprintf(value, sizeof value, "%d blocks on %d fixed",
-             stones(a) - a->text.fixed, a->text.fixed);
+    snprintf(value, sizeof value, "%d block%s on %d fixed",
+             stones(a) - a->text.fixed, plural(stones(a) - a->text.fixed),
+             a->text.fixed);
     page_row(out, "blocks", value, "");
-    snprintf(value, sizeof value, "%d lines, %d points", ends / 2,
-             a->task.s.contacts - ends - 2 * a->text.props);
+    const int points = a->task.s.contacts - ends - 2 * a->text.props;
+    snprintf(value, sizeof value, "%d line%s, %d point%s", ends / 2,
+             plural(ends / 2), points, plural(points));
     page_row(out, "contacts", value,
              given ? "given by the file" : "found between outlines");
     snprintf(value, sizeof value, "%.4g", (double)a->task.options.mu);
