@@ -7,8 +7,8 @@
 
        state.h        settings, and what was found of one file
        analysis.h     reads, finds contacts, decides, measures
-       asked.h, sweep.h, crush.h, place.h   what options and statements ask for
-                           beyond that
+       asked.h, sweep.h, crush.h, earth.h, place.h
+                           what options and statements ask for beyond that
        loads.h, beds.h      what statements put where, one resultant a bed
        report.h, report_json.h, page.h, picture.h, c_arrays.h, statements_file.h
                            what is written

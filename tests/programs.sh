@@ -362,6 +362,23 @@ sweep() { # as an ordinary load at its place and on its block, what --sweep says
         grep -q '>mass<' "$out/fill.svg" &&
         ! grep -q 'live load' "$out/fill.svg" || return 1
     refuses 'no live load' --sweep 3 "$arch" || return 1
+    # a beam of 10 on a pier below its middle half tips under 10 at its end: that
+    # comes first, though the file has the load where it may have any factor
+    printf '%s\n' 'gravity 0 -1' 'friction .6' 'fixed g 1 -1 3 -1 3 0 1 0' \
+        'block beam 10 0 0 4 0 4 1 0 1' 'live beam 0 -1 2 1' >"$out/beam.kern"
+    says 'worst place 10        least factor, with the first force at x = 0, when' \
+        --sweep 9 --report "$out/beam.html" "$out/beam.kern" &&
+        says ' 1.11111           1         any         any  beam' --sweep 9 \
+            "$out/beam.kern" &&
+        grep -q 'The factor that governs is 10, with' "$out/beam.html" &&
+        grep -A2 '<h2>Results' "$out/beam.html" |
+        grep -q 'worst place</th><td>10</td>' &&
+        grep -q '<td>0 to any</td><td>factors at which it stays' \
+            "$out/beam.html" &&
+        grep -q 'g bears it with 0 to the right and 10 up' "$out/beam.html" &&
+        grep -q 'g bears it with 0 to the right and 11 up' "$out/beam.html" &&
+        grep -q '<td>5</td><td>between g and beam' "$out/beam.html" &&
+        grep -q '<td>5.5</td><td>between g and beam' "$out/beam.html" || return 1
     # the worst place is found from few places as from many
     for axle in "live v7 0 -100 -5 9" "axle -5 100 1"; do
         { cat "$arch"; echo "$axle"; } >"$out/axle.kern"
@@ -435,7 +452,9 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
         says '[0, 0.2092]: factors' "$out/bare.kern" || return 1
     # K = .2444 of Coulomb, 57 kN/m level; tests/REALITY.md: falls at 25.2 feet
     says 'earth       57 kN to the left and 24.59 kN down, ' $wall &&
-        says '(1.626, 2.032), on 20 faces' $wall &&
+        says '(1.626, 2.032), on 20 faces; K = 0.2444 of' $wall &&
+        says 'leans 0 degrees, phi 35, delta 23.33' $wall &&
+        says ' when it is let go, 1.924 times by limit' $wall &&
         sed 's/^earth right 6.096/earth right 7.66/' $wall >"$out/high.kern" &&
         "$kern" --verdict "$out/high.kern" | grep -q stands &&
         sed 's/^earth right 6.096/earth right 7.7/' $wall >"$out/high.kern" &&
@@ -481,6 +500,14 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
         --forces "$out/bed.kern" &&
         says 'stress      144 ' "$out/bed.kern" &&
         says 'uplift of the water under the wall' "$out/bed.kern" || return 1
+    # a corner that touches an upright face is no part of the springing, .45 long:
+    # of 54207 and 18172 at its ends e is -.2489, the edge 2 72379 / (3 .45 .2511)
+    "$kern" --density RING=2100 --density FILL=2000 --phi 37 --mu 0.7 --kern \
+        "$out/ring.kern" examples/structures/bridge.dxf >"$out/o" &&
+        sed '/^fixed/s/3\.2 2 /2.86 2 /; /^fixed/s/3\.2 0\.27 /2.86 0.27 /' \
+            "$out/ring.kern" >"$out/corner.kern" &&
+        says '7.238e+04 -1.036e+04  -0.249 4.271e+05 (2.5, 0) ' --forces \
+            "$out/corner.kern" || return 1
     # a live surcharge alone: 40 / 3 at 2 up, against 192 at 1 from the toe
     sed '/^strength/d; s/^earth.*/earth right 4 0 30 0 surcharge 10 live/' \
         "$out/bed.kern" >"$out/top.kern" &&
@@ -538,6 +565,11 @@ hand_in() { # drawings of the bridge and the wall, and a photograph: the answers
         tests/seeds/drawing-labelme.json >"$out/o"
     [ $? -le 1 ] || return 1
     "$kern" --raised --report "$out/all.html" $bridge $wall >"$out/o"
+    # pushes are arrows, no stones; the back of the wall is a line
+    ! grep -q '#dfe9d8' "$out/all-prestwood.html" &&
+        grep -q 'Short arrows onto the stones' "$out/all-prestwood.html" &&
+        grep -q 'stroke-dasharray="4 3"' "$out/all-retaining-wall.html" ||
+        return 1
     # what was read stands in the page, and can be run again from it
     python3 - "$out/all-prestwood.html" $bridge <<'END' || return 1
 import html, re, sys

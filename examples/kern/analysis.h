@@ -12,6 +12,7 @@
 #include "../parts/drawing.h"
 #include "asked.h"
 #include "crush.h"
+#include "earth.h"
 #include "place.h"
 #include "sweep.h"
 #include "thrust.h"
@@ -123,6 +124,7 @@ static inline void free_analysis(struct analysis *a)
     free(a->place_vertex);
     free(a->stress);
     free(a->whole);
+    free(a->live_force);
     free_work(a);
     text_free(&a->text);
     drawing_free(&a->drawing);
@@ -283,7 +285,10 @@ static inline int find_lengths(struct analysis *a)
 static inline int find_more(struct analysis *a)
 {
     const struct settings *set = a->set;
-    return (set->sweep > 0 && find_sweep(a)) || (set->place && find_places(a))
+    find_earth(a);
+    return (set->page && find_live_forces(a))
+                || (set->sweep > 0 && find_sweep(a))
+                || (set->place && find_places(a))
                 || (set->thrust && find_thrust(a))
              ? -1
              : 0;

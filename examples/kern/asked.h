@@ -95,6 +95,27 @@ static inline void find_live_most(struct analysis *a, kern_block *block)
     a->live = a->live_least + value_or_nan(status, value);
 }
 
+/* The least forces with the live load as the file has it. With stone that crushes
+   they would crush other contacts than those at rest, and are not found. */
+static inline int find_live_forces(struct analysis *a)
+{
+    kern_block *block;
+    if (a->text.lives == 0 || a->whole || as_stated(a) != KERN_STANDS)
+        return 0;
+    block = array(a->task.s.blocks, sizeof *block);
+    a->live_force = array(a->task.s.contacts, sizeof *a->live_force);
+    const int there = block && a->live_force;
+    if (there) {
+        const kern_task task = loaded_task(a, block, 1);
+        if (kern_forces(&task, shrinkage(a), a->live_force) != KERN_STANDS) {
+            free(a->live_force);
+            a->live_force = NULL;
+        }
+    }
+    free(block);
+    return there ? 0 : fail_memory(a);
+}
+
 static inline int stays_under(const struct analysis *a, kern_block *block,
                               double factor)
 {

@@ -1,8 +1,8 @@
 /* beds.h - one resultant a bed or joint, and the stresses at its two ends.
 
    A bed is all that lies on one line across gravity without a wide gap: the stones of
-   a course on those of the course below. Any other interface is a joint of its
-   own. The forces are those of the report, less the bond of mortar; stresses are
+   a course on those of the course below. Any other face of an interface is a joint
+   of its own. The forces are those of the report, less the bond of mortar; stresses are
    linear over all of the bed, whatever of it crushes, and without tension where
    nothing bonds.
 
@@ -22,13 +22,12 @@
 #include <stdlib.h>
 
 struct bed {
-    int a, b;             /* blocks of its first interface                */
-    int interfaces;       /* how many                                     */
-    kern_vec n;           /* normal, into b                               */
-    double level;         /* of its line along n                          */
-    double low, high;     /* ends, along the tangent                      */
-    double normal, shear; /* forces                                       */
-    double moment;        /* of normal forces, along the tangent          */
+    int a, b;              /* blocks of its first interface                */
+    int interfaces;        /* how many                                     */
+    kern_vec n;            /* normal, into b                               */
+    double level;          /* of its line along n                          */
+    double low, high;      /* ends, along the tangent                      */
+    double fx, fy, torque; /* the force on b, and its torque about (0, 0) */
 };
 
 static inline double bed_along(const struct bed *d, kern_vec p)
@@ -45,27 +44,91 @@ static inline kern_vec bed_point(const struct bed *d, double along)
     return p;
 }
 
-/* The bed of the interface that begins with contact k and has n points. */
-static inline struct bed bed_of(const struct analysis *a, int k, int n)
+/* Are these normals of one face? */
+static inline int bed_faces(kern_vec n, kern_vec m)
+{
+    return (double)(n.x * m.x + n.y * m.y) > 0.999;
+}
+
+/* Adds a force at p, given along the normal and the tangent of n. */
+static inline void bed_press(struct bed *d, kern_vec p, kern_vec n,
+                             double normal, double tangential)
+{
+    const double fx = normal * (double)n.x - tangential * (double)n.y;
+    const double fy = normal * (double)n.y + tangential * (double)n.x;
+    d->fx += fx;
+    d->fy += fy;
+    d->torque += (double)p.x * fy - (double)p.y * fx;
+}
+
+static inline double bed_normal(const struct bed *d)
+{
+    return d->fx * (double)d->n.x + d->fy * (double)d->n.y;
+}
+
+static inline double bed_shear(const struct bed *d)
+{
+    return d->fy * (double)d->n.x - d->fx * (double)d->n.y;
+}
+
+/* Where the resultant meets the line of the bed, along the tangent. */
+static inline double bed_meets_at(const struct bed *d)
+{
+    return -(d->torque - d->level * bed_shear(d)) / bed_normal(d);
+}
+
+/* The bed of the face of contact k, among the n points from `first` on of its
+   interface: all of them whose normal is that of k. */
+static inline struct bed bed_of(const struct analysis *a, int k, int first,
+                                int n)
 {
     const kern_contact *c = &a->task.s.contact[k];
-    const kern_contact *whole = a->whole ? &a->whole[k] : c;
     struct bed d = {c->a, c->b, 1, c->n, 0, HUGE_VAL, -HUGE_VAL, 0, 0, 0};
+    kern_vec middle;
     d.level = (double)(c->p.x * c->n.x + c->p.y * c->n.y);
-    for (int i = 0; i < n; i++) {
-        const double along = bed_along(&d, c[i].p);
-        d.low = fmin(d.low, bed_along(&d, whole[i].p));
-        d.high = fmax(d.high, bed_along(&d, whole[i].p));
-        d.normal += (double)a->force[k + i].normal;
-        d.shear += (double)a->force[k + i].tangential;
-        d.moment += along * (double)a->force[k + i].normal;
+    for (int i = first; i < first + n; i++) {
+        const kern_contact *p = &a->task.s.contact[i];
+        const double along = bed_along(&d, a->whole ? a->whole[i].p : p->p);
+        if (!bed_faces(c->n, p->n))
+            continue;
+        d.low = fmin(d.low, along);
+        d.high = fmax(d.high, along);
+        bed_press(&d, p->p, p->n, (double)a->force[i].normal,
+                  (double)a->force[i].tangential);
     }
-    if (c->line && d.high > d.low) {
-        const double bond = a->text.bond * (d.high - d.low);
-        d.normal -= bond;
-        d.moment -= bond * (d.low + d.high) / 2;
-    }
+    middle = bed_point(&d, (d.low + d.high) / 2);
+    if (c->line && d.high > d.low)
+        bed_press(&d, middle, c->n, -a->text.bond * (d.high - d.low), 0);
     return d;
+}
+
+/* Adds the beds of an interface to bed[]: one for each face, the longest contact
+   first, so that a corner which touches a face at an angle is a row of its own.
+   Returns how many. */
+static inline int bed_faces_of(const struct analysis *a, int first, int n,
+                               struct bed *bed)
+{
+    const kern_contact *c = a->task.s.contact;
+    int beds = 0;
+    for (;;) {
+        double longest = -1;
+        int k = -1;
+        for (int i = first; i < first + n; i++) {
+            const kern_vec p = c[i].p, q = c[i + draw_is_line(&a->task.s, i)].p;
+            const double length = hypot((double)(q.x - p.x),
+                                        (double)(q.y - p.y));
+            int taken = 0;
+            for (int j = 0; j < beds; j++)
+                taken |= bed_faces(bed[j].n, c[i].n);
+            if (taken || !(length > longest))
+                continue;
+            longest = length;
+            k = i;
+        }
+        if (k < 0)
+            return beds;
+        bed[beds++] = bed_of(a, k, first, n);
+    }
 }
 
 /* Is e a part of the same bed? */
@@ -74,8 +137,7 @@ static inline int bed_meets(const struct analysis *a, const struct bed *d,
 {
     const kern_vec g = a->task.s.gravity;
     const double across = (double)(d->n.x * g.x + d->n.y * g.y) / gravity_of(a);
-    return fabs(across) > 0.95
-        && (double)(d->n.x * e->n.x + d->n.y * e->n.y) > 0.999
+    return fabs(across) > 0.95 && bed_faces(d->n, e->n)
         && fabs(d->level - e->level) < 0.02 * size
         && fmax(d->low, e->low) - fmin(d->high, e->high) < 0.2 * size;
 }
@@ -85,9 +147,9 @@ static inline void bed_join(struct bed *d, const struct bed *e)
     d->interfaces += e->interfaces;
     d->low = fmin(d->low, e->low);
     d->high = fmax(d->high, e->high);
-    d->normal += e->normal;
-    d->shear += e->shear;
-    d->moment += e->moment;
+    d->fx += e->fx;
+    d->fy += e->fy;
+    d->torque += e->torque;
 }
 
 /* Finds all beds and joints of stones that forces press, in the order of the
@@ -107,7 +169,7 @@ static inline int find_beds(const struct analysis *a, struct bed **out)
                     && s->contact[k + n].b == s->contact[k].b;)
             n++;
         if (s->contact[k].a < stones(a) && s->contact[k].b < stones(a))
-            bed[beds++] = bed_of(a, k, n);
+            beds += bed_faces_of(a, k, n, bed + beds);
     }
 
     /* parts may meet by others: until none is left */
@@ -133,17 +195,17 @@ static inline void bed_stress(const struct bed *d, int bonds, double *e,
                               double *low, double *high)
 {
     const double wide = d->high - d->low, middle = (d->low + d->high) / 2;
-    const double off = d->moment / d->normal - middle;
+    const double normal = bed_normal(d), off = bed_meets_at(d) - middle;
     const double pressed = 3 * (wide / 2 - fabs(off));
-    double most = pressed > 1e-6 * wide ? 2 * d->normal / pressed : HUGE_VAL;
+    double most = pressed > 1e-6 * wide ? 2 * normal / pressed : HUGE_VAL;
     double least = 0;
     *e = wide > 0 ? off / wide : 0;
     *low = *high = (double)NAN;
     if (!(wide > 0))
         return;
     if (bonds || fabs(off) * 6 <= wide) {
-        most = d->normal / wide * (1 + 6 * fabs(off) / wide);
-        least = d->normal / wide * (1 - 6 * fabs(off) / wide);
+        most = normal / wide * (1 + 6 * fabs(off) / wide);
+        least = normal / wide * (1 - 6 * fabs(off) / wide);
     }
     if (fabs(least) < 1e-9 * most)
         least = 0;
@@ -154,7 +216,7 @@ static inline void bed_stress(const struct bed *d, int bonds, double *e,
 /* A row of the tables. */
 struct bed_row {
     kern_vec at, low_end, high_end;
-    double e, low, high, shear;
+    double e, low, high, normal, shear;
 };
 
 /* Returns 0 where nothing but rounding presses the bed, or pulls at its mortar. */
@@ -164,11 +226,14 @@ static inline int bed_row_of(const struct analysis *a, const struct bed *d,
     double most = 0;
     for (int k = 0; k < a->task.s.contacts; k++)
         most = fmax(most, (double)a->force[k].normal);
-    if (!(fabs(d->normal) > 1e-9 * most))
+    row->normal = bed_normal(d);
+    row->shear = bed_shear(d);
+    if (!(fabs(row->normal) > 1e-9 * most))
         return 0;
-    row->shear = fabs(d->shear) < 1e-9 * fabs(d->normal) ? 0 : d->shear;
+    if (fabs(row->shear) < 1e-9 * fabs(row->normal))
+        row->shear = 0;
     bed_stress(d, a->text.bond > 0, &row->e, &row->low, &row->high);
-    row->at = bed_point(d, d->moment / d->normal);
+    row->at = bed_point(d, bed_meets_at(d));
     row->low_end = bed_point(d, d->low);
     row->high_end = bed_point(d, d->high);
     return 1;
@@ -203,7 +268,7 @@ static inline void report_beds(const struct analysis *a)
         printf("              %-10s %-10s %9.4g %9.4g %7.3f %9s %-18s %9s "
                "%s",
                text_show(one, a->text.name[d->a]),
-               text_show(two, a->text.name[d->b]), d->normal, r.shear, r.e,
+               text_show(two, a->text.name[d->b]), r.normal, r.shear, r.e,
                bed_number(r.low, from), loads_at(a, r.low_end, low),
                bed_number(r.high, to), loads_at(a, r.high_end, high));
         if (d->interfaces > 1)
@@ -230,7 +295,7 @@ static inline void json_beds(const struct analysis *a)
         printf(", \"interfaces\": %d", bed[i].interfaces);
         json_number("x", (double)r.at.x);
         json_number("y", (double)r.at.y);
-        json_number("normal", bed[i].normal);
+        json_number("normal", r.normal);
         json_number("tangential", r.shear);
         json_number("eccentricity", r.e);
         json_number("x1", (double)r.low_end.x);

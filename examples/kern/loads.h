@@ -15,7 +15,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { LOADS_ROOM = 320, LOADS_QUANTITY = TEXT_SHOW_ROOM + 40 };
+enum { LOADS_ROOM = 480, LOADS_QUANTITY = TEXT_SHOW_ROOM + 40 };
 
 static inline const char *plural(int count) { return count == 1 ? "" : "s"; }
 
@@ -64,6 +64,7 @@ static inline const char *loads_at(const struct analysis *a, kern_vec at,
 static inline void loads_line(const struct analysis *a, int i,
                               char out[LOADS_ROOM])
 {
+    static const double degrees = 57.295779513082321;
     const struct text_soil *s = &a->text.soil[i];
     char one[LOADS_QUANTITY], two[LOADS_QUANTITY], at[64];
     char name[TEXT_SHOW_ROOM];
@@ -78,11 +79,16 @@ static inline void loads_line(const struct analysis *a, int i,
     }
     if (s->kind == TEXT_EARTH) {
         snprintf(out, LOADS_ROOM,
-                 "%.60s to the %s and %.60s %s, through %s, on %d face%s%s",
+                 "%.60s to the %s and %.60s %s, through %s, on %d face%s%s; K "
+                 "= %.4g of a back that leans %.3g degrees, phi %.4g, delta "
+                 "%.4g",
                  loads_number(a, fabs(fx), 0, one), fx < 0 ? "left" : "right",
                  loads_number(a, fabs(fy), 0, two), fy > 0 ? "up" : "down",
                  loads_at(a, s->sum.at, at), s->blocks, plural(s->blocks),
-                 s->live ? ": live load" : "");
+                 s->live ? ": live load" : "",
+                 soil_active(s->earth.phi, s->earth.delta, s->earth.lean),
+                 tidy(a, degrees * s->earth.lean), degrees * s->earth.phi,
+                 degrees * s->earth.delta);
         return;
     }
     int n = snprintf(out, LOADS_ROOM, "weighs %.60s about %s on %d face%s",
@@ -92,6 +98,21 @@ static inline void loads_line(const struct analysis *a, int i,
         snprintf(out + n, (size_t)(LOADS_ROOM - n),
                  "; pushes %d of them back, with up to %.60s in all, as needed",
                  s->props, loads_number(a, s->most, 0, two));
+}
+
+/* To how many times its pressure the earth may grow. */
+static inline void loads_growth(const struct analysis *a, char out[LOADS_ROOM])
+{
+    char limit[40] = "any", let_go[80] = "";
+    if (isnan(a->earth_limit))
+        snprintf(limit, sizeof limit, "undecided");
+    else if (isfinite(a->earth_limit))
+        snprintf(limit, sizeof limit, "%.4g", a->earth_limit);
+    if (isfinite(a->earth_let_go))
+        snprintf(let_go, sizeof let_go, "%.4g times when it is let go, ",
+                 a->earth_let_go);
+    snprintf(out, LOADS_ROOM, "may grow to %s%s times by limit analysis",
+             let_go, limit);
 }
 
 static const char *const loads_word[] = {"fill", "earth", "prop"};
@@ -122,11 +143,12 @@ static inline void loads_strength(const struct analysis *a,
         snprintf(point, sizeof point,
                  "; not applied to %d point contact%s, which %s no width",
                  points, plural(points), points > 1 ? "have" : "has");
-    snprintf(out, LOADS_ROOM,
-             "%.60s: ends of contacts are moved in by up to %.4g where stone "
-             "crushes%s%s; tilts and horizontal loads crush no more%s",
-             loads_number(a, a->text.strength, 2, one), a->crushed, broken,
-             a->settled ? "" : ", and did not settle", point);
+    snprintf(
+        out, LOADS_ROOM,
+        "%.60s: ends of contacts are moved in by up to %.4g where stone "
+        "crushes%s%s; tilts and horizontal loads cause no further crushing%s",
+        loads_number(a, a->text.strength, 2, one), a->crushed, broken,
+        a->settled ? "" : ", and did not settle", point);
 }
 
 /* Does water press on a wall? */
@@ -154,8 +176,8 @@ static inline void loads_thrust(const struct analysis *a, char out[LOADS_ROOM])
     const int right = most <= 0 && least < 0;
     const double low = right ? fabs(most) : least;
     snprintf(out, LOADS_ROOM,
-             "[%.60s, %.60s]: to the %s, of %.60s; one end as it gives "
-             "way, the other as it is pressed in%s",
+             "[%.60s, %.60s]: to the %s, of %.60s; the least as it "
+             "gives way, the greatest as it is pressed in%s",
              loads_number(a, low, 0, one),
              loads_number(a, right ? -least : most, 0, two),
              right ? "right" : "left", text_show(name, a->set->thrust),
@@ -204,6 +226,10 @@ static inline void loads_each(const struct analysis *a,
     for (int i = 0; i < a->text.soils; i++) {
         loads_line(a, i, text);
         line(loads_word[a->text.soil[i].kind], text, data);
+    }
+    if (isnan(a->earth_limit) || a->earth_limit > 0) {
+        loads_growth(a, text);
+        line("earth", text, data);
     }
     for (int k = 0; k < a->text.wheels; k++) {
         loads_axle(a, k, text);

@@ -55,6 +55,51 @@ static inline void page_line(const char *word, const char *what, void *out)
     page_row(out, word, "", what);
 }
 
+/* The largest factor of the live load where the file has it: that at which it
+   stays when it is let go, where that is asked for. */
+static inline const char *page_live(const struct analysis *a, char out[100])
+{
+    char one[40], two[40];
+    if (!asks_raised_loads(a))
+        snprintf(out, 100, "%s to %s", factor_text(a->live_least, 1, "", one),
+                 factor_text(a->live, 1, "", two));
+    else if (isnan(a->live_let_go[0]))
+        snprintf(out, 100, "not shown");
+    else
+        snprintf(out, 100, "%s to %s",
+                 factor_text(a->live_let_go[0], 1, "", one),
+                 shown_text(a, LIVE, two));
+    return out;
+}
+
+/* Writes the factor that governs: of all places, or of the file's. */
+static inline void page_governing(FILE *out, const struct analysis *a)
+{
+    const int least = sweep_governs(a);
+    char value[100], one[40];
+    if (a->lived != KERN_STANDS || a->text.lives == 0)
+        return;
+    if (a->sweeps > 0 && least < 0)
+        fputs(" No least factor of the live load is known as it drives over.",
+              out);
+    else if (a->sweeps > 0)
+        fprintf(out,
+                " The factor that governs is %s, with the live load at its "
+                "worst place, x = %.4g%s.",
+                factor_text(sweep_factor_least(a), 1, "", one),
+                tidy(a, a->swept[least].x),
+                sweeps_let_go(a) ? "" : " (limit analysis)");
+    else {
+        fputs(" Factors of the live load: ", out);
+        page_text(out, page_live(a, value));
+        fputs(asks_raised_loads(a) ? "." : " (limit analysis).", out);
+    }
+    if (as_stated(a) == KERN_STANDS && asks_raised_loads(a)
+        && !(a->live_let_go[0] <= 1 && a->live_let_go[1] >= 1 - 1e-9))
+        fputs(" Let go under the live load as stated, it is not shown to stay.",
+              out);
+}
+
 /* The verdict in a sentence. */
 static inline void page_verdict(FILE *out, const struct analysis *a)
 {
@@ -76,6 +121,7 @@ static inline void page_verdict(FILE *out, const struct analysis *a)
         page_text(out, as_stated(a) == KERN_STANDS
                            ? " Under the live load as stated it stands."
                            : " Under the live load as stated it falls.");
+    page_governing(out, a);
     if (a->certain >= 0)
         page_text(out, a->certain ? " Within the error of the outlines that is "
                                     "certain."
@@ -111,21 +157,47 @@ static inline void page_margin(FILE *out, const struct analysis *a)
         page_row(out, "margin", "undecided", "");
 }
 
-/* Factors of the live load, of horizontal loads, and tilts. */
+/* Factors of the live load, first the one that governs. */
+static inline void page_live_load(FILE *out, const struct analysis *a)
+{
+    char one[40], two[40], value[100], means[LOADS_ROOM];
+    if (a->shown < 0 || a->text.lives == 0)
+        return;
+    if (a->sweeps > 0) {
+        sweep_sentence(a, means);
+        page_row(out, "live load, worst place",
+                 sweep_governs(a) < 0
+                     ? "unknown"
+                     : factor_text(sweep_factor_least(a), 1, "", one),
+                 means);
+    }
+    if (a->lived != KERN_STANDS) {
+        page_row(out, "live load",
+                 a->lived == KERN_FALLS ? "none" : "undecided",
+                 "factors at which it stands, where the file has it");
+        return;
+    }
+    page_row(
+        out, "live load as placed", page_live(a, value),
+        asks_raised_loads(a)
+            ? "factors at which it stays when it is let go, where the file "
+              "has it"
+            : "factors at which it stands by limit analysis, where the "
+              "file has it (--raised: let go)");
+    if (!asks_raised_loads(a))
+        return;
+    snprintf(value, sizeof value, "%s to %s",
+             factor_text(a->live_least, 1, "", one),
+             factor_text(a->live, 1, "", two));
+    page_row(out, "the same, limit analysis", value,
+             "with dilatant sliding: where it is larger it is too high");
+}
+
+/* Horizontal loads, and tilts. */
 static inline void page_factors(FILE *out, const struct analysis *a)
 {
     static const double degrees = 57.295779513082321;
     char one[40], two[40], value[100];
-    if (a->shown >= 0 && a->text.lives > 0) {
-        if (a->lived == KERN_STANDS)
-            snprintf(value, sizeof value, "%s to %s",
-                     factor_text(a->live_least, 1, "", one),
-                     factor_text(a->live, 1, "", two));
-        else
-            snprintf(value, sizeof value, "%s",
-                     a->lived == KERN_FALLS ? "none" : "undecided");
-        page_row(out, "live load", value, "factors at which it stands");
-    }
     if (a->shown != KERN_STANDS || !(gravity_of(a) > 0))
         return;
     if (asks_raised_loads(a) && !is_near(a)) {
@@ -145,15 +217,72 @@ static inline void page_factors(FILE *out, const struct analysis *a)
     page_row(out, "tilt", value, "of the ground, until it falls");
 }
 
+/* The analysis with the forces under the live load as stated, where these are
+   known; otherwise with those that hold it without. */
+static inline struct analysis page_loaded(const struct analysis *a)
+{
+    struct analysis loaded = *a;
+    if (a->live_force) {
+        loaded.force = a->live_force;
+        loaded.least = 1;
+    }
+    return loaded;
+}
+
+/* What the forces are of. */
+static inline const char *page_of(const struct analysis *a, int loaded)
+{
+    return loaded            ? "with the live load as stated"
+         : a->text.lives > 0 ? "without the live load"
+                             : "of the loads that stay";
+}
+
+/* The largest linear stress at the edge of a bed, and where. */
+static inline void page_edge(FILE *out, const struct analysis *a, int loaded)
+{
+    struct bed *bed;
+    struct bed_row r, worst = {{0, 0}, {0, 0}, {0, 0}, 0, 0, 0, 0, 0};
+    const int beds = find_beds(a, &bed);
+    char value[LOADS_QUANTITY], means[2 * TEXT_SHOW_ROOM + 200], at[64];
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    double most = 0;
+    int k = -1;
+    for (int i = 0; i < beds; i++)
+        if (bed_row_of(a, bed + i, &r) && fmax(r.low, r.high) > most) {
+            most = fmax(r.low, r.high);
+            worst = r;
+            k = i;
+        }
+    if (k >= 0) {
+        snprintf(
+            means, sizeof means,
+            "between %s and %s at %s, %s: linear over the joint",
+            name_of(a, bed[k].a, one), name_of(a, bed[k].b, two),
+            loads_at(a, worst.low < most ? worst.high_end : worst.low_end, at),
+            page_of(a, loaded));
+        page_row(out, "largest edge stress",
+                 isinf(most) ? "all on an edge"
+                             : loads_number(a, most, 2, value),
+                 means);
+    }
+    free(bed);
+}
+
 static inline void page_results(FILE *out, const struct analysis *a)
 {
     const int most = most_stressed(a, 0, a->task.s.contacts);
+    const struct analysis loaded = page_loaded(a);
     char value[LOADS_QUANTITY], means[2 * TEXT_SHOW_ROOM + 200];
-    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM], earth[LOADS_ROOM];
     if (a->set->verdict_only)
         return;
     page_head(out, "Results");
     fputs("<table>\n", out);
+    page_live_load(out, a);
+    if (isnan(a->earth_limit) || a->earth_limit > 0) {
+        loads_growth(a, earth);
+        page_row(out, "earth", "", earth);
+    }
     page_margin(out, a);
     page_factors(out, a);
     if (a->set->thrust && a->shown == KERN_STANDS) {
@@ -161,15 +290,17 @@ static inline void page_results(FILE *out, const struct analysis *a)
         loads_thrust(a, thrust);
         page_row(out, "thrust", "", thrust);
     }
+    if (a->live_force)
+        page_edge(out, &loaded, 1);
+    page_edge(out, a, 0);
     if (most >= 0) {
         const kern_contact *c = &a->task.s.contact[most];
         snprintf(means, sizeof means,
-                 "between %s and %s: mean over twice the margin%s, the "
-                 "length that is sure; linear stresses of the forces shown are "
-                 "in the table of beds",
-                 name_of(a, c->a, one), name_of(a, c->b, two),
+                 "between %s and %s, %s: mean if it were only twice the "
+                 "margin%s long",
+                 name_of(a, c->a, one), name_of(a, c->b, two), page_of(a, 0),
                  a->whole ? " and what crushes" : "");
-        page_row(out, "largest stress (Meyerhof)",
+        page_row(out, "mean stress at the margin",
                  loads_number(a, a->stress[most], 2, value), means);
     }
     fputs("</table>\n", out);
@@ -182,11 +313,13 @@ static inline void page_structure(FILE *out, const struct analysis *a)
     const int ends = line_points(a), given = a->text.given && !a->text.found;
     page_head(out, "Structure and loads");
     fputs("<table>\n", out);
-    snprintf(value, sizeof value, "%d blocks on %d fixed",
-             stones(a) - a->text.fixed, a->text.fixed);
+    snprintf(value, sizeof value, "%d block%s on %d fixed",
+             stones(a) - a->text.fixed, plural(stones(a) - a->text.fixed),
+             a->text.fixed);
     page_row(out, "blocks", value, "");
-    snprintf(value, sizeof value, "%d lines, %d points", ends / 2,
-             a->task.s.contacts - ends - 2 * a->text.props);
+    const int points = a->task.s.contacts - ends - 2 * a->text.props;
+    snprintf(value, sizeof value, "%d line%s, %d point%s", ends / 2,
+             plural(ends / 2), points, plural(points));
     page_row(out, "contacts", value,
              given ? "given by the file" : "found between outlines");
     snprintf(value, sizeof value, "%.4g", (double)a->task.options.mu);
@@ -211,28 +344,92 @@ static inline void page_structure(FILE *out, const struct analysis *a)
     fputs("</table>\n", out);
 }
 
+/* What each support gives the structure: the sum of its contact forces. */
+static inline void page_reactions(FILE *out, const struct analysis *a)
+{
+    const kern_structure *s = &a->task.s;
+    char one[LOADS_QUANTITY], two[LOADS_QUANTITY], name[TEXT_SHOW_ROOM];
+    if (a->text.bond > 0)
+        return;
+    fputs("<ul>\n", out);
+    for (int i = 0; i < stones(a); i++) {
+        double fx = 0, fy = 0;
+        for (int k = 0; k < s->contacts && s->block[i].fixed; k++) {
+            const kern_contact *c = &s->contact[k];
+            const double side = c->a == i ? 1 : c->b == i ? -1 : 0;
+            if (c->a >= stones(a) || c->b >= stones(a))
+                continue;
+            fx += side
+                * (double)(a->force[k].normal * c->n.x
+                           - a->force[k].tangential * c->n.y);
+            fy += side
+                * (double)(a->force[k].normal * c->n.y
+                           + a->force[k].tangential * c->n.x);
+        }
+        if (!(hypot(fx, fy) > 0))
+            continue;
+        fputs("<li>", out);
+        page_text(out, name_of(a, i, name));
+        fputs(" bears it with ", out);
+        page_text(out, loads_number(a, fabs(fx), 0, one));
+        fputs(fx < 0 ? " to the left and " : " to the right and ", out);
+        page_text(out, loads_number(a, fabs(fy), 0, two));
+        fprintf(out, " %s%s</li>\n", fy < 0 ? "down" : "up",
+                a->text.props > 0 ? ", beside pushes" : "");
+    }
+    fputs("</ul>\n", out);
+}
+
+/* A cell of the head of a table, with its unit. */
+static inline void page_unit(FILE *out, const struct analysis *a,
+                             const char *name, int per_length)
+{
+    const struct text_file *t = &a->text;
+    char value[LOADS_QUANTITY];
+    fputs("<th>", out);
+    page_text(out, name);
+    if (per_length < 0 ? t->units != NULL : t->force_units != NULL) {
+        fputs(" [", out);
+        page_text(out,
+                  per_length < 0
+                      ? t->units
+                      : strchr(loads_number(a, 0, per_length, value), ' ') + 1);
+        fputs("]", out);
+    }
+    fputs("</th>", out);
+}
+
 /* One resultant a bed. */
-static inline void page_thrust(FILE *out, const struct analysis *a)
+static inline void page_thrust(FILE *out, const struct analysis *a, int loaded)
 {
     struct bed *bed;
     const int beds = find_beds(a, &bed);
     char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
     struct bed_row r;
     if (beds > 0) {
-        page_head(out, "Thrust: one resultant a bed or joint");
+        fprintf(out, "<h2>Thrust: one resultant a bed or joint, %s</h2>\n",
+                page_of(a, loaded));
+        page_reactions(out, a);
         fprintf(out,
-                "<p>%s. Eccentricity is a share of the length, below 1/6 where "
+                "<p>%s. Forces are those of \"from\" on \"on\"; shear and "
+                "eccentricity are above 0 toward the second end. "
+                "Eccentricity is a share of the length, below 1/6 where "
                 "all of it is pressed; stresses are linear over all of it%s, "
                 "\"edge\" where all is on an end.</p>\n",
                 a->least ? "The forces of the least norm that hold it"
                          : "Forces that hold it",
                 a->text.bond > 0 ? ", below 0 what mortar bears"
                                  : " without tension");
-        fputs("<table class=\"numbers\">\n<tr><th>from</th><th>on</th><th>x"
-              "</th><th>y</th><th>normal</th><th>shear</th><th>eccentricity"
-              "</th><th>stress</th><th>at</th><th>stress</th><th>at</th>"
-              "</tr>\n",
-              out);
+        fputs("<table class=\"numbers\">\n<tr><th>from</th><th>on</th>", out);
+        page_unit(out, a, "x", -1);
+        page_unit(out, a, "y", -1);
+        page_unit(out, a, "normal", 0);
+        page_unit(out, a, "shear", 0);
+        fputs("<th>eccentricity</th>", out);
+        page_unit(out, a, "stress", 2);
+        fputs("<th>at one end</th>", out);
+        page_unit(out, a, "stress", 2);
+        fputs("<th>at the second</th></tr>\n", out);
     }
     for (int i = 0; i < beds && i < PAGE_BEDS; i++) {
         const struct bed *d = &bed[i];
@@ -247,7 +444,7 @@ static inline void page_thrust(FILE *out, const struct analysis *a)
                 "</td><td>%.4g</td><td>%.4g</td><td>%.4g</td><td>%.4g</td>"
                 "<td>%.3f</td><td>%s</td><td>%s</td><td>%s</td><td>%s</td>"
                 "</tr>\n",
-                tidy(a, (double)r.at.x), tidy(a, (double)r.at.y), d->normal,
+                tidy(a, (double)r.at.x), tidy(a, (double)r.at.y), r.normal,
                 r.shear, r.e, bed_number(r.low, from),
                 loads_at(a, r.low_end, low), bed_number(r.high, to),
                 loads_at(a, r.high_end, high));
@@ -279,15 +476,16 @@ static inline void page_mechanism(FILE *out, const struct analysis *a)
 
 static inline void page_sweep(FILE *out, const struct analysis *a)
 {
-    const int least = sweep_least(a);
-    char one[40];
-    if (a->sweeps == 0 || least < 0)
+    char what[LOADS_ROOM], one[40];
+    if (a->sweeps == 0 || sweep_least(a) < 0)
         return;
+    sweep_sentence(a, what);
     page_head(out, "A live load that drives over it");
-    fprintf(out,
-            "<p>The least factor is %s, with the first force at x = %.4g.</p>\n"
-            "<div class=\"picture\">\n",
-            factor_text(a->swept[least].live, 1, "", one), a->swept[least].x);
+    fprintf(out, "<p>The least factor is %s, ",
+            factor_text(sweep_factor_least(a), 1, "", one));
+    page_text(out, what);
+    fputs(". Arrows at the top: any factor.</p>\n<div class=\"picture\">\n",
+          out);
     sweep_plot(a, out);
     fputs("</div>\n", out);
 }
@@ -371,8 +569,8 @@ static inline void page_assumptions(FILE *out, const struct analysis *a)
         "answer without bond holds. Forces and thrust hold it as a "
         "compression.");
     page_item(out, a->text.lives > 0,
-              "Margin, stress, horizontal load, tilt and thrust are without "
-              "the live load.");
+              "Margin, stress at the margin, horizontal load and tilt are "
+              "without the live load.");
     page_item(out, fill || (notes && strstr(notes, "fill: ")),
               "Fill lies on the stones right below it with its weight.");
     page_item(out, a->text.props > 0,
@@ -496,6 +694,7 @@ static const char page_style[] =
 /* Writes the whole page. */
 static inline int page_write(FILE *out, const struct analysis *a)
 {
+    const struct analysis loaded = page_loaded(a);
     char name[200];
     int stem;
     snprintf(name, sizeof name, "%s", stem_of(a->file, &stem));
@@ -509,14 +708,28 @@ static inline int page_write(FILE *out, const struct analysis *a)
     fputs("</h1>\n", out);
     page_verdict(out, a);
     fputs("<div class=\"picture\">\n", out);
-    if (draw_to(out, a))
+    if (draw_to(out, &loaded))
         return -1;
     fputs("</div>\n", out);
+    if (a->text.lives > 0 && a->shown == KERN_STANDS)
+        fprintf(out, "<p>Forces and thrust line of the picture are %s.</p>\n",
+                page_of(a, a->live_force != NULL));
+    if (a->text.props > 0)
+        fputs("<p>Short arrows onto the stones: pushes (of fill, props) where "
+              "these forces need them; none is drawn where none is "
+              "needed.</p>\n",
+              out);
+    if (page_has(a, TEXT_EARTH))
+        fputs("<p>Dashed: the back from foot to head, whose lean the pressure "
+              "of earth has.</p>\n",
+              out);
     page_results(out, a);
     page_structure(out, a);
     page_mechanism(out, a);
     page_sweep(out, a);
-    page_thrust(out, a);
+    page_thrust(out, a, 0);
+    if (a->live_force)
+        page_thrust(out, &loaded, 1);
     page_drawing(out, a);
     page_assumptions(out, a);
     page_sources(out, a);

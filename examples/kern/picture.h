@@ -120,34 +120,89 @@ static inline void colour(const struct analysis *a, struct draw_scene *scene)
             scene->most = fmax(scene->most, (double)a->fate[MARGIN][i]);
 }
 
-/* One piece of fill or earth: from an edge of the outline to a level, or as far
-   from it as a stone is large. */
+/* A quadrilateral of soil. */
 static inline void draw_soil_piece(const struct draw_view *v,
-                                   const struct text_soil *s,
-                                   const struct soil_edge *e, double size)
+                                   kern_vec corner[4])
 {
-    const double top = s->earth.top;
-    kern_vec corner[4] = {e->p, e->q, e->q, e->p};
     kern_block b = {0};
-    if (s->kind == TEXT_FILL) {
-        if (!((double)fmin(e->p.y, e->q.y) < top)
-            || !((double)e->q.x > s->from && (double)e->p.x < s->to))
-            return;
-        corner[2].y = (kern_real)fmax(top, (double)e->q.y);
-        corner[3].y = (kern_real)fmax(top, (double)e->p.y);
-    } else {
-        const double out = s->side == SOIL_LEFT ? -size : size;
-        if (!((double)e->p.y < top))
-            return;
-        corner[1].y = corner[2].y = (kern_real)fmin((double)e->q.y, top);
-        corner[2].x += (kern_real)out;
-        corner[3].x += (kern_real)out;
-    }
     b.vertex = corner;
     b.vertices = 4;
     draw_block(v, &b, NULL, 0,
                "fill=\"" DRAW_SOIL "\" fill-opacity=\"0.25\" "
                "stroke=\"none\"");
+}
+
+/* Fill, from each edge of the upper outline to its level. */
+static inline void draw_fill(const struct draw_view *v,
+                             const struct analysis *a,
+                             const struct text_soil *s,
+                             const struct text_surface *seen)
+{
+    const kern_real top = (kern_real)s->earth.top;
+    for (int k = 0; k < seen->edges; k++) {
+        const struct soil_edge *e = &seen->edge[k];
+        kern_vec corner[4] = {e->p, e->q, e->q, e->p};
+        if (a->task.s.block[e->block].fixed || !(fmin(e->p.y, e->q.y) < top)
+            || !((double)e->q.x > s->from && (double)e->p.x < s->to))
+            continue;
+        corner[2].y = (kern_real)fmax(top, e->q.y);
+        corner[3].y = (kern_real)fmax(top, e->p.y);
+        draw_soil_piece(v, corner);
+    }
+}
+
+/* Earth behind its back: the line from the foot to the head of the outline that
+   it meets, whose lean its pressure has. */
+static inline void draw_earth(const struct draw_view *v,
+                              const struct analysis *a,
+                              const struct text_soil *s,
+                              const struct text_surface *seen)
+{
+    const double top = s->earth.top, size = 0.8 * mean_size(a);
+    const double out = s->side == SOIL_LEFT ? -size : size;
+    const struct soil_edge *foot = NULL, *head = NULL;
+    kern_vec p, q;
+    for (int k = 0; k < seen->edges; k++) {
+        const struct soil_edge *e = &seen->edge[k];
+        if (a->task.s.block[e->block].fixed || !((double)e->p.y < top))
+            continue;
+        foot = foot ? foot : e;
+        head = e;
+    }
+    if (!foot)
+        return;
+    p = foot->p;
+    q = head->q;
+    if ((double)q.y > top) {
+        q.x = p.x + (q.x - p.x) * ((kern_real)top - p.y) / (q.y - p.y);
+        q.y = (kern_real)top;
+    }
+    kern_vec corner[4] = {p, q, q, p};
+    corner[2].x += (kern_real)out;
+    corner[3].x += (kern_real)out;
+    draw_soil_piece(v, corner);
+    draw_line(v->out, draw_place(v, p.x, p.y), draw_place(v, q.x, q.y),
+              "stroke=\"" DRAW_INK "\" stroke-dasharray=\"4 3\"");
+}
+
+/* The pushes that act, each an arrow onto the face. Their contacts are the last
+   ones, two a push, of which the second is on the stone. */
+static inline void draw_pushes(const struct draw_view *v,
+                               const struct analysis *a)
+{
+    const int first = a->task.s.contacts - 2 * a->text.props;
+    double most = 0;
+    for (int k = 0; k < a->task.s.contacts; k++)
+        most = fmax(most, (double)a->force[k].normal);
+    for (int k = first + 1; k < a->task.s.contacts; k += 2) {
+        const kern_contact *c = &a->task.s.contact[k];
+        const struct draw_pt to = draw_place(v, c->p.x, c->p.y);
+        if ((double)a->force[k].normal > 1e-6 * most)
+            draw_arrow(v->out,
+                       draw_vec(to.x - 18 * (double)c->n.x,
+                                to.y + 18 * (double)c->n.y),
+                       to, 1.5, DRAW_FORCE);
+    }
 }
 
 /* An axle, down from where it stands, with its force. */
@@ -177,9 +232,10 @@ static inline void draw_soil(const struct draw_view *v, const void *analysis)
         struct text_surface seen = {NULL, 0};
         if (s->kind != TEXT_PROP)
             text_outline(&a->text, s->side, &seen);
-        for (int k = 0; k < seen.edges; k++)
-            if (!a->task.s.block[seen.edge[k].block].fixed)
-                draw_soil_piece(v, s, &seen.edge[k], 0.8 * mean_size(a));
+        if (s->kind == TEXT_FILL)
+            draw_fill(v, a, s, &seen);
+        if (s->kind == TEXT_EARTH)
+            draw_earth(v, a, s, &seen);
         free(seen.edge);
     }
     for (int k = 0; k < a->text.wheels; k++)
@@ -193,6 +249,8 @@ static inline void draw_over(const struct draw_view *v, const void *analysis)
     if (a->places > 0)
         draw_places(v, a);
     draw_soil(v, a);
+    if (a->shown == KERN_STANDS)
+        draw_pushes(v, a);
 }
 
 static inline int draw_to(FILE *out, const struct analysis *a)
@@ -201,6 +259,13 @@ static inline int draw_to(FILE *out, const struct analysis *a)
     write_caption(a, caption, sizeof caption);
     int falls = a->shown == KERN_FALLS;
     struct draw_scene scene = scene_of(a);
+    kern_structure built = a->task.s;
+
+    /* what pushes is no stone: arrows show it */
+    built.blocks -= a->text.props;
+    built.contacts -= 2 * a->text.props;
+    scene.s = &built;
+    scene.pushes = 0;
     scene.names = a->text.name;
     scene.motion = falls || a->set->mechanism ? shown_fall(a) : NULL;
     scene.motion_name =
@@ -211,7 +276,8 @@ static inline int draw_to(FILE *out, const struct analysis *a)
     scene.hinges = shown_fall(a);
     scene.hinged = falls || a->set->mechanism_live ? scene.shrink
                                                    : (double)a->m.fails;
-    scene.limiting = a->critical.contact;
+    scene.limiting = a->critical.contact < built.contacts ? a->critical.contact
+                                                          : -1;
     scene.caption = caption;
     scene.shown = a->place_vertex;
     scene.shows = a->places * a->place_vertices;

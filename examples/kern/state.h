@@ -74,6 +74,8 @@ struct analysis {
                                near ones too                     */
     kern_force *force;      /* there, if it stands               */
     int least;              /* they are the least forces         */
+    kern_force *live_force; /* with the live load as stated, for the page, if
+                               it stands; NULL: not found        */
     kern_motion *motion;    /* there, if it falls                */
     kern_motion *fall;      /* the same with all other mechanisms: falls.h */
 
@@ -99,6 +101,8 @@ struct analysis {
     int settled;               /* the forces no longer move ends             */
 
     double thrust_least, thrust_most; /* of --thrust, to the left     */
+    double earth_limit, earth_let_go; /* times that earth may grow to, 0: there
+                                         is none; let go NAN: not shown */
     struct swept *swept;              /* the live load at each place       */
     int sweeps;
 

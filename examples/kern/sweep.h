@@ -17,6 +17,8 @@
 #include "../parts/plot.h"
 #include "asked.h"
 #include "crush.h"
+#include "let_go.h"
+#include "loads.h"
 #include "picture.h"
 #include "state.h"
 
@@ -135,6 +137,13 @@ static inline void sweep_factor(struct sweep *w, double x, struct swept *at)
     at->cut = 0;
 }
 
+/* Are the factors at which it stays when it is let go asked for as well? Without
+   the live load it must stay, so that a path leads there from rest. */
+static inline int sweeps_let_go(const struct analysis *a)
+{
+    return asks_raised_loads(a) && a->let_go == KERN_STANDS;
+}
+
 /* Both factors with the load at x. */
 static inline void sweep_at(struct sweep *w, double x, struct swept *at)
 {
@@ -142,12 +151,12 @@ static inline void sweep_at(struct sweep *w, double x, struct swept *at)
     kern_real value = 0;
     kern_status status;
     sweep_factor(w, x, at);
-    if (a->raising != KERN_RAISED || a->raised != KERN_STANDS)
+    if (!sweeps_let_go(a))
         return;
     status = kern_raised_load(&a->task, shrinkage(a), KERN_SHRINK, w->pattern,
                               &value, NULL);
     at->raised = value_or_nan(status, value);
-    if (a->whole && at->raised > at->live)
+    if (at->raised > at->live)
         at->raised = at->live;
     at->cut = status == KERN_LIMIT;
 }
@@ -160,6 +169,71 @@ static inline int sweep_least(const struct analysis *a)
         if (a->swept[k].live < (least < 0 ? HUGE_VAL : a->swept[least].live))
             least = k;
     return least;
+}
+
+/* The place with the least factor at which it stays when it is let go, where such
+   factors are asked for; that of limit analysis otherwise. -1: at none is it
+   known. */
+static inline int sweep_governs(const struct analysis *a)
+{
+    int least = -1;
+    if (!sweeps_let_go(a))
+        return sweep_least(a);
+    for (int k = 0; k < a->sweeps; k++)
+        if (a->swept[k].raised
+            < (least < 0 ? HUGE_VAL : a->swept[least].raised * (1 - 1e-9)))
+            least = k;
+    return least;
+}
+
+/* How many places have no factor that is shown when it is let go. */
+static inline int sweep_hidden(const struct analysis *a)
+{
+    int hidden = 0;
+    for (int k = 0; k < a->sweeps && sweeps_let_go(a); k++)
+        hidden += isnan(a->swept[k].raised);
+    return hidden;
+}
+
+/* Writes what the least factor is, and where. */
+static inline void sweep_sentence(const struct analysis *a,
+                                  char out[LOADS_ROOM])
+{
+    const int least = sweep_governs(a), limit = sweep_least(a);
+    const int hidden = sweep_hidden(a);
+    char more[100] = "", bound[80] = "no bound";
+    if (limit >= 0)
+        snprintf(bound, sizeof bound, "%.4g at x = %.4g", a->swept[limit].live,
+                 tidy(a, a->swept[limit].x));
+    if (hidden > 0)
+        snprintf(more, sizeof more, "; at %d of %d places none is shown",
+                 hidden, a->sweeps);
+    if (least < 0)
+        snprintf(out, LOADS_ROOM, "at none of %d places is a factor known",
+                 a->sweeps);
+    else if (sweeps_let_go(a))
+        snprintf(out, LOADS_ROOM,
+                 "with the first force at x = %.4g, when it is let go%s; limit "
+                 "analysis %s",
+                 tidy(a, a->swept[least].x), more, bound);
+    else
+        snprintf(
+            out, LOADS_ROOM,
+            "with the first force at x = %.4g, by limit analysis: too high "
+            "where stones slide%s",
+            tidy(a, a->swept[least].x),
+            asks_raised_loads(a)
+                ? "; let go without the live load it is not shown to stay"
+                : " (--raised: let go)");
+}
+
+/* The least factor of all places. */
+static inline double sweep_factor_least(const struct analysis *a)
+{
+    const int least = sweep_governs(a);
+    return least < 0        ? (double)NAN
+         : sweeps_let_go(a) ? a->swept[least].raised
+                            : a->swept[least].live;
 }
 
 /* Takes the place of *least where the factor is less. */
@@ -317,23 +391,34 @@ static inline void sweep_print(double value)
 
 static inline void report_sweep(const struct analysis *a)
 {
-    const int least = sweep_least(a);
-    char shown[TEXT_SHOW_ROOM];
+    const int least = sweep_least(a), governs = sweep_governs(a);
+    const int let_go = sweeps_let_go(a);
+    char shown[TEXT_SHOW_ROOM], what[LOADS_ROOM];
     if (a->sweeps == 0)
         return;
-    printf("  sweep       %11s %11s %11s", "x", "y", "live");
-    printf(a->set->raised ? " %11s  on\n" : "  on\n", "raised live");
+    sweep_sentence(a, what);
+    if (governs >= 0)
+        printf("  worst place %-8.4g  least factor, %s\n",
+               sweep_factor_least(a), what);
+    else
+        printf("  worst place none      %s\n", what);
+    printf("  sweep       %11s %11s", "x", "y");
+    if (let_go)
+        printf(" %11s", "live");
+    printf(" %11s  on\n", "live limit");
     for (int k = 0; k < a->sweeps; k++) {
         const struct swept *at = &a->swept[k];
         printf("             ");
         sweep_print(at->x);
         sweep_print(at->y);
-        sweep_print(at->live);
-        if (a->set->raised)
+        if (let_go)
             sweep_print(at->raised);
+        sweep_print(at->live);
         printf("  %s%s\n",
                at->block < 0 ? "-" : text_show(shown, a->text.name[at->block]),
-               k == least ? "  least" : "");
+               k == governs ? "  least"
+               : k == least ? "  least of limit analysis"
+                            : "");
     }
 }
 
@@ -350,24 +435,37 @@ static inline void json_sweep(const struct analysis *a)
         json_number("x", at->x);
         json_number("y", at->y);
         json_number("live", at->live);
-        if (a->set->raised)
+        if (sweeps_let_go(a))
             json_number("raised_live", at->raised);
         printf("}");
     }
     printf("]");
 }
 
-/* A curve through the places where the factor is finite. */
+/* A curve through each run of places where the factor is finite, and arrows up at
+   the top where any factor does. */
 static inline void sweep_curve(const struct analysis *a, const struct plot *p,
-                               int raised, double *x, double *y)
+                               int let_go, double *x, double *y)
 {
+    const char *colour = let_go ? DRAW_FORCE : DRAW_INK;
     int n = 0;
-    for (int k = 0; k < a->sweeps; k++) {
-        y[n] = raised ? a->swept[k].raised : a->swept[k].live;
-        x[n] = a->swept[k].x;
-        n += isfinite(y[n]) != 0;
+    for (int k = 0; k <= a->sweeps; k++) {
+        const double value = k == a->sweeps ? (double)NAN
+                           : let_go         ? a->swept[k].raised
+                                            : a->swept[k].live;
+        if (isfinite(value)) {
+            x[n] = a->swept[k].x;
+            y[n++] = value;
+            continue;
+        }
+        if (n > 0)
+            plot_curve(p, x, y, n, colour, 1.6);
+        n = 0;
+        if (isinf(value)) {
+            const struct draw_pt top = plot_place(p, a->swept[k].x, p->y1);
+            draw_arrow(p->out, draw_vec(top.x, top.y + 12), top, 1, colour);
+        }
     }
-    plot_curve(p, x, y, n, raised ? DRAW_FORCE : DRAW_INK, 1.6);
 }
 
 /* The factor over the place, up to four times the least. */
@@ -382,12 +480,12 @@ static inline int sweep_plot(const struct analysis *a, FILE *out)
     p.x1 = a->swept[last].x;
     p.y1 = least < 0 ? 1 : 4 * a->swept[least].live;
     plot_begin(&p, out,
-               a->set->raised
-                   ? "Live load: black limit analysis, red raised from rest"
-                   : "Live load: factor at collapse",
+               sweeps_let_go(a)
+                   ? "Live load: red let go, black limit analysis; arrows: any"
+                   : "Live load: limit analysis; arrows: any factor",
                "place of the first force", "factor", 0);
     sweep_curve(a, &p, 0, x, x + a->sweeps);
-    if (a->set->raised)
+    if (sweeps_let_go(a))
         sweep_curve(a, &p, 1, x, x + a->sweeps);
     free(x);
     return plot_end(&p);

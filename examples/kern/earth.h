@@ -1,0 +1,110 @@
+/* earth.h - by how much the earth behind a wall may grow.
+
+   The pressure of all statements `earth` that are no live load grows together,
+   with its water and surcharge, on top of the other loads.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef PROGRAM_EARTH_H
+#define PROGRAM_EARTH_H
+
+#include "../../kern.h"
+
+#include "../parts/soil.h"
+#include "crush.h"
+#include "let_go.h"
+#include "state.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Adds a force on a piece of a back, as its side sees it, to the pattern. */
+static inline void earth_add(const struct analysis *a, int side, int block,
+                             struct soil_force f, kern_wrench *pattern)
+{
+    kern_block here = a->task.s.block[block];
+    if (side == SOIL_LEFT) { /* seen in a mirror */
+        f.force.x = -f.force.x;
+        f.at.x = -f.at.x;
+    }
+    here.load = pattern[block];
+    kern_block_load(&here, f.force, f.at, 0);
+    pattern[block] = here.load;
+}
+
+/* Adds what earth and water press with on the outline of their side. */
+static inline void earth_press(const struct analysis *a,
+                               const struct text_soil *s,
+                               const struct text_surface *back,
+                               kern_wrench *pattern)
+{
+    const struct soil_earth *earth = &s->earth;
+    const kern_real way = s->side == SOIL_LEFT ? -1 : 1;
+    for (int k = 0; k < back->edges; k++) {
+        const struct soil_edge *e = back->edge + k;
+        kern_vec p = e->p, q = e->q, cut = q;
+        if (a->task.s.block[e->block].fixed)
+            continue;
+        p.x *= way;
+        q.x *= way;
+        cut.x *= way;
+
+        /* what is below the water, then what is above */
+        if (earth->water > 0 && (double)p.y < earth->level
+            && (double)q.y > earth->level) {
+            cut.y = (kern_real)earth->level;
+            cut.x = p.x + (q.x - p.x) * (cut.y - p.y) / (q.y - p.y);
+            earth_add(a, s->side, e->block, soil_earth(cut, q, earth), pattern);
+        }
+        earth_add(a, s->side, e->block, soil_earth(p, cut, earth), pattern);
+        earth_add(a, s->side, e->block, soil_water(p, cut, earth), pattern);
+    }
+}
+
+/* The pattern of all earth that stays; NULL where there is none, or no
+   memory. */
+static inline kern_wrench *earth_pattern(const struct analysis *a)
+{
+    kern_wrench *pattern = array(a->task.s.blocks, sizeof *pattern);
+    struct text_file text = a->text;
+    int there = 0;
+    for (int i = 0; pattern && i < a->text.soils; i++) {
+        const struct text_soil *s = &a->text.soil[i];
+        struct text_surface back = {NULL, 0};
+        if (s->kind != TEXT_EARTH || s->live
+            || text_outline(&text, s->side, &back))
+            continue;
+        earth_press(a, s, &back, pattern);
+        free(back.edge);
+        there = 1;
+    }
+    if (!there) {
+        free(pattern);
+        pattern = NULL;
+    }
+    return pattern;
+}
+
+/* Finds to how many times its pressure the earth may grow: by limit analysis,
+   and let go. Both are 0 where there is no earth or it does not stand. */
+static inline void find_earth(struct analysis *a)
+{
+    kern_wrench *pattern = a->shown == KERN_STANDS ? earth_pattern(a) : NULL;
+    kern_real value = 0;
+    kern_status status;
+    if (!pattern)
+        return;
+    status = crush_factor(a, &a->task, pattern, NULL, &value);
+    a->earth_limit = 1 + value_or_nan(status, value);
+    a->earth_let_go = (double)NAN;
+    if (asks_raised_loads(a) && a->let_go == KERN_STANDS) {
+        status = kern_raised_load(&a->task, shrinkage(a), KERN_SHRINK, pattern,
+                                  &value, NULL);
+        a->earth_let_go = fmin(1 + value_or_nan(status, value), a->earth_limit);
+        if (status != KERN_STANDS)
+            a->earth_let_go = (double)NAN;
+    }
+    free(pattern);
+}
+
+#endif /* PROGRAM_EARTH_H */
