@@ -235,20 +235,20 @@ int main(void)
 }
 
 /* Output, where ticks, stack and flash depend on compiler and version:
-wall of 30 stones:    level 31, margin 0.1518 m; 639 units; 50709 ticks
-candidate at  0.00 m: bears 0.1001 m; 72 units; 4596 ticks
-                      level 31, margin 0.1518 m; 128 units; 6999 ticks
-                      stays 1.00; 1446 units; 60763 ticks
-candidate at  0.20 m: bears 0.1520 m; 140 units; 6704 ticks
-                      level 34, margin 0.1663 m; 3004 units; 135854 ticks
-                      stays 1.00; 1431 units; 54576 ticks
-candidate at  0.40 m: does not bear 0.1665 m; 2032 units; 89786 ticks
-candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 0 units; 313 ticks
+wall of 30 stones:    level 31, margin 0.1518 m; 639 units; 54644 ticks
+candidate at  0.00 m: bears 0.1001 m; 72 units; 4792 ticks
+                      level 31, margin 0.1518 m; 128 units; 7196 ticks
+                      stays 1.00; 1446 units; 60959 ticks
+candidate at  0.20 m: bears 0.1520 m; 140 units; 6732 ticks
+                      level 34, margin 0.1663 m; 3004 units; 135881 ticks
+                      stays 1.00; 1431 units; 54604 ticks
+candidate at  0.40 m: does not bear 0.1665 m; 2032 units; 89814 ticks
+candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 3 units; 321 ticks
 best place: 0.20 m
-limit 50: not known to stand, margin up to 0.2230 m; 51 units; 2039 ticks
-limit 200: margin from 0.1515 to 0.2230 m; 201 units; 8434 ticks
-limit 800: margin from 0.1515 to 0.2230 m; 801 units; 43141 ticks
-limit 3200: level 34, margin 0.1663 m; 3004 units; 135883 ticks
+limit 50: not known to stand, margin up to 0.2230 m; 51 units; 2067 ticks
+limit 200: margin from 0.1515 to 0.2230 m; 201 units; 8462 ticks
+limit 800: margin from 0.1515 to 0.2230 m; 801 units; 43168 ticks
+limit 3200: level 34, margin 0.1663 m; 3004 units; 135911 ticks
 memory: 42624 bytes of work memory, 9256 of blocks and contacts,
-        51888 of variables in all, 2080 of 13648 of stack, 48820 of flash
+        51888 of variables in all, 2080 of 13648 of stack, 50000 of flash
 */
