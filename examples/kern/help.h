@@ -285,7 +285,8 @@ static const char help_json[] =
 "                      velocity (rad, counter-clockwise); the fastest is 1\n"
 "\n"
 "Stands means: admissible forces exist, without tension and within friction.\n"
-"Exit status: 0 all stand, 1 some fall, 2 bad use or input, 3 undecided.\n";
+"Exit status, by verdict (without live loads; let go is in the JSON): 0 all stand,\n"
+"1 some fall, 2 bad use or input, 3 undecided.\n";
 
 /* clang-format on */
 
