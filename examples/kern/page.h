@@ -209,12 +209,25 @@ static inline void page_factors(FILE *out, const struct analysis *a)
     snprintf(value, sizeof value, "%s left, %s right",
              factor_text(a->load[LEFT], 1, "", one),
              factor_text(a->load[RIGHT], 1, "", two));
-    page_row(out, "the same, limit analysis", value,
-             "in g, with dilatant sliding: where it is larger it is too high");
+    page_row(
+        out, "horizontal load, limit", value,
+        "in g, of limit analysis with dilatant sliding: where it is larger "
+        "it is too high");
+
+    /* of weight alone, what friction bears sideways is what it bears tilted */
+    if (asks_raised_loads(a) && !is_near(a) && !has_loads(a)) {
+        snprintf(value, sizeof value, "%s left, %s right",
+                 angle_text(atan(a->raised_load[LEFT]), a->cut[LEFT], degrees,
+                            "\xc2\xb0", one),
+                 angle_text(atan(a->raised_load[RIGHT]), a->cut[RIGHT], degrees,
+                            "\xc2\xb0", two));
+        page_row(out, "tilt", value,
+                 "of the ground, that Coulomb friction bears from rest");
+    }
     snprintf(value, sizeof value, "%s left, %s right",
              factor_text(a->tilt[LEFT], degrees, "\xc2\xb0", one),
              factor_text(a->tilt[RIGHT], degrees, "\xc2\xb0", two));
-    page_row(out, "tilt", value, "of the ground, until it falls");
+    page_row(out, "tilt, limit", value, "of the ground, of limit analysis");
 }
 
 /* The analysis with the forces under the live load as stated, where these are
