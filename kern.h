@@ -1397,7 +1397,7 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
    touch, its centre takes the steepest way down that is free: a turn about a
    point where the stone touches, a slide along an edge that is steeper than
    options.mu holds, or a turn on which it slides at two touches that options.mu
-   does not hold. No turn is by more than 28 degrees at a time. The stone is at
+   does not hold, or 0.01 if that is more. No turn is by more than 28 degrees at a time. The stone is at
    rest where no way leads down. Two convex corners that meet hold nothing. Of
    41,000 stones on blocks that cannot move, such as cubes on a grid, stairs and
    saw teeth, 0.993 stand there; kern_plan_bears() tells whether this one does.
@@ -9531,8 +9531,9 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
    finds better places, and a motion meets fewer edges. */
 #define KERN_REST_TURN KERN_R(0.25)
 /* Least friction for a turn on which the stone slides at two touches. Without
-   friction both would only be grazed, and rounding would block the turn. */
-#define KERN_REST_SLIP KERN_R(1e-3)
+   friction both would only be grazed, and rounding would block the turn. With
+   less the stone creeps: a turn ends when both are open by that share. */
+#define KERN_REST_SLIP KERN_R(0.01)
 /* Chance from which a stone counts as staying; share by which margins may
    differ and still count as equal; and factor that leaves 13 bits of a number
    in a sum (Dekker's split), since rounding must not rank places. */
@@ -11697,7 +11698,7 @@ static kern_real kern_place_number(const kern_place *place, int i,
     const kern_real value = kern_max(number[i], -KERN_INFINITY);
     const kern_real more = KERN_PLACE_SPLIT * value;
     const kern_real rounded = more - (more - value); /* none of infinity */
-    return i < 4 && rounded - rounded == 0 ? rounded : value;
+    return i < 4 && kern_is_finite(rounded) ? rounded : value;
 }
 
 KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,

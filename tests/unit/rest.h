@@ -227,14 +227,14 @@ static void rest_slippery(void)
     for (i = 0; i < 40; i++) {
         if (yard_rest(&yard, &b, -9 + 0.25 * i, 0.15 * i) != KERN_OK)
             continue;
-        yard.plan.task.options.mu = (kern_real)2e-3;
+        yard.plan.task.options.mu = (kern_real)0.02;
         found++;
         held += yard_stands(&yard);
         yard.plan.task.options.mu = 0;
     }
     printf("%d bricks on slippery steps: %d rest, %d of these are held\n", i,
            found, held);
-    CHECK(found > 10 && held == found);
+    CHECK(found > 30 && held == found);
 
     /* a disc of 40 corners comes to the lower end of a slope */
     for (i = 0; i < 40; i++) {
