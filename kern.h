@@ -1405,7 +1405,7 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
    touch, its centre takes the steepest way down that is free: a turn about a
    point where the stone touches, a slide along an edge that is steeper than
    options.mu holds, or a turn on which it slides at two touches that options.mu
-   does not hold. No turn is by more than 28 degrees at a time. The stone is at
+   does not hold, or 0.01 if that is more. No turn is by more than 28 degrees at a time. The stone is at
    rest where no way leads down. Two convex corners that meet hold nothing. Of
    41,000 stones on blocks that cannot move, such as cubes on a grid, stairs and
    saw teeth, 0.993 stand there; kern_plan_bears() tells whether this one does.
@@ -1417,8 +1417,8 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
    another array than the stone's own. The structure's contacts are not read.
    KERN_OK: *out is written; below 0 it means nothing. KERN_NO_SUPPORT: the
    stone falls past the structure. KERN_NO_REST: it still moves after 64
-   motions. KERN_NO_LOAD: no gravity. KERN_BAD_NUMBER also for x, and a turn
-   whose length is not 1. Blocks and stone are checked as by kern_touch(); in
+   motions. KERN_NO_LOAD: no gravity. KERN_BAD_NUMBER also for x, the stone's
+   centre, and a turn whose length is not 1. Blocks and stone are checked as by kern_touch(); in
    the fault the stone is block B. Time: O(B) for each motion, and the edges
    near it: 60,000 instructions in all on a wall of 36 stones. */
 KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
@@ -1430,10 +1430,14 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
    structure without the stone, which most places leave as it is. The first of
    these numbers that differs decides:
      stays   the larger chance; all from 0.9 on count as equal
-     margin  the larger; all within 1e-5 of `alone` count as equal
+     margin  the larger; all within 1e-4 (float: 1e-3) of `alone` count as equal
      own     the larger
      load    the larger
      x turn  the smaller, so that any order of places gives the same best
+   All but x and turn are rounded to 13 bits first, 1e-4 of the number: so the
+   rounding of an answer does not choose the place, and a structure that is
+   moved or mirrored has the same best place. Where x decides, the mirrored one
+   has the other place of the tie. NaN is the worst of each number.
    In 46 states of walls some places stay in all six runs of a simulator and
    some do not. The best place stays in 40 of these states and moves in some
    runs in 6. The place of the largest margin stays in 35. In 124 other states,
@@ -9534,10 +9538,16 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* Tangent of half the largest turn of one motion. With shorter turns the stone
    finds better places, and a motion meets fewer edges. */
 #define KERN_REST_TURN KERN_R(0.25)
-/* Chance from which a stone counts as staying, and share by which margins may
-   differ and still count as equal. */
+/* Least friction for a turn on which the stone slides at two touches. Without
+   friction both would only be grazed, and rounding would block the turn. With
+   less the stone creeps: a turn ends when both are open by that share. */
+#define KERN_REST_SLIP KERN_R(0.01)
+/* Chance from which a stone counts as staying; share by which margins may
+   differ and still count as equal; and factor that leaves 13 bits of a number
+   in a sum (Dekker's split), since rounding must not rank places. */
 #define KERN_PLACE_STAYS KERN_R(0.9)
-#define KERN_PLACE_SAME KERN_R(1e-5)
+#define KERN_PLACE_SAME KERN_PICK(1e-4, 1e-3)
+#define KERN_PLACE_SPLIT KERN_PICK(1099511627777.0, 2049)
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
 /* The order of vertices is the caller's. It may be clockwise, and the area is
@@ -11310,6 +11320,14 @@ static kern_real kern_edge_out(const kern_edge *e, kern_vec p)
     return kern_vec_cross(kern_vec_sub(p, e->p), e->d);
 }
 
+/* Returns how far out the line from p, which touches, to q is where it has run
+   as far as the edge is long: q may be far away. */
+static kern_real kern_edge_leaves(const kern_edge *e, kern_vec p, kern_vec q)
+{
+    return kern_edge_out(e, q) * e->length
+         / (e->length + kern_vec_largest(kern_vec_sub(q, p)));
+}
+
 /* Returns 1 if a point `s` along an edge from its start is on it, or no farther
    than `beyond` its ends. */
 static int kern_edge_holds(const kern_edge *e, kern_real s, kern_real beyond)
@@ -11381,8 +11399,10 @@ static void kern_descent_keep(kern_descent *r, const kern_edge *e,
     kern_footing *f = &r->footing[r->footings], *g = r->footing + r->before;
     if (r->footings >= KERN_REST_TOUCHES || !kern_edge_holds(e, foot, r->touch)
         || kern_abs(kern_edge_out(e, p)) > r->touch
-        || kern_edge_out(e, b->vertex[kern_polygon_before(b, k)]) < -r->touch
-        || kern_edge_out(e, b->vertex[kern_polygon_next(b, k)]) < -r->touch)
+        || kern_min(
+               kern_edge_leaves(e, p, b->vertex[kern_polygon_before(b, k)]),
+               kern_edge_leaves(e, p, b->vertex[kern_polygon_next(b, k)]))
+               < -r->touch)
         return;
     f->p = p;
     f->n = f->other = kern_vec_scale(kern_vec_turn(e->d), -KERN_R(r->side));
@@ -11474,11 +11494,13 @@ static void kern_descent_look(kern_descent *r, kern_course *c)
 }
 
 /* Moves the stone to the end of its course and finds what it touches there.
-   Returns 1 if it moved. */
+   Returns 1 if it moved or touches more. */
 static int kern_descent_go(kern_descent *r, kern_course *c)
 {
     const kern_vec centre = r->pose->block.centre;
+    const int before = r->footings;
     kern_real size = KERN_R(1);
+    int moved;
     kern_descent_look(r, c);
     if (c->kind == KERN_COURSE_TURN) {
         const kern_real q = c->end, whole = 1 + q * q;
@@ -11492,13 +11514,12 @@ static int kern_descent_go(kern_descent *r, kern_course *c)
     } else {
         kern_descent_put(r, kern_vec_step(centre, c->end, c->way));
     }
-    if (!(c->end * size > r->touch))
-        return 0;
-    r->pose->motions++;
+    moved = c->end * size > r->touch;
+    r->pose->motions += moved;
     r->footings = 0;
     c->kind = KERN_COURSE_TOUCHES;
     kern_descent_look(r, c);
-    return 1;
+    return moved || r->footings > before;
 }
 
 /* Makes *best the motion c if that is steeper, or as steep and a turn, not a
@@ -11558,10 +11579,11 @@ static void kern_descent_tip(const kern_descent *r, kern_vec p,
     kern_descent_prefer(r, best, &c, m);
 }
 
-/* Moves the stone to its next touch. Returns 1 if it moved. */
+/* Moves the stone to its next touch. Returns 1 if it moved or touches more. */
 static int kern_descent_move(kern_descent *r)
 {
     const kern_real mu = r->task->options.mu;
+    const kern_real slip = kern_max(mu, KERN_REST_SLIP);
     kern_course best;
     int i, k;
     best.kind = KERN_COURSE_SLIDE;
@@ -11580,8 +11602,10 @@ static int kern_descent_move(kern_descent *r)
            normal as friction holds: so both slide, and open */
         for (k = 0; k < 4 * i; k++) {
             const kern_footing *g = &r->footing[k / 4];
-            const kern_vec u = kern_vec_step(f->n, k & 1 ? mu : -mu, f->way);
-            const kern_vec v = kern_vec_step(g->n, k & 2 ? mu : -mu, g->way);
+            const kern_vec u = kern_vec_step(f->n, k & 1 ? slip : -slip,
+                                             f->way);
+            const kern_vec v = kern_vec_step(g->n, k & 2 ? slip : -slip,
+                                             g->way);
             const kern_real sine = kern_vec_cross(u, v);
             const kern_vec apart = kern_vec_sub(g->p, f->p);
             if (kern_abs(sine) > KERN_REST_LEVEL)
@@ -11609,9 +11633,12 @@ static kern_status kern_descent_begin(kern_descent *r, kern_real x)
     of.blocks = 1;
     of.from = 0;
     status = r->shape->vertices ? kern_search_survey(&of) : KERN_FEW_VERTICES;
-    of.fault->block = s->blocks;
-    if (status != KERN_OK)
+    if (status == KERN_OK && !kern_vec_is_moderate(r->shape->centre))
+        status = KERN_BAD_NUMBER;
+    if (status != KERN_OK) {
+        of.fault->block = s->blocks;
         return status;
+    }
     of.block = s->block;
     of.blocks = of.from = s->blocks;
     status = kern_search_survey(&of);
@@ -11662,18 +11689,24 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
 
 /* ---- which place is best ---- */
 
-/* Returns number i of those that rank a place; the larger is better. */
+/* Returns number i of those that rank a place; the larger is better, and what
+   is not a number is worst. All but the place itself is rounded. */
 static kern_real kern_place_number(const kern_place *place, int i,
                                    kern_real alone)
 {
-    const int same = kern_abs(place->margin - alone) <= KERN_PLACE_SAME * alone;
-    const kern_real number[6] = {kern_min(place->stays, KERN_PLACE_STAYS),
-                                 same ? alone : place->margin,
+    const kern_real number[6] = {kern_min(KERN_PLACE_STAYS, place->stays),
+                                 kern_abs(place->margin - alone)
+                                         <= KERN_PLACE_SAME * alone
+                                     ? alone
+                                     : place->margin,
                                  place->own,
                                  place->load,
                                  -place->x,
                                  -place->turn};
-    return number[i];
+    const kern_real value = kern_max(number[i], -KERN_INFINITY);
+    const kern_real more = KERN_PLACE_SPLIT * value;
+    const kern_real rounded = more - (more - value); /* none of infinity */
+    return i < 4 && kern_is_finite(rounded) ? rounded : value;
 }
 
 KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,

@@ -32,7 +32,8 @@ strict_all() { # strict_all COMPILER: the first and the last standards, in both
     strict "$1" c99 -O2 -DKERN_STATIC
 }
 
-cpp() { # wall.hpp and what uses it, with warnings for C++; and in threads
+cpp() { # wall.hpp and what uses it, with warnings for C++; in threads, and
+    # when there is no memory
     local cc
     for cc in g++ clang++; do
         $cc -std=c++17 -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
@@ -47,6 +48,9 @@ cpp() { # wall.hpp and what uses it, with warnings for C++; and in threads
             examples/copy/planner.cpp -o "$out/planner" &&
             "$out/planner" | grep -q '^x 2.375: stays 0.999' || return 1
     done
+    clang++ -std=c++17 -O1 -g -Wall -Wextra -Werror \
+        -fsanitize=address,undefined -fno-sanitize-recover=all \
+        tests/wall_test.cpp -o "$out/wall" && "$out/wall"
 }
 
 two_files() {

@@ -879,6 +879,21 @@ places() { # walls of brick and of found stone, and the program's own answer
                 --svg "$out/$f-best.svg" "examples/structures/$f.kern" \
                 >"$out/best.json" && $judge best "$out/best.json" || return 1
     done
+    # a stone does not lie in earth or fill, and ground alone is refused
+    echo 'block stone * 0 0 1.2 0 1.2 .8 0 .8' >"$out/stone.kern"
+    "$kern" --json --place "$out/stone.kern" --most 400 \
+        examples/structures/retaining-wall.kern >"$out/best.json" &&
+        python3 - "$out/best.json" <<'END' || return 1
+import json, sys
+places = json.load(open(sys.argv[1]))["places"]
+assert any(p["x"] > 1 for p in places) and any(p["x"] < 0 for p in places)
+for p in places:
+    if min(y for x, y in p["polygon"]) < 6.09:
+        assert max(x for x, y in p["polygon"]) < 1.63, p
+END
+    echo 'fixed ground -9 -1 9 -1 9 0 -9 0' >"$out/bare.kern"
+    ! "$kern" --place "$out/stone.kern" "$out/bare.kern" 2>"$out/e" >/dev/null &&
+        grep -q "no block is free" "$out/e" || return 1
     $judge svg "$out"/*.svg
 }
 

@@ -164,6 +164,9 @@ class Rest(unittest.TestCase):
         self.assertEqual(plan.measure().margin, fresh.measure().margin)
         with self.assertRaises(kern.KernError):
             plan.rest(stone, float("nan"))
+        for turn in (math.inf, math.nan):
+            with self.assertRaisesRegex(ValueError, "turn"):
+                plan.rest(stone, 0.5, turn)
 
     def test_places(self):
         """In any order the same places, the best first."""

@@ -7,7 +7,8 @@
 
    A Wall owns vertices, contacts and work memory, and grows. A copy is
    independent: give one to each thread. Bad input throws kern::error, which
-   names the blocks; no exception passes through kern.h. Define
+   names the blocks; no exception passes through kern.h, and a wall is as it was
+   before what threw, std::bad_alloc included. Define
    KERN_IMPLEMENTATION in one other file, or before this one is included.
 
    SPDX-License-Identifier: MIT */
@@ -166,9 +167,12 @@ class Wall
         p.status = roomy(
             [&] { return kern_plan_bears(&plan_, &stone, 0, nullptr); });
         if (p.status == KERN_STANDS)
-            p.status = kern_plan_try(&plan_, &stone, &m, nullptr);
+            p.status = roomy(
+                [&] { return kern_plan_try(&plan_, &stone, &m, nullptr); });
         if (p.status == KERN_STANDS
-            && kern_plan_stays(&plan_, &stone, &p.rank.stays) != KERN_STANDS)
+            && roomy([&] {
+                   return kern_plan_stays(&plan_, &stone, &p.rank.stays);
+               }) != KERN_STANDS)
             p.rank.stays = 0;
         p.rank.margin = m.margin;
         p.outline = std::move(outline);
@@ -190,8 +194,8 @@ class Wall
         const kern_block stone = made(p.outline, density);
         kern_collapse all;
         kern_real side[2] = {0, 0};
+        std::vector<kern_real> own(std::size_t(blocks()) + 1);
         check(roomy([&] { return kern_plan_add(&plan_, &stone); }));
-        std::vector<kern_real> own(std::size_t(plan_.task.s.blocks));
         if (kern_profile(&plan_.task, KERN_SHRINK, own.data(), &all) >= 0)
             p.rank.own = own.back();
         if (kern_load_factor(&plan_.task, 0, KERN_LEFT, &side[0], nullptr)
@@ -275,9 +279,10 @@ class Wall
 
     std::string called(int i) const
     {
-        return i < 0 || std::size_t(i) >= stones_.size() ? "the new stone"
-             : stone(i).name.empty() ? "block " + std::to_string(i)
-                                     : stone(i).name;
+        if (i >= 0 && std::size_t(i) < stones_.size() && !name(i).empty())
+            return name(i);
+        return i >= 0 && i < blocks() ? "block " + std::to_string(i)
+                                      : "the new stone";
     }
 
     /* Throws where a status or a count is below 0. */
@@ -308,16 +313,25 @@ class Wall
         return b;
     }
 
-    /* Adds a stone after the others, in larger arrays if these are short. */
+    /* Adds a stone after the others, in larger arrays if these are short. Its
+       name is known while the plan refuses it. */
     int append(Stone s)
     {
-        const kern_block b = made(s.outline, s.density, s.fixed);
-        check(roomy([&] { return kern_plan_add(&plan_, &b); }));
         stones_.push_back(std::move(s)); /* its vertices do not move */
+        try {
+            const Stone &last = stones_.back();
+            const kern_block b = made(last.outline, last.density, last.fixed);
+            check(roomy([&] { return kern_plan_add(&plan_, &b); }));
+        } catch (...) {
+            stones_.pop_back();
+            throw;
+        }
         measured_ = false;
         return blocks() - 1;
     }
 
+    /* Moves the plan to larger arrays. The wall is as it was if there is no
+       memory. */
     void reserve(int blocks, int contacts)
     {
         const std::size_t n = std::size_t(blocks), c = std::size_t(contacts);
@@ -325,19 +339,23 @@ class Wall
         std::vector<kern_contact> contact(c);
         std::vector<kern_motion> motion(n);
         std::vector<kern_force> force(c);
-        real_.resize(std::size_t(KERN_REALS(blocks, contacts)));
-        index_.resize(std::size_t(KERN_INTS(blocks, contacts)));
+        std::vector<kern_real> real(std::size_t(KERN_REALS(blocks, contacts)));
+        std::vector<int> index(std::size_t(KERN_INTS(blocks, contacts)));
+        kern_work work = kern_work_of(real.data(), int(real.size()),
+                                      index.data(), int(index.size()));
         kern_plan plan = kern_plan_of(
             block.data(), blocks, contact.data(), contacts,
-            kern_known_of(motion.data(), force.data()), &work_);
-        work_ = kern_work_of(real_.data(), int(real_.size()), index_.data(),
-                             int(index_.size()));
+            kern_known_of(motion.data(), force.data()), &work);
         if (plan_.block)
             check(kern_plan_copy(&plan, &plan_));
+        plan.task.work = &work_;
         block_.swap(block);
         contact_.swap(contact);
         motion_.swap(motion);
         force_.swap(force);
+        real_.swap(real);
+        index_.swap(index);
+        work_ = work;
         plan_ = plan;
     }
 

@@ -3,7 +3,8 @@
 
    The stone of a file is let down in every turn at places a quarter of its size
    apart. Where the structure stands with it, the place is ranked as by
-   kern_place_compare(); places at which it comes to the same rest count once.
+   kern_place_compare(); places at which it comes to the same rest count once,
+   and those in fill or in earth not at all.
 
    SPDX-License-Identifier: MIT */
 
@@ -60,7 +61,6 @@ static inline int check_place(struct analysis *a)
 static inline int place_plan(const struct analysis *a, struct placing *p)
 {
     const int blocks = a->text.blocks + 1;
-    kern_status status;
     p->plan = room_plan(blocks,
                         64 * blocks + 64
                             + 8 * (a->task.s.contacts + p->stone->vertices),
@@ -69,15 +69,54 @@ static inline int place_plan(const struct analysis *a, struct placing *p)
     if (!room_is_there(&p->plan) || !p->value)
         return 0;
     p->plan.task.options = a->task.options;
+    if (a->task.options.limit < kern_defaults().limit)
+        p->plan.task.options.limit = 0; /* a short one is for questions */
     p->plan.task.s.gravity = a->text.gravity;
     for (int i = 0; i < a->text.blocks; i++)
         if (kern_plan_add(&p->plan, &a->text.block[i]) < 0)
             return 0;
-    status = kern_measure(&p->plan.task, &p->alone, NULL);
-    if (status != KERN_NO_FREE)
-        return status == KERN_STANDS;
-    p->alone.margin = 0; /* bare ground */
-    return 1;
+    p->plan.task.options.limit = a->task.options.limit;
+    return kern_measure(&p->plan.task, &p->alone, NULL) == KERN_STANDS;
+}
+
+/* Returns how far the structure reaches to the side of the earth, beside the
+   stone; above all blocks, at any height. */
+static inline double place_back(const struct text_file *t, enum soil_side side,
+                                const kern_block *stone)
+{
+    double beside = -HUGE_VAL, all = -HUGE_VAL;
+    for (int i = 0; i < t->blocks; i++) {
+        const kern_box *box = &t->block[i].box;
+        const double out = fmax(soil_height(side, box->low),
+                                soil_height(side, box->high));
+        if (t->block[i].fixed)
+            continue;
+        all = fmax(all, out);
+        if (box->high.y > stone->box.low.y && box->low.y < stone->box.high.y)
+            beside = fmax(beside, out);
+    }
+    return beside > -HUGE_VAL ? beside : all;
+}
+
+/* Returns 1 if the stone lies in fill, or in the earth behind the structure. */
+static inline int place_buried(const struct text_file *t,
+                               const kern_block *stone)
+{
+    const double little = 1e-3 * sqrt(fabs((double)stone->area));
+    const kern_box *box = &stone->box;
+    int buried = 0;
+    for (int i = 0; i < t->soils && !buried; i++) {
+        const struct text_soil *s = &t->soil[i];
+        if (s->kind == TEXT_PROP || (double)box->low.y > s->earth.top - little)
+            continue;
+        buried = s->kind == TEXT_FILL
+                   ? (double)box->high.x > s->from + little
+                         && (double)box->low.x < s->to - little
+                   : fmax(soil_height(s->side, box->low),
+                          soil_height(s->side, box->high))
+                         > place_back(t, s->side, stone) + little;
+    }
+    return buried;
 }
 
 /* Returns 1 if the structure stands with the stone, and what that is worth: -1
@@ -182,6 +221,7 @@ static inline void place_everywhere(struct analysis *a, struct placing *p,
             kern_pose pose;
             if (kern_rest(&p->plan.task, p->stone, rank.x, by, vertex, &pose)
                     == KERN_OK
+                && !place_buried(&a->text, &pose.block)
                 && place_rank(p, &pose.block, &rank))
                 place_keep(a, p, &pose, &rank);
         }

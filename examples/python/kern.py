@@ -2684,6 +2684,9 @@ class Plan(Structure):
         >>> plan.rest(box, 9) is None
         True
         """
+        if not math.isfinite(turn):
+            raise ValueError("turn: a finite angle is expected, read %r"
+                             % turn)
         with self._lock:
             self._fresh()
             block._fill(self._candidate)

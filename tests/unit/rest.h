@@ -209,6 +209,46 @@ static void rest_slopes(void)
     AT((c + s) / 2, 0.15 * (c + s) + 0.5 / c, lean);
 }
 
+/* Without friction a brick slides to the foot of steps and of slopes, and off
+   the end of a slope. */
+static void rest_slippery(void)
+{
+    const kern_vec brick[4] = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+    const kern_block b = yard_block(brick, 4);
+    kern_vec v[40];
+    kern_block disc;
+    int i, held = 0, found = 0;
+    yard_open(&yard);
+    for (i = 0; i < 8; i++)
+        yard_box(&yard, -10, i - 1, -1.3 * i, i);
+    yard_box(&yard, -10, -2, 20, -1);
+    yard_box(&yard, 20, -2, 21, 9);
+    yard.plan.task.options.mu = 0;
+    for (i = 0; i < 40; i++) {
+        if (yard_rest(&yard, &b, -9 + 0.25 * i, 0.15 * i) != KERN_OK)
+            continue;
+        yard.plan.task.options.mu = (kern_real)0.02;
+        found++;
+        held += yard_stands(&yard);
+        yard.plan.task.options.mu = 0;
+    }
+    printf("%d bricks on slippery steps: %d rest, %d of these are held\n", i,
+           found, held);
+    CHECK(found > 30 && held == found);
+
+    /* a disc of 40 corners comes to the lower end of a slope */
+    for (i = 0; i < 40; i++) {
+        v[i].x = (kern_real)(0.5 * cos(6.283185307179586 * i / 40));
+        v[i].y = (kern_real)(0.5 * sin(6.283185307179586 * i / 40));
+    }
+    disc = yard_block(v, 40);
+    yard_open(&yard);
+    yard_triangle(&yard, -5, -2, 5, -2, 5, 2);
+    for (i = 0; i < 40; i++)
+        if (yard_rest(&yard, &disc, -4.9 + 0.07 * i, 0.2 * i) == KERN_OK)
+            CHECK(yard_stands(&yard));
+}
+
 static void rest_gaps(void)
 {
     const kern_vec half[4] = {
@@ -688,6 +728,12 @@ static void rest_refused(void)
     own[2].x = 2;
     CHECK(yard_rest(&yard, &box, 0, 0) == KERN_STALE);
     own[2].x = 1;
+    bad = box;
+    bad.centre.y = R(not_a_number());
+    CHECK(yard_rest(&yard, &bad, 0, 0) == KERN_BAD_NUMBER);
+    CHECK(yard.work.fault.block == 1);
+    CHECK(yard_rest(&yard, &box, 0, 0) == KERN_OK);
+    CHECK(yard.work.fault.block == -1);
 
     task->s.gravity.y = 0;
     CHECK(yard_rest(&yard, &box, 0, 0) == KERN_NO_LOAD);
@@ -730,6 +776,32 @@ static void rest_ranking(void)
             const int got = kern_place_compare(&order[i], &order[k], alone);
             CHECK((got > 0) == (i < k) && (got < 0) == (i > k));
         }
+    /* rounding does not decide, and what is not a number is worst */
+    for (i = 0; i < 6; i++) {
+        kern_place a = order[4], b = a, *of[2];
+        kern_real *number[2][6];
+        of[0] = &a;
+        of[1] = &b;
+        for (k = 0; k < 2; k++) {
+            number[k][0] = &of[k]->stays;
+            number[k][1] = &of[k]->margin;
+            number[k][2] = &of[k]->own;
+            number[k][3] = &of[k]->load;
+            number[k][4] = &of[k]->x;
+            number[k][5] = &of[k]->turn;
+        }
+        *number[0][1] = *number[1][1] = *number[0][2] = *number[1][2] = 1;
+        *number[0][0] = *number[1][0] = (kern_real)0.7;
+        *number[0][i] *= 1 + 8 * KERN_EPS;
+        CHECK(kern_place_compare(&a, &b, alone) == (i < 4 ? 0 : 2 * i - 9));
+        *number[0][i] = (kern_real)R(not_a_number());
+        CHECK(kern_place_compare(&a, &b, alone) < 0);
+        CHECK(kern_place_compare(&b, &a, alone) > 0);
+        *number[1][i] = *number[0][i];
+        CHECK(kern_place_compare(&a, &b, alone) == 0);
+        *number[1][i] = KERN_INFINITY;
+        CHECK(i >= 4 || kern_place_compare(&a, &b, alone) < 0);
+    }
     CHECK(kern_place_compare(&order[0], NULL, alone) > 0);
     CHECK(kern_place_compare(NULL, &order[0], alone) < 0);
     CHECK(kern_place_compare(NULL, NULL, alone) == 0);
@@ -770,12 +842,12 @@ static void rest_copies(void)
 }
 
 static const test rest_tests[] = {
-    TEST(rest_flat),    TEST(rest_over_an_edge), TEST(rest_triangles),
-    TEST(rest_slopes),  TEST(rest_gaps),         TEST(rest_shapes),
-    TEST(rest_corners), TEST(rest_pocket),       TEST(rest_ladder),
-    TEST(rest_laws),    TEST(rest_poses),        TEST(rest_teeth),
-    TEST(rest_ties),    TEST(rest_refused),      TEST(rest_ranking),
-    TEST(rest_copies),
+    TEST(rest_flat),     TEST(rest_over_an_edge), TEST(rest_triangles),
+    TEST(rest_slopes),   TEST(rest_gaps),         TEST(rest_shapes),
+    TEST(rest_corners),  TEST(rest_pocket),       TEST(rest_ladder),
+    TEST(rest_slippery), TEST(rest_laws),         TEST(rest_poses),
+    TEST(rest_teeth),    TEST(rest_ties),         TEST(rest_refused),
+    TEST(rest_ranking),  TEST(rest_copies),
 };
 
 #endif
