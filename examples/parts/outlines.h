@@ -42,6 +42,8 @@ struct outlines_block {
     double left, right, low, high, size;
     double mass, mass_x, mass_y; /* of the fill on it                  */
     int idle;                    /* nonzero: fill that lies on no stone */
+    int pushes;                  /* nonzero: fill that is a statement   */
+    double misfit; /* share of such a fill that is not as drawn          */
 };
 
 struct outlines {
