@@ -540,6 +540,41 @@ layers() { # fill in layers: each is counted once, from files and from drawings
         --kern "$f" "$g" && grep -q '^mass STONE_2 1000 \|^mass STONE_2 999.99' "$f"
 }
 
+swept() { # the least of a sweep is found where no sample has a bound, at the end of
+    # a deck: 24 10.8 .3 5 / .4 by the load at it, and at .3 by an axle .2 wide
+    local kern n f=$out/deck.kern
+    kern=$(program kern examples/kern.c) || return 1
+    printf '%s\n' 'gravity 0 -1' 'density 24' 'friction .6' \
+        'fixed A 0 -1 1 -1 1 0 0 0' 'fixed B 9 -1 10 -1 10 0 9 0' \
+        'block deck * -.4 0 10.4 0 10.4 .3 -.4 .3' >"$f"
+    for n in 1 3 10 40; do
+        { cat "$f" && echo live deck 0 -1 5 .3; } >"$out/force.kern" &&
+            says ' 972  deck  least' --sweep $n "$out/force.kern" &&
+            { cat "$f" && echo axle 5 1; } >"$out/axle.kern" &&
+            says ' 972  deck  least' --sweep $n "$out/axle.kern" &&
+            { cat "$f" && echo axle 5 1 .2; } >"$out/wide.kern" &&
+            says ' 1296  deck  least' --sweep $n "$out/wide.kern" || return 1
+    done
+    # of 400 decks one overhangs by .25 of its length, with three forces on them
+    awk 'BEGIN { print "gravity 0 -1\ndensity 24\nfriction .6"
+        for (i = 0; i < 400; i++) { d = i == 5 ? .25 : .05
+            print "fixed p" i, i + d, -1, i + 1 - d, -1, i + 1 - d, 0, i + d, 0
+            print "block d" i, "*", i + .01, 0, i + .99, 0, i + .99, .3, \
+                i + .01, .3 }
+        for (i = 0; i < 3; i++) print "live d20" i, 0, -1, 200.02 + i * 1.03, .3
+        }' >"$out/decks.kern"
+    "$kern" --sweep 3 "$out/decks.kern" >"$out/o" &&
+        grep -q ' 7.35.* d5  least' "$out/o" &&
+        ! grep 'not tried' "$out/o" || return 1
+    # it falls without the live load
+    printf '%s\n' 'gravity 0 -1' 'fixed G -5 -1 1 -1 1 0 -5 0' \
+        'block W * 0 0 4 0 4 1 0 1' 'live W 0 -3 .5 1' >"$out/need.kern"
+    ! "$kern" --sweep 4 "$out/need.kern" >"$out/o" &&
+        grep -q 'sweep       none: without the live load' "$out/o" &&
+        ! "$kern" --json --sweep 4 "$out/need.kern" >"$out/o" &&
+        grep -q '"sweep": \[\], .*"sweep_why": ' "$out/o"
+}
+
 hand_in() { # drawings of the bridge and the wall, and a photograph: the answers of
     # their files, and a page of each that a browser reads
     local kern name bridge=examples/structures/prestwood.kern

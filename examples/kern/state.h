@@ -101,6 +101,7 @@ struct analysis {
     double thrust_least, thrust_most; /* of --thrust, to the left     */
     struct swept *swept;              /* the live load at each place       */
     int sweeps;
+    int untried; /* places where the least factor may be as well       */
 
     struct text_file stone; /* of --place                      */
     struct placed *placed;  /* the best places of --place       */
