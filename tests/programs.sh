@@ -575,6 +575,36 @@ swept() { # the least of a sweep is found where no sample has a bound, at the en
         grep -q '"sweep": \[\], .*"sweep_why": ' "$out/o"
 }
 
+backs() { # of earth: steps over it are upright, and fill beside it is refused; a
+    # prop is on its stone; a drawing with a second abutment that is not fixed
+    local kern f=$out/back.kern
+    kern=$(program kern examples/kern.c) || return 1
+    printf '%s\n' 'gravity 0 -1' 'units m kN' 'density 24' 'friction .7' \
+        'fixed G -5 -1 8 -1 8 0 -5 0' >"$out/ground.kern"
+    # 20 4 4 / 2 / 3 on a course that hangs over by 1; and by Coulomb's K = .4277 on
+    # a back that leans under it, which bears 17.11 down
+    { cat "$out/ground.kern" && printf '%s\n' 'block v * 0 0 2 0 2 2 0 2' \
+        'block w * 0 2 3 2 3 4 0 4' 'earth right 4 20 30 0'; } >"$f"
+    says 'earth       53.33 kN to the left and 0 kN down' "$f" &&
+        says 'back taken as the line from (2, 0) to (3, 4), 0 deg' "$f" || return 1
+    { cat "$out/ground.kern" && printf '%s\n' 'block w * 0 0 3 0 2 4 0 4' \
+        'earth right 4 20 30 0'; } >"$f"
+    says '68.43 kN to the left and 17.11 kN down' "$f" &&
+        says '(3, 0) to (2, 4), 14 deg under the earth' "$f" &&
+        "$kern" --json "$f" >"$out/back.json" && "$kern" --help >"$out/help" &&
+        $judge keys "$out/back.json" "$out/help" &&
+        echo 'fill 4 20' >>"$f" &&
+        refuses 'from x = 2 to 3 bears the earth on it already' "$f" &&
+        sed -i 's/^fill.*/prop w 0 -1 -77 1 5/' "$f" &&
+        refuses "prop: a point on block 'w', which is from x = 0 to 3" "$f" ||
+        return 1
+    printf '%s\n' 'LOW 0 0 1 0 1 2 0 2' 'HIGH 3 1 4 1 4 2 3 2' \
+        'DECK 0 2 4 2 4 3 0 3' | drawing >"$out/second.dxf"
+    says 'note        nothing is below HIGH_2, and not fixed' "$out/second.dxf" &&
+        says '1 block on 2 fixed' --layer LOW=ground --layer HIGH=ground \
+            "$out/second.dxf"
+}
+
 hand_in() { # drawings of the bridge and the wall, and a photograph: the answers of
     # their files, and a page of each that a browser reads
     local kern name bridge=examples/structures/prestwood.kern

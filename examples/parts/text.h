@@ -92,6 +92,7 @@ struct text_soil {
     struct soil_earth earth;  /* angles in rad; of fill top and phi      */
     kern_vec way, at;         /* of prop: direction and place            */
     struct soil_force sum;    /* weight or thrust, and where it acts        */
+    kern_vec foot, head;      /* of the back that earth meets               */
     int live;                 /* nonzero: it is a part of the live load     */
     int blocks;               /* on how many blocks                         */
     int props;                /* and with how many pushes                   */
@@ -832,9 +833,21 @@ static int text_earth(struct text_reader *r)
     return 0;
 }
 
+/* Is a point farther from a block than that is large? */
+static int text_beside(const kern_block *b, kern_vec at)
+{
+    const double size = hypot((double)(b->box.high.x - b->box.low.x),
+                              (double)(b->box.high.y - b->box.low.y));
+    return (double)at.x < (double)b->box.low.x - size
+        || (double)at.x > (double)b->box.high.x + size
+        || (double)at.y < (double)b->box.low.y - size
+        || (double)at.y > (double)b->box.high.y + size;
+}
+
 /* NAME FX FY X Y MOST */
 static int text_prop(struct text_reader *r)
 {
+    char shown[TEXT_SHOW_ROOM];
     struct text_soil *s = text_begin_soil(r, TEXT_PROP);
     kern_block *b;
     kern_vec f;
@@ -843,6 +856,15 @@ static int text_prop(struct text_reader *r)
         || text_double(r, TEXT_POSITIVE, &s->most))
         return -1;
     length = hypot((double)f.x, (double)f.y);
+    if (text_beside(b, s->at))
+        return text_fail(r->t,
+                         "prop: a point on block '%s', which is from x = %.9g "
+                         "to %.9g and from y = %.9g to %.9g, is expected, read "
+                         "%.9g %.9g",
+                         text_show(shown, r->t->name[b - r->t->block]),
+                         (double)b->box.low.x, (double)b->box.high.x,
+                         (double)b->box.low.y, (double)b->box.high.y,
+                         (double)s->at.x, (double)s->at.y);
     if (!(length > 0 && length <= TEXT_MOST))
         return text_fail(r->t, "prop: a direction is expected, read %.9g %.9g",
                          (double)f.x, (double)f.y);
@@ -1104,7 +1126,17 @@ static int text_press(struct text_reader *r, struct text_soil *s, int block,
     return text_check_load(r, &b->load);
 }
 
-/* Finds how the back that earth meets leans over the earth. */
+/* Returns how an edge, or the line between two, leans over the earth. */
+static double text_lean_of(const struct text_soil *s, kern_vec foot,
+                           kern_vec head)
+{
+    return (s->side == SOIL_LEFT ? -1 : 1)
+         * atan2((double)(head.x - foot.x), (double)(head.y - foot.y));
+}
+
+/* Finds how the back that earth meets leans over the earth: as the line from its
+   foot to its crest, or, of one over the earth, no more than any of its faces.
+   The pressure is then at least that on the plane through its outermost point. */
 static int text_lean(struct text_reader *r, struct text_soil *s,
                      const struct text_surface *back)
 {
@@ -1112,25 +1144,58 @@ static int text_lean(struct text_reader *r, struct text_soil *s,
     const struct soil_earth *e = &s->earth;
     const double highest = e->water > 0 ? fmax(e->top, e->level) : e->top;
     const struct soil_edge *foot = NULL, *head = NULL;
+    double least = HUGE_VAL;
     for (int i = 0; i < back->edges; i++) {
         const struct soil_edge *edge = back->edge + i;
         if (t->block[edge->block].fixed || !((double)edge->p.y < highest))
             continue;
         foot = foot ? foot : edge;
         head = edge;
+        least = fmin(least, text_lean_of(s, edge->p, edge->q));
     }
     if (!foot)
         return text_fail(t, "earth: no free block is below its top, %.9g",
                          highest);
-    s->earth.lean = (s->side == SOIL_LEFT ? -1 : 1)
-                  * atan2((double)(head->q.x - foot->p.x),
-                          (double)(head->q.y - foot->p.y));
+    s->foot = foot->p;
+    s->head = head->q;
+    s->earth.lean = text_lean_of(s, foot->p, head->q);
+    if (s->earth.lean > least)
+        s->earth.lean = fmin(fmax(least, 0), s->earth.lean);
     if (fabs(s->earth.lean) <= 0.79)
         return 0;
     return text_fail(t,
                      "earth: a back within 45 degrees of the vertical is "
                      "expected, read one of %.3g degrees",
                      57.295779513082321 * s->earth.lean);
+}
+
+/* Refuses fill on a back that bears the weight of the earth on it already. */
+static int text_twice(struct text_file *t, const struct text_soil *s,
+                      const struct text_surface *above)
+{
+    const double least = fmin((double)s->foot.x, (double)s->head.x);
+    const double most = fmax((double)s->foot.x, (double)s->head.x);
+    const double slack = 1e-6 * (double)(s->head.y - s->foot.y);
+    for (int i = 0; i < above->edges && s->earth.lean < 0; i++) {
+        const struct soil_edge *e = above->edge + i;
+        const double p = fmax(least, (double)e->p.x);
+        const double q = fmin(most, (double)e->q.x);
+        for (int k = 0; k < t->soils && q - p > slack; k++) {
+            const struct text_soil *f = t->soil + k;
+            if (t->block[e->block].fixed || f->kind != TEXT_FILL
+                || !(fmin(f->to, q) - fmax(f->from, p) > slack)
+                || !(fmin(f->earth.top, s->earth.top)
+                     > fmin((double)e->p.y, (double)e->q.y)))
+                continue;
+            return text_fail(t,
+                             "earth: the back from x = %.9g to %.9g bears the "
+                             "earth on it already, and the fill of line %d "
+                             "lies there too: write 'from X1 to X2' in that "
+                             "line, without this stretch",
+                             least, most, f->line);
+        }
+    }
+    return 0;
 }
 
 /* Presses earth and water on a piece of a back, as its side sees it: on what is
@@ -1333,7 +1398,10 @@ static int text_act(struct text_reader *r, struct text_soil *s,
             fill ? "fill" : "earth", (double)t->gravity.x,
             (double)t->gravity.y);
     if (!fill)
-        return text_back(r, s, &seen[s->side]);
+        return text_back(r, s, &seen[s->side])
+                    || text_twice(t, s, &seen[SOIL_ABOVE])
+                 ? -1
+                 : 0;
     if (!r->laid && text_lay(r, &seen[SOIL_ABOVE]))
         return -1;
     r->laid = 1;
