@@ -836,6 +836,13 @@ styled() { # what is not read of an SVG is left out by name or refused; so are a
             s/x="10" y="80" width="10"/x="10%" y="80%" width="10%"/' "$f" &&
         "$kern" --kern "$out/styled.kern" "$f" >"$out/o" &&
         grep -q '  20 -90  20 -80  40 -80  40 -90$' "$out/styled.kern" &&
+        sed -i 's/viewBox="0 0 200 100"/width="200" height="100"/' "$f" &&
+        "$kern" --kern "$out/styled.kern" "$f" >"$out/o" &&
+        grep -q '  20 -90  20 -80  40 -80  40 -90$' "$out/styled.kern" &&
+        svg "<defs><rect id='u0' width='9' height='9' />$(for i in {1..9}; do
+            echo "<g id='u$i'><use href='#u$((i - 1))' /></g>"
+        done)</defs><use href='#u9' x='30'/>" &&
+        says '1 use in more than 8 others' "$f" &&
         svg '<g><rect width="9" height="9">' &&
         refuses "styled.svg:1: the element 'rect' of line 1 is not closed" "$f" &&
         printf 'AC1032\0\0' >"$out/a.dwg" &&

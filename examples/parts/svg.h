@@ -339,8 +339,13 @@ static void svg_size(struct svg *v)
     struct svg_part p;
     struct svg_numbers n;
     double x, y;
-    if (!svg_get(v, "viewBox", &p))
+    if (!svg_get(v, "viewBox", &p)) {
+        if (svg_value(v, "width", &x) && svg_value(v, "height", &y)) {
+            v->wide = x;
+            v->high = y;
+        }
         return;
+    }
     n = svg_numbers_of(v, p);
     if (!svg_number(&n, &x) || !svg_number(&n, &y) || !svg_number(&n, &v->wide)
         || !svg_number(&n, &v->high))
@@ -830,8 +835,15 @@ static int svg_use(struct svg *v, const struct svg_frame *f, int label)
     double x, y;
     int bad = 0, drawn = svg_get(v, "href", &p) || svg_get(v, "xlink:href", &p);
     drawn = drawn && p.length > 1 && v->data[p.at] == '#'
-         && svg_value(v, "x", &x) && svg_value(v, "y", &y) && v->uses < SVG_USES
-         && *v->work < SVG_WORK;
+         && svg_value(v, "x", &x) && svg_value(v, "y", &y);
+    if (drawn && (v->uses >= SVG_USES || *v->work >= SVG_WORK)) {
+        shapes_skipped(v->s,
+                       v->uses >= SVG_USES
+                           ? "use in more than 8 others"
+                           : "use after the most work that uses may take",
+                       label, v->start);
+        return 0;
+    }
     if (drawn) {
         p.at++;
         p.length--;
