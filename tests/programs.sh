@@ -828,7 +828,7 @@ styled() { # what is not read of an SVG is left out by name or refused; so are a
             <use xlink:href="#two" transform="translate(50,72) scale(2,1)"/>
             <path id="late" d="M80 80h9v10h-9z" transform="translate(5,0)"/>' &&
         "$kern" --kern "$out/styled.kern" "$f" >"$out/o" &&
-        grep -q 'skipped     1 use on in, line 2' "$out/o" &&
+        grep -q 'skipped     1 use in more than 8 others on in, line 2' "$out/o" &&
         grep -q 'skipped     1 use on use, line 3' "$out/o" &&
         grep -q ' 7 blocks on 1 fixed' "$out/o" &&
         grep -q '  50 -90  50 -81  68 -81  68 -90$' "$out/styled.kern" &&

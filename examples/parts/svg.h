@@ -827,6 +827,19 @@ static int svg_find(struct svg *v, struct svg_part id)
 
 static int svg_tag(struct svg *v);
 
+/* Returns 1, and lists an element `use`, where too many draw each other. */
+static int svg_exceeds(struct svg *v, int label)
+{
+    const int deep = v->uses >= SVG_USES;
+    if (!deep && *v->work < SVG_WORK)
+        return 0;
+    shapes_skipped(v->s,
+                   deep ? "use in more than 8 others"
+                        : "use after the most work that uses may take",
+                   label, v->start);
+    return 1;
+}
+
 /* Draws what an element `use` names, or lists this. */
 static int svg_use(struct svg *v, const struct svg_frame *f, int label)
 {
@@ -836,14 +849,8 @@ static int svg_use(struct svg *v, const struct svg_frame *f, int label)
     int bad = 0, drawn = svg_get(v, "href", &p) || svg_get(v, "xlink:href", &p);
     drawn = drawn && p.length > 1 && v->data[p.at] == '#'
          && svg_value(v, "x", &x) && svg_value(v, "y", &y);
-    if (drawn && (v->uses >= SVG_USES || *v->work >= SVG_WORK)) {
-        shapes_skipped(v->s,
-                       v->uses >= SVG_USES
-                           ? "use in more than 8 others"
-                           : "use after the most work that uses may take",
-                       label, v->start);
+    if (drawn && svg_exceeds(v, label))
         return 0;
-    }
     if (drawn) {
         p.at++;
         p.length--;
