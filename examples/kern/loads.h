@@ -78,17 +78,26 @@ static inline void loads_line(const struct analysis *a, int i,
         return;
     }
     if (s->kind == TEXT_EARTH) {
+        char back[200] = "", foot[64], head[64];
+        const double lean = s->earth.lean * 57.295779513082321;
+        if (fabs((double)(s->head.x - s->foot.x)) > 0)
+            snprintf(
+                back, sizeof back,
+                "; back taken as the line from %.40s to %.40s, %.3g deg %s",
+                loads_at(a, s->foot, foot), loads_at(a, s->head, head),
+                fabs(lean),
+                lean > 0   ? "over the earth"
+                : lean < 0 ? "under the earth"
+                           : "from upright");
         snprintf(out, LOADS_ROOM,
-                 "%.60s to the %s and %.60s %s, through %s, on %d face%s%s; K "
-                 "= %.4g of a back that leans %.3g degrees, phi %.4g, delta "
-                 "%.4g",
+                 "%.60s to the %s and %.60s %s, through %s, on %d face%s%s%s; "
+                 "K = %.4g, phi %.4g, delta %.4g",
                  loads_number(a, fabs(fx), 0, one), fx < 0 ? "left" : "right",
                  loads_number(a, fabs(fy), 0, two), fy > 0 ? "up" : "down",
                  loads_at(a, s->sum.at, at), s->blocks, plural(s->blocks),
-                 s->live ? ": live load" : "",
+                 s->live ? ": live load" : "", back,
                  soil_active(s->earth.phi, s->earth.delta, s->earth.lean),
-                 tidy(a, degrees * s->earth.lean), degrees * s->earth.phi,
-                 degrees * s->earth.delta);
+                 degrees * s->earth.phi, degrees * s->earth.delta);
         return;
     }
     int n = snprintf(out, LOADS_ROOM, "weighs %.60s about %s on %d face%s",
@@ -290,6 +299,13 @@ static inline void json_soil(const struct analysis *a)
         json_number("x", (double)(prop ? s->at.x : s->sum.at.x));
         json_number("y", (double)(prop ? s->at.y : s->sum.at.y));
         json_number("most", s->props > 0 ? s->most : (double)NAN);
+        if (s->kind == TEXT_EARTH) {
+            json_number("lean", s->earth.lean * 57.295779513082321);
+            json_number("foot_x", (double)s->foot.x);
+            json_number("foot_y", (double)s->foot.y);
+            json_number("head_x", (double)s->head.x);
+            json_number("head_y", (double)s->head.y);
+        }
         printf("}");
     }
     printf("]");

@@ -105,6 +105,7 @@ struct analysis {
                                          is none; let go NAN: not shown */
     struct swept *swept;              /* the live load at each place       */
     int sweeps;
+    int untried; /* places where the least factor may be as well       */
 
     struct text_file stone; /* of --place                      */
     struct placed *placed;  /* the best places of --place       */

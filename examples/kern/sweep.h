@@ -36,8 +36,8 @@ struct sweep {
 };
 
 enum {
-    SWEEP_PLACES = 1000, /* that are tried at most                         */
-    SWEEP_PARTS = 4,     /* tried from joint to joint                      */
+    SWEEP_PLACES = 2500, /* that are tried at most, but for a few          */
+    SWEEP_PARTS = 4,     /* tried from joint to joint, under fill          */
     SWEEP_CUTS = 12      /* steps of the search between two places         */
 };
 
@@ -247,47 +247,75 @@ static inline void sweep_try(struct sweep *w, double x, struct swept *least)
         *least = at;
 }
 
-/* Writes the places, less `middle`, where the least may be, and returns how many
-   there are. Those where a force goes over a joint, from both sides: between them
-   1 / factor is convex, as the largest of powers that are linear in the place, so
-   its least is at one of these. Loads that spread have a least for each joint or
-   two, anywhere: of these quarters of the way from joint to joint. */
-static inline int sweep_places(const struct sweep *w, double middle, double *x)
+/* Adds the places where force k comes to the ends of face i and leaves them,
+   where the face may move; an axle with each of its ends and its middle. Under
+   fill, parts of the way from end to end. Returns how many there are. */
+static inline int sweep_face(const struct sweep *w, int k, int i, double *x)
 {
     const struct analysis *a = w->a;
+    const struct soil_edge *e = w->above.edge + i;
+    const int wheel = k - sweep_lives(a);
     const double side = 1e-9 * (w->high - w->low);
+    const double half = wheel < 0 ? 0 : a->text.wheel[wheel].width / 2;
+    const double to = sweep_place(a, 0) - sweep_place(a, k);
+    const double p = (double)e->p.x + to, q = (double)e->q.x + to;
+    double cone = 0;
     int places = 0;
-    for (int k = 0; k < sweep_forces(a); k++)
-        for (int i = 0; i < w->above.edges; i++) {
-            const double p = (double)w->above.edge[i].p.x;
-            const double wide = (double)w->above.edge[i].q.x - p;
-            const double to = sweep_place(a, 0) - sweep_place(a, k) - middle;
-            for (int n = 0; n < SWEEP_PARTS; n++)
-                x[places++] = k < sweep_lives(a)
-                                ? p + to + (n % 2 ? side : -side)
-                                : p + to + wide * n / SWEEP_PARTS;
-        }
+    if (wheel >= 0)
+        text_road(&a->text, (p + q) / 2 - to, &cone);
+    if (a->task.s.block[e->block].fixed && !(cone > 0))
+        return 0;
+    for (int n = 0; n <= SWEEP_PARTS && cone > 0; n++)
+        x[places++] = p + (q - p) * n / SWEEP_PARTS;
+    if (cone > 0)
+        return places;
+    x[places++] = p + fmax(half, side);
+    x[places++] = q - fmax(half, side);
+    if (half > side) {
+        x[places++] = p;
+        x[places++] = q;
+    }
     return places;
 }
 
-static inline int sweep_nearer(const void *a, const void *b)
+/* Writes the places where the least may be, in order, and returns how many there
+   are. Between the ends of faces 1 / factor is convex, as the largest of powers
+   that are linear in the place, so its least is at one of these. Loads that spread
+   have a least for each joint or two, anywhere. */
+static inline int sweep_places(const struct sweep *w, double *x)
 {
-    const double x = fabs(*(const double *)a), y = fabs(*(const double *)b);
-    return (x > y) - (x < y);
+    const double side = 1e-9 * (w->high - w->low);
+    int all = 0, places = 0;
+    for (int k = 0; k < sweep_forces(w->a); k++)
+        for (int i = 0; i < w->above.edges; i++)
+            all += sweep_face(w, k, i, x + all);
+    qsort(x, (size_t)all, sizeof *x, soil_compare);
+    for (int k = 0; k < all; k++)
+        if (places == 0 || x[k] > x[places - 1] + side / 2)
+            x[places++] = x[k];
+    return places;
 }
 
-/* Tries all of these places, of many those next to the least one. */
+/* Tries all of these places; of too many ones that are evenly spread, and those
+   next to the least of them. Says how many are left. */
 static inline void sweep_joints(struct sweep *w, struct swept *least)
 {
-    const double middle = least->x;
-    double *x = array(SWEEP_PARTS * sweep_forces(w->a) * w->above.edges,
+    double *x = array((SWEEP_PARTS + 1) * sweep_forces(w->a) * w->above.edges,
                       sizeof *x);
-    const int places = x ? sweep_places(w, middle, x) : 0;
-    if (x)
-        qsort(x, (size_t)places, sizeof *x, sweep_nearer);
-    for (int k = 0; k < places && k < SWEEP_PLACES; k++)
-        if (k == 0 || x[k] < x[k - 1] || x[k] > x[k - 1])
-            sweep_try(w, middle + x[k], least);
+    const int places = x ? sweep_places(w, x) : 0;
+    const int step = 1 + (places - 1) / SWEEP_PLACES;
+    int best = 0, tried = 0;
+    for (int k = 0; k < places; k += step, tried++) {
+        const double was = least->live;
+        sweep_try(w, x[k], least);
+        best = least->live < was ? k : best;
+    }
+    for (int k = best - step + 1; k < best + step && step > 1; k++)
+        if (k >= 0 && k < places && k != best) {
+            sweep_try(w, x[k], least);
+            tried++;
+        }
+    w->a->untried = places - tried;
     free(x);
 }
 
@@ -338,14 +366,18 @@ static inline void sweep_add_least(struct sweep *w)
     struct analysis *a = w->a;
     const int sample = sweep_least(a);
     struct swept least;
+    double known = HUGE_VAL;
     int k = a->sweeps;
-    if (sample < 0)
-        return;
-    least = a->swept[sample];
+
+    /* where no sample has a bound, others may */
+    least = a->swept[sample < 0 ? 0 : sample];
+    if (sample >= 0)
+        known = least.live;
+    least.live = known;
     sweep_joints(w, &least);
-    if (a->text.wheels > 0)
+    if (a->text.wheels > 0 && least.live < HUGE_VAL)
         sweep_refine(w, sweep_step(w, &least), &least);
-    if (!(least.live < a->swept[sample].live * (1 - 1e-9)))
+    if (!(least.live < known * (1 - 1e-9)))
         return;
     for (; k > 0 && a->swept[k - 1].x > least.x; k--)
         a->swept[k] = a->swept[k - 1];
@@ -378,6 +410,9 @@ static inline int find_sweep(struct analysis *a)
     return there ? 0 : fail_memory(a);
 }
 
+static const char sweep_why[] =
+    "without the live load it is not known to stand";
+
 /* As the report has it: six digits. */
 static inline void sweep_print(double value)
 {
@@ -394,6 +429,8 @@ static inline void report_sweep(const struct analysis *a)
     const int least = sweep_least(a), governs = sweep_governs(a);
     const int let_go = sweeps_let_go(a);
     char shown[TEXT_SHOW_ROOM], what[LOADS_ROOM];
+    if (a->set->sweep > 0 && a->sweeps == 0)
+        printf("  sweep       none: %s\n", sweep_why);
     if (a->sweeps == 0)
         return;
     sweep_sentence(a, what);
@@ -402,6 +439,10 @@ static inline void report_sweep(const struct analysis *a)
                sweep_factor_least(a), what);
     else
         printf("  worst place none      %s\n", what);
+    if (a->untried > 0)
+        printf("  sweep       %d places where the least may be were not tried: "
+               "it may be less than that below\n",
+               a->untried);
     printf("  sweep       %11s %11s", "x", "y");
     if (let_go)
         printf(" %11s", "live");
@@ -439,7 +480,11 @@ static inline void json_sweep(const struct analysis *a)
             json_number("raised_live", at->raised);
         printf("}");
     }
-    printf("]");
+    printf("], \"sweep_untried\": %d", a->untried);
+    if (a->sweeps == 0) {
+        printf(", ");
+        json_string("sweep_why", sweep_why);
+    }
 }
 
 /* A curve through each run of places where the factor is finite, and arrows up at

@@ -42,6 +42,8 @@ struct outlines_block {
     double left, right, low, high, size;
     double mass, mass_x, mass_y; /* of the fill on it                  */
     int idle;                    /* nonzero: fill that lies on no stone */
+    int pushes;                  /* nonzero: fill that is a statement   */
+    double misfit; /* share of such a fill that is not as drawn          */
 };
 
 struct outlines {
@@ -1024,6 +1026,33 @@ static void outlines_note_lowest(struct outlines *o, const char *mark)
                           "NAME=ground)\n");
 }
 
+/* Says which outlines have nothing below them and are higher than those that are
+   fixed: a second abutment, perhaps. */
+static void outlines_note_second(struct outlines *o, char *mark)
+{
+    struct shapes *s = o->s;
+    int count = 0;
+    for (int i = 0; i < o->blocks; i++) {
+        const struct outlines_block *b = o->block + i;
+        int below = outlines_path(o, i)->role != SHAPES_STONE;
+        for (int j = 0; j < o->blocks && !below; j++) {
+            const struct outlines_block *c = o->block + j;
+            below = j != i && outlines_path(o, j)->role != SHAPES_FILL
+                 && c->low < b->low - 1e-6 * o->size && c->left < b->right
+                 && c->right > b->left;
+        }
+        mark[i] = (char)!below;
+        count += !below;
+    }
+    if (count == 0)
+        return;
+    shapes_put(&s->notes, "nothing is below ");
+    outlines_put_names(o, mark);
+    shapes_put(&s->notes, ", and not fixed, since other outlines are lower: "
+                          "where it stands on ground, draw that, or give it a "
+                          "layer of its own (--layer NAME=ground)\n");
+}
+
 /* Fixes the lowest outlines where no label is ground: of a photograph those
    that begin less than half a stone above the lowest point. */
 static void outlines_lowest(struct outlines *o)
@@ -1048,8 +1077,11 @@ static void outlines_lowest(struct outlines *o)
         path->role = SHAPES_GROUND;
         mark[i] = 1;
     }
-    if (mark && !found && o->blocks > 0)
+    if (mark && !found && o->blocks > 0) {
         outlines_note_lowest(o, mark);
+        if (!s->photograph)
+            outlines_note_second(o, mark);
+    }
     free(mark);
 }
 

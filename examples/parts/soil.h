@@ -308,6 +308,30 @@ static inline double soil_enter(const kern_block *b, double x, double top,
     return least < most ? least : HUGE_VAL;
 }
 
+/* Adds to the pattern the share of a vertical unit load, uniform from left to
+   right, that stands on each block. What is over none is lost. */
+static inline void soil_stand(kern_wrench *pattern, const kern_block *block,
+                              int blocks, double left, double right)
+{
+    const double wide = right - left;
+    double from = left;
+    while (from < right) {
+        struct soil_edge e;
+        double to = right;
+        int i, k;
+        for (i = 0; i < blocks; i++)
+            for (k = 0; k < block[i].vertices; k++) {
+                const double x = (double)block[i].vertex[k].x;
+                if (x > from && x < to)
+                    to = x;
+            }
+        if (soil_outermost(block, blocks, SOIL_ABOVE, from, to, &e))
+            soil_share(pattern, block, e.block, (to - from) / wide,
+                       (from + to) / 2);
+        from = to;
+    }
+}
+
 enum { SOIL_STRIPS = 32, SOIL_RAYS = 48 };
 
 /* Returns the direction of ray k of a strip, from the vertical, within `cone`;
@@ -327,17 +351,19 @@ static inline double soil_direction(int strip, int k, double cone)
    shares within the cone are scaled up to the whole load. The first stone in a
    direction bears its share, as a vertical force where the ray meets it; what lies
    in its shadow bears nothing. The share of a direction without a stone is lost.
-   Where cone is 0 the patch stands on the highest stone below it. */
+   Where cone is 0 the patch stands on the highest stones below it, whole parts of
+   it on each. */
 static inline void soil_spread(kern_wrench *pattern, const kern_block *block,
                                int blocks, double x, double patch, double top,
                                double cone)
 {
     double wide = patch, sum = 0;
     int s, i, k;
-    for (i = 0; i < blocks; i++) {
-        if (!(cone > 0) && block[i].vertices > 0)
-            top = fmax(top, (double)block[i].box.high.y);
+    for (i = 0; i < blocks; i++)
         wide = fmax(wide, 1e-9 * sqrt(fabs((double)block[i].area)));
+    if (!(cone > 0)) {
+        soil_stand(pattern, block, blocks, x - wide / 2, x + wide / 2);
+        return;
     }
     for (s = 0; s < SOIL_STRIPS; s++)
         for (k = 0; k < SOIL_RAYS; k++)

@@ -20,6 +20,9 @@ enum {
     STATEMENTS_FILL = 200000000 /* edges of all columns that are weighed */
 };
 
+/* Share of a statement fill that its outline may have more or less. */
+#define STATEMENTS_MISFIT 0.02
+
 /* ---- Fill ----------------------------------------------------------------- */
 
 /* Where a column leaves an outline: y at its left side, middle and right. */
@@ -217,12 +220,6 @@ static int statements_level(const struct outlines *o, int i)
     return level > 0.9 * (b->right - b->left);
 }
 
-/* Does this fill push back, and spread loads? It is then a statement fill. */
-static int statements_pushes(const struct outlines *o, int i)
-{
-    return o->s->asked->phi > 0 && !o->block[i].idle && statements_level(o, i);
-}
-
 /* Says of a fill that it is a statement of its own. */
 static void statements_note_push(struct outlines *o, int i)
 {
@@ -272,6 +269,112 @@ static int statements_lies(struct outlines *o, int i, int corners,
     free(before);
     o->block[i].idle = !(mass > 0);
     return mass > 0;
+}
+
+/* Finds on what a statement fill would lie in a column: on the highest block, or
+   on a fill below that is such a statement. Returns 0 where that is no stone. */
+static int statements_floor(const struct outlines *o, int i, double left,
+                            double right, const struct statements_span *span,
+                            int n, double floor[3])
+{
+    int stone = 0;
+    for (int k = 0; k < n; k++)
+        if (k == 0 || span[k].high[1] > floor[1]) {
+            memcpy(floor, span[k].high, sizeof span[k].high);
+            stone = outlines_path(o, span[k].block)->role == SHAPES_STONE;
+        }
+    for (int j = 0; j < o->blocks && stone; j++) {
+        const struct outlines_block *b = o->block + j;
+        if (j == i || !b->pushes || b->left > left || b->right < right)
+            continue;
+        for (int k = 0; k < 3; k++)
+            floor[k] = b->high > floor[k] ? b->high : floor[k];
+    }
+    return stone;
+}
+
+/* Adds what a statement fill would fill in a column, and by how much its outline
+   differs from that. */
+static void statements_differ(double wide, double top, const double floor[3],
+                              const struct statements_span *fill, int fills,
+                              double *all, double *differs)
+{
+    static const double weight[3] = {1.0 / 6, 4.0 / 6, 1.0 / 6};
+    double want = 0, have = 0;
+    for (int k = 0; k < 3; k++) {
+        want += top > floor[k] ? weight[k] * (top - floor[k]) : 0;
+        for (int f = 0; f < fills; f++) {
+            const double low = fill[f].low[k] > floor[k] ? fill[f].low[k]
+                                                         : floor[k];
+            have += fill[f].high[k] > low ? weight[k] * (fill[f].high[k] - low)
+                                          : 0;
+        }
+    }
+    *all += wide * want;
+    *differs += wide * shapes_abs(want - have);
+}
+
+/* Returns the share of a statement fill, from its top down to the stones or to
+   such a fill below, by which its outline is not that: 1 where it is none. */
+static double statements_misfit(const struct outlines *o, int i, int corners)
+{
+    struct shapes *s = o->s;
+    double *x = shapes_array(s, corners, sizeof *x), all = 0, differs = 0;
+    int *index = shapes_array(s, corners, sizeof *index), columns = 0;
+    struct statements_span *span = shapes_array(s, 2 * corners, sizeof *span);
+    struct statements_span *fill = span ? span + corners : NULL;
+    if (x && index && span)
+        columns = statements_corners(o, x, index, o->block[i].left,
+                                     o->block[i].right);
+    if ((double)columns * corners > STATEMENTS_FILL)
+        columns = 0;
+    for (int k = 0; k + 1 < columns; k++) {
+        const double left = x[index[k]], right = x[index[k + 1]];
+        double floor[3];
+        int n = 0, fills;
+        if (!(right - left > 1e-9 * o->size))
+            continue;
+        fills = statements_spans(o, i, -1, left, right, fill, 0, corners);
+        for (int b = 0; b < o->blocks; b++)
+            if (outlines_path(o, b)->role != SHAPES_FILL)
+                n = statements_spans(o, b, b, left, right, span, n,
+                                     corners - 1);
+        if (statements_floor(o, i, left, right, span, n, floor))
+            statements_differ(right - left, o->block[i].high, floor, fill,
+                              fills, &all, &differs);
+    }
+    free(x);
+    free(index);
+    free(span);
+    return all > 0 ? differs / all : 1;
+}
+
+/* Finds which fill weighs on stones, and which of it pushes back and spreads
+   loads, from the lowest: it is level on top and goes down to the stones, or to
+   such a fill. */
+static void statements_pushes(struct outlines *o, int corners)
+{
+    struct shapes *s = o->s;
+    double *top = shapes_array(s, o->blocks, sizeof *top);
+    int *index = shapes_array(s, o->blocks, sizeof *index), n = 0;
+    for (int i = 0; i < o->blocks && top && index && !s->lost; i++) {
+        const double density = shapes_density(
+            s, shapes_at(s, outlines_path(o, i)->label));
+        top[i] = o->block[i].high;
+        if (outlines_path(o, i)->role == SHAPES_FILL
+            && statements_lies(o, i, corners, density > 0 ? density : 1)
+            && s->asked->phi > 0 && statements_level(o, i))
+            index[n++] = i;
+    }
+    if (n > 0)
+        lines_sort(index, n, top);
+    for (int k = 0; k < n; k++) {
+        struct outlines_block *b = o->block + index[k];
+        b->misfit = statements_misfit(o, index[k], corners);
+        b->pushes = b->misfit <= STATEMENTS_MISFIT;
+    }
+    free(top);
+    free(index);
 }
 
 /* Says of a fill that it weighs on no stone. */
@@ -356,6 +459,25 @@ static void statements_note_thrust(struct outlines *o, int i, double density)
     }
 }
 
+/* Says why a fill is weight alone. */
+static void statements_note_misfit(struct outlines *o, int i)
+{
+    struct shapes *s = o->s;
+    const double misfit = o->block[i].misfit;
+    if (!(s->asked->phi > 0)) {
+        shapes_put(&s->notes, " (--phi PHI; statements fill and earth)");
+        return;
+    }
+    if (!(misfit > 0)) {
+        shapes_put(&s->notes, ", since it is not level on top");
+        return;
+    }
+    shapes_put(&s->notes, ", since its outline differs by ");
+    shapes_put_number(&s->notes, 100 * misfit, 3);
+    shapes_put(&s->notes, " % from a fill that goes from its top down to the "
+                          "stones: a void, another outline or a slope");
+}
+
 /* Lays the weight of all fill, and says so. */
 static void statements_fill(struct outlines *o)
 {
@@ -363,6 +485,7 @@ static void statements_fill(struct outlines *o)
     int corners = 2;
     for (int i = 0; i < o->blocks; i++)
         corners += outlines_path(o, i)->points;
+    statements_pushes(o, corners);
     for (int i = 0; i < o->blocks && !s->lost; i++) {
         const char *label = shapes_at(s, outlines_path(o, i)->label);
         double density, lost;
@@ -371,11 +494,11 @@ static void statements_fill(struct outlines *o)
         density = shapes_density(s, label);
         density = density > 0 ? density : 1;
         statements_note_thrust(o, i, density);
-        if (!statements_lies(o, i, corners, density)) {
+        if (o->block[i].idle) {
             statements_note_idle(o, i);
             continue;
         }
-        if (statements_pushes(o, i)) {
+        if (o->block[i].pushes) {
             statements_note_push(o, i);
             continue;
         }
@@ -391,9 +514,7 @@ static void statements_fill(struct outlines *o)
         shapes_put_number(&s->notes, density, 4);
         shapes_put(&s->notes, ", lies on the blocks right below it; it gives "
                               "neither thrust nor support");
-        shapes_put(&s->notes, s->asked->phi > 0
-                                  ? ", since it is not level on top"
-                                  : " (--phi PHI; statements fill and earth)");
+        statements_note_misfit(o, i);
         if (lost > 0.01) {
             shapes_put(&s->notes, "; ");
             shapes_put_number(&s->notes, 100 * lost, 2);
@@ -569,7 +690,7 @@ static int statements_write(struct outlines *o)
         shapes_put(&s->text, "\n");
     }
     for (int i = 0; i < o->blocks; i++)
-        if (outlines_path(o, i)->role == SHAPES_FILL && statements_pushes(o, i))
+        if (outlines_path(o, i)->role == SHAPES_FILL && o->block[i].pushes)
             statements_push(o, i);
     statements_frictions(o);
     return 0;

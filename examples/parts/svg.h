@@ -339,8 +339,13 @@ static void svg_size(struct svg *v)
     struct svg_part p;
     struct svg_numbers n;
     double x, y;
-    if (!svg_get(v, "viewBox", &p))
+    if (!svg_get(v, "viewBox", &p)) {
+        if (svg_value(v, "width", &x) && svg_value(v, "height", &y)) {
+            v->wide = x;
+            v->high = y;
+        }
         return;
+    }
     n = svg_numbers_of(v, p);
     if (!svg_number(&n, &x) || !svg_number(&n, &y) || !svg_number(&n, &v->wide)
         || !svg_number(&n, &v->high))
@@ -822,6 +827,19 @@ static int svg_find(struct svg *v, struct svg_part id)
 
 static int svg_tag(struct svg *v);
 
+/* Returns 1, and lists an element `use`, where too many draw each other. */
+static int svg_exceeds(struct svg *v, int label)
+{
+    const int deep = v->uses >= SVG_USES;
+    if (!deep && *v->work < SVG_WORK)
+        return 0;
+    shapes_skipped(v->s,
+                   deep ? "use in more than 8 others"
+                        : "use after the most work that uses may take",
+                   label, v->start);
+    return 1;
+}
+
 /* Draws what an element `use` names, or lists this. */
 static int svg_use(struct svg *v, const struct svg_frame *f, int label)
 {
@@ -830,8 +848,9 @@ static int svg_use(struct svg *v, const struct svg_frame *f, int label)
     double x, y;
     int bad = 0, drawn = svg_get(v, "href", &p) || svg_get(v, "xlink:href", &p);
     drawn = drawn && p.length > 1 && v->data[p.at] == '#'
-         && svg_value(v, "x", &x) && svg_value(v, "y", &y) && v->uses < SVG_USES
-         && *v->work < SVG_WORK;
+         && svg_value(v, "x", &x) && svg_value(v, "y", &y);
+    if (drawn && svg_exceeds(v, label))
+        return 0;
     if (drawn) {
         p.at++;
         p.length--;

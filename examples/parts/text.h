@@ -92,6 +92,7 @@ struct text_soil {
     struct soil_earth earth;  /* angles in rad; of fill top and phi      */
     kern_vec way, at;         /* of prop: direction and place            */
     struct soil_force sum;    /* weight or thrust, and where it acts        */
+    kern_vec foot, head;      /* of the back that earth meets               */
     int live;                 /* nonzero: it is a part of the live load     */
     int blocks;               /* on how many blocks                         */
     int props;                /* and with how many pushes                   */
@@ -177,6 +178,7 @@ struct text_reader {
     int frictions;
     struct text_push *push;
     int pushes;
+    int laid; /* nonzero: all fill is on the outline */
 };
 
 enum text_range { TEXT_ANY, TEXT_NOT_NEGATIVE, TEXT_POSITIVE };
@@ -831,9 +833,21 @@ static int text_earth(struct text_reader *r)
     return 0;
 }
 
+/* Is a point farther from a block than that is large? */
+static int text_beside(const kern_block *b, kern_vec at)
+{
+    const double size = hypot((double)(b->box.high.x - b->box.low.x),
+                              (double)(b->box.high.y - b->box.low.y));
+    return (double)at.x < (double)b->box.low.x - size
+        || (double)at.x > (double)b->box.high.x + size
+        || (double)at.y < (double)b->box.low.y - size
+        || (double)at.y > (double)b->box.high.y + size;
+}
+
 /* NAME FX FY X Y MOST */
 static int text_prop(struct text_reader *r)
 {
+    char shown[TEXT_SHOW_ROOM];
     struct text_soil *s = text_begin_soil(r, TEXT_PROP);
     kern_block *b;
     kern_vec f;
@@ -842,6 +856,15 @@ static int text_prop(struct text_reader *r)
         || text_double(r, TEXT_POSITIVE, &s->most))
         return -1;
     length = hypot((double)f.x, (double)f.y);
+    if (text_beside(b, s->at))
+        return text_fail(r->t,
+                         "prop: a point on block '%s', which is from x = %.9g "
+                         "to %.9g and from y = %.9g to %.9g, is expected, read "
+                         "%.9g %.9g",
+                         text_show(shown, r->t->name[b - r->t->block]),
+                         (double)b->box.low.x, (double)b->box.high.x,
+                         (double)b->box.low.y, (double)b->box.high.y,
+                         (double)s->at.x, (double)s->at.y);
     if (!(length > 0 && length <= TEXT_MOST))
         return text_fail(r->t, "prop: a direction is expected, read %.9g %.9g",
                          (double)f.x, (double)f.y);
@@ -947,52 +970,122 @@ static int text_add_push(struct text_reader *r, struct text_soil *s, int block,
     return 0;
 }
 
-/* Lays fill on the upper outline. */
-static int text_lay(struct text_reader *r, struct text_soil *s,
-                    const struct text_surface *above)
+/* Does fill lie over x? */
+static int text_covers(const struct text_soil *s, double x)
+{
+    return s->kind == TEXT_FILL && s->from < x && s->to > x;
+}
+
+/* Orders fills from the lowest top to the highest; of two with the same top the
+   first of the file lies below. */
+static int text_lower(const void *a, const void *b)
+{
+    const struct text_soil *s = *(struct text_soil *const *)a;
+    const struct text_soil *u = *(struct text_soil *const *)b;
+    const int above = (s->earth.top > u->earth.top)
+                    - (s->earth.top < u->earth.top);
+    return above ? above : s->line - u->line;
+}
+
+/* Returns where the piece of an edge that begins at p ends: at the end of the
+   edge, of a fill, or where a top of a fill crosses it. */
+static kern_vec text_cut(struct text_soil *const *fill, int fills,
+                         const struct soil_edge *e, kern_vec p)
+{
+    const double dx = (double)(e->q.x - e->p.x), dy = (double)(e->q.y - e->p.y);
+    const double least = (double)p.x + 1e-9 * dx;
+    double to = (double)e->q.x;
+    kern_vec q = e->q;
+    for (int i = 0; i < fills; i++) {
+        const double rise = fill[i]->earth.top - (double)e->p.y;
+        const double place[3] = {fill[i]->from, fill[i]->to,
+                                 fabs(dy) > 0 ? (double)e->p.x + rise / dy * dx
+                                              : HUGE_VAL};
+        for (int k = 0; k < 3; k++)
+            if (place[k] > least && place[k] < to && (kern_real)place[k] > p.x)
+                to = place[k];
+    }
+    if (to < (double)e->q.x) {
+        q.x = (kern_real)to;
+        q.y = e->p.y + (kern_real)((to - (double)e->p.x) / dx * dy);
+    }
+    return q;
+}
+
+/* Adds the push of the fill that lies on a piece, under a pressure `over` of the
+   fills above it. */
+static int text_push_back(struct text_reader *r, struct text_soil *s, int block,
+                          kern_vec p, kern_vec q, double over)
+{
+    const double g = -(double)r->t->gravity.y, weight = s->density * g;
+    const double most = s->earth.phi > 0
+                          ? soil_push_back(p, q, s->earth.top + over / weight,
+                                           weight, s->earth.phi)
+                          : 0;
+    const kern_vec middle = {(p.x + q.x) / 2, (p.y + q.y) / 2};
+    const kern_vec way = {q.y > p.y ? 1 : -1, 0};
+    if (!(most > 1e-6 * (double)r->t->block[block].mass * g))
+        return 0;
+    s->most += most;
+    return text_add_push(r, s, block, middle, way, most);
+}
+
+/* Lays the fills over a piece of the outline on it, each on the one below: a
+   layer weighs its own thickness, and the lowest pushes back under all. */
+static int text_layers(struct text_reader *r, struct text_soil *const *fill,
+                       int fills, int block, kern_vec p, kern_vec q)
 {
     struct text_file *t = r->t;
-    const double g = -(double)t->gravity.y, top = s->earth.top;
-    r->statement = "fill";
-    for (int i = 0; i < above->edges; i++) {
-        const struct soil_edge *e = above->edge + i;
-        const double dx = (double)(e->q.x - e->p.x);
-        const double dy = (double)(e->q.y - e->p.y);
-        kern_vec p = e->p, q = e->q, middle;
-        if (t->block[e->block].fixed || !((double)q.x > s->from)
-            || !((double)p.x < s->to))
+    const double g = -(double)t->gravity.y, x = (double)(p.x + q.x) / 2;
+    double level = (double)(p.y + q.y) / 2, over = 0;
+    struct text_soil *lowest = NULL;
+    kern_vec left = p, right = q;
+    for (int i = 0; i < fills; i++) {
+        struct text_soil *s = fill[i];
+        if (!text_covers(s, x) || !(s->earth.top > level))
             continue;
-
-        /* the part that lies below the fill */
-        if ((double)p.x < s->from) {
-            p.y += (kern_real)((s->from - (double)p.x) * dy / dx);
-            p.x = (kern_real)s->from;
-        }
-        if ((double)q.x > s->to) {
-            q.y -= (kern_real)(((double)q.x - s->to) * dy / dx);
-            q.x = (kern_real)s->to;
-        }
-        const struct soil_force f = soil_fill(p, q, top, s->density);
-        const double most = s->earth.phi > 0 ? soil_push_back(
-                                p, q, top, s->density * g, s->earth.phi)
-                                             : 0;
-        if (!(-(double)f.force.y > 0))
-            continue;
-        struct soil_force weight = f;
-        weight.force.y *= (kern_real)g;
-        text_sum(s, weight);
-        if (text_weigh(r, &t->block[e->block], -f.force.y, f.at))
+        struct soil_force f = soil_fill(left, right, s->earth.top, s->density);
+        t->line = s->line;
+        if (text_weigh(r, &t->block[block], -f.force.y, f.at))
             return -1;
-        middle.x = (p.x + q.x) / 2;
-        middle.y = (p.y + q.y) / 2;
-        const kern_vec way = {q.y > p.y ? 1 : -1, 0};
-        if (!(most > 1e-6 * (double)t->block[e->block].mass * g))
-            continue;
-        s->most += most;
-        if (text_add_push(r, s, e->block, middle, way, most))
-            return -1;
+        f.force.y *= (kern_real)g;
+        text_sum(s, f);
+        over += lowest ? s->density * g * (s->earth.top - level) : 0;
+        lowest = lowest ? lowest : s;
+        level = s->earth.top;
+        left.y = right.y = (kern_real)level;
     }
-    return 0;
+    return lowest ? text_push_back(r, lowest, block, p, q, over) : 0;
+}
+
+/* Lays all fill on the upper outline. */
+static int text_lay(struct text_reader *r, const struct text_surface *above)
+{
+    struct text_file *t = r->t;
+    struct text_soil **fill = malloc((size_t)t->soils * sizeof *fill);
+    int fills = 0, bad = !fill;
+    r->statement = "fill";
+    for (int i = 0; i < t->soils && fill; i++)
+        if (t->soil[i].kind == TEXT_FILL)
+            fill[fills++] = t->soil + i;
+    if (fill)
+        qsort(fill, (size_t)fills, sizeof(struct text_soil *), text_lower);
+    if (4.0 * fills * fills * above->edges > TEXT_SURFACE) {
+        free(fill);
+        return text_fail(t, "fill: %d statements over %d edges are too many",
+                         fills, above->edges);
+    }
+    for (int i = 0; i < above->edges && !bad; i++) {
+        const struct soil_edge *e = above->edge + i;
+        kern_vec p = e->p;
+        while (!t->block[e->block].fixed && !bad && p.x < e->q.x) {
+            const kern_vec q = text_cut(fill, fills, e, p);
+            bad = text_layers(r, fill, fills, e->block, p, q);
+            p = q;
+        }
+    }
+    free(fill);
+    return bad && !t->message[0] ? text_no_memory(t) : bad;
 }
 
 /* Adds a force to the live load. */
@@ -1033,7 +1126,17 @@ static int text_press(struct text_reader *r, struct text_soil *s, int block,
     return text_check_load(r, &b->load);
 }
 
-/* Finds how the back that earth meets leans over the earth. */
+/* Returns how an edge, or the line between two, leans over the earth. */
+static double text_lean_of(const struct text_soil *s, kern_vec foot,
+                           kern_vec head)
+{
+    return (s->side == SOIL_LEFT ? -1 : 1)
+         * atan2((double)(head.x - foot.x), (double)(head.y - foot.y));
+}
+
+/* Finds how the back that earth meets leans over the earth: as the line from its
+   foot to its crest, or, of one over the earth, no more than any of its faces.
+   The pressure is then at least that on the plane through its outermost point. */
 static int text_lean(struct text_reader *r, struct text_soil *s,
                      const struct text_surface *back)
 {
@@ -1041,25 +1144,58 @@ static int text_lean(struct text_reader *r, struct text_soil *s,
     const struct soil_earth *e = &s->earth;
     const double highest = e->water > 0 ? fmax(e->top, e->level) : e->top;
     const struct soil_edge *foot = NULL, *head = NULL;
+    double least = HUGE_VAL;
     for (int i = 0; i < back->edges; i++) {
         const struct soil_edge *edge = back->edge + i;
         if (t->block[edge->block].fixed || !((double)edge->p.y < highest))
             continue;
         foot = foot ? foot : edge;
         head = edge;
+        least = fmin(least, text_lean_of(s, edge->p, edge->q));
     }
     if (!foot)
         return text_fail(t, "earth: no free block is below its top, %.9g",
                          highest);
-    s->earth.lean = (s->side == SOIL_LEFT ? -1 : 1)
-                  * atan2((double)(head->q.x - foot->p.x),
-                          (double)(head->q.y - foot->p.y));
+    s->foot = foot->p;
+    s->head = head->q;
+    s->earth.lean = text_lean_of(s, foot->p, head->q);
+    if (s->earth.lean > least)
+        s->earth.lean = fmin(fmax(least, 0), s->earth.lean);
     if (fabs(s->earth.lean) <= 0.79)
         return 0;
     return text_fail(t,
                      "earth: a back within 45 degrees of the vertical is "
                      "expected, read one of %.3g degrees",
                      57.295779513082321 * s->earth.lean);
+}
+
+/* Refuses fill on a back that bears the weight of the earth on it already. */
+static int text_twice(struct text_file *t, const struct text_soil *s,
+                      const struct text_surface *above)
+{
+    const double least = fmin((double)s->foot.x, (double)s->head.x);
+    const double most = fmax((double)s->foot.x, (double)s->head.x);
+    const double slack = 1e-6 * (double)(s->head.y - s->foot.y);
+    for (int i = 0; i < above->edges && s->earth.lean < 0; i++) {
+        const struct soil_edge *e = above->edge + i;
+        const double p = fmax(least, (double)e->p.x);
+        const double q = fmin(most, (double)e->q.x);
+        for (int k = 0; k < t->soils && q - p > slack; k++) {
+            const struct text_soil *f = t->soil + k;
+            if (t->block[e->block].fixed || f->kind != TEXT_FILL
+                || !(fmin(f->to, q) - fmax(f->from, p) > slack)
+                || !(fmin(f->earth.top, s->earth.top)
+                     > fmin((double)e->p.y, (double)e->q.y)))
+                continue;
+            return text_fail(t,
+                             "earth: the back from x = %.9g to %.9g bears the "
+                             "earth on it already, and the fill of line %d "
+                             "lies there too: write 'from X1 to X2' in that "
+                             "line, without this stretch",
+                             least, most, f->line);
+        }
+    }
+    return 0;
 }
 
 /* Presses earth and water on a piece of a back, as its side sees it: on what is
@@ -1223,6 +1359,13 @@ static int text_no_fill(struct text_file *t, const struct text_soil *s,
     }
     if (s->to < HUGE_VAL)
         snprintf(range, sizeof range, " from x = %.9g to %.9g", s->from, s->to);
+    if (free_blocks && s->earth.top > lowest)
+        return text_fail(t,
+                         "fill: a top above the other fill%s is expected, read "
+                         "%.9g: each fill lies on those with a lower top, or "
+                         "with the same one and written before, and nothing "
+                         "is left of this one",
+                         range, s->earth.top);
     if (free_blocks)
         return text_fail(t,
                          "fill: a top above the upper outline of a free block "
@@ -1255,9 +1398,14 @@ static int text_act(struct text_reader *r, struct text_soil *s,
             fill ? "fill" : "earth", (double)t->gravity.x,
             (double)t->gravity.y);
     if (!fill)
-        return text_back(r, s, &seen[s->side]);
-    if (text_lay(r, s, &seen[SOIL_ABOVE]))
+        return text_back(r, s, &seen[s->side])
+                    || text_twice(t, s, &seen[SOIL_ABOVE])
+                 ? -1
+                 : 0;
+    if (!r->laid && text_lay(r, &seen[SOIL_ABOVE]))
         return -1;
+    r->laid = 1;
+    t->line = s->line;
     return s->blocks > 0 ? 0 : text_no_fill(t, s, &seen[SOIL_ABOVE]);
 }
 
@@ -1686,7 +1834,7 @@ static inline int text_read(struct text_file *t, const char *data,
     t->text[length] = '\0';
 
     struct text_reader r = {t,    NULL, NULL, "", 1,    0, 0,    NULL, 0,
-                            NULL, 0,    NULL, 0,  NULL, 0, NULL, 0};
+                            NULL, 0,    NULL, 0,  NULL, 0, NULL, 0,    0};
     int bad = text_make_room(&r, length) || text_lines(&r, length)
            || text_contacts(&r);
     free(r.slot);
