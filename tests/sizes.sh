@@ -14,7 +14,7 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="tokens of the implementation|62369|70450
+limits="tokens of the implementation|62369|70460
 text of the library|57000|63900
 text, kern_measure with contacts given|32000|29320
 text, kern_verdict with contacts given|22000|22000
