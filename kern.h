@@ -1405,11 +1405,11 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
    touch, its centre takes the steepest way down that is free: a turn about a
    point where the stone touches, a slide along an edge that is steeper than
    options.mu holds, or a turn on which it slides at two touches that options.mu
-   does not hold, or 0.01 if that is more. No turn is by more than 28 degrees at a time. The stone is at
-   rest where no way leads down. Two convex corners that meet hold nothing. Of
-   41,000 stones on blocks that cannot move, such as cubes on a grid, stairs and
-   saw teeth, 0.993 stand there; kern_plan_bears() tells whether this one does.
-   Blocks of the structure stay. Each motion ends where the stone meets a block,
+   (or 0.01 if that is more) does not hold. No turn is by more than 28 degrees at
+   a time. The stone is at rest where no way leads down. Two convex corners that
+   meet hold nothing. Of 41,000 stones on blocks that cannot move, such as cubes
+   on a grid, stairs and saw teeth, 0.993 stand there; kern_plan_bears() tells
+   whether this one does. Blocks of the structure stay. Each motion ends where the stone meets a block,
    so it overlaps none by more than 1e-6 (float: 1e-4) of its size. A mirrored
    stone and structure have the mirrored pose, and the order of blocks does not
    matter.
