@@ -1409,10 +1409,10 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
    a time. The stone is at rest where no way leads down. Two convex corners that
    meet hold nothing. Of 41,000 stones on blocks that cannot move, such as cubes
    on a grid, stairs and saw teeth, 0.993 stand there; kern_plan_bears() tells
-   whether this one does. Blocks of the structure stay. Each motion ends where the stone meets a block,
-   so it overlaps none by more than 1e-6 (float: 1e-4) of its size. A mirrored
-   stone and structure have the mirrored pose, and the order of blocks does not
-   matter.
+   whether this one does. Blocks of the structure stay. Each motion ends where
+   the stone meets a block, so it overlaps none by more than 1e-6 (float: 1e-4)
+   of its size. A mirrored stone and structure have the mirrored pose, and the
+   order of blocks does not matter.
    vertex[0..stone->vertices) receives the vertices there, in their order; it is
    another array than the stone's own. The structure's contacts are not read.
    KERN_OK: *out is written; below 0 it means nothing. KERN_NO_SUPPORT: the
