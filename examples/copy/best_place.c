@@ -109,10 +109,10 @@ int main(void)
 }
 
 /* Output:
-stone 1 at x = 1.450, y = 0.280, turned by -0.083: stays 1.000, margin 0.565 m
-stone 2 at x = 0.389, y = 0.489, turned by 0.653: stays 0.999, margin 0.602 m
-stone 3 at x = -0.229, y = 0.576, turned by 0.817: stays 0.996, margin 0.602 m
-stone 4 at x = 0.174, y = 1.183, turned by -0.515: stays 0.993, margin 0.602 m
-stone 5 at x = 1.069, y = 1.050, turned by -0.572: stays 0.991, margin 0.602 m
-stone 6 at x = 0.317, y = 1.589, turned by -0.250: stays 0.956, margin 0.602 m
+stone 1 at x = 0.040, y = 0.280, turned by -0.083: stays 1.000, margin 0.565 m
+stone 2 at x = 0.993, y = 0.481, turned by -0.704: stays 0.997, margin 0.579 m
+stone 3 at x = 0.231, y = 0.986, turned by 0.322: stays 0.995, margin 0.602 m
+stone 4 at x = 1.631, y = 0.422, turned by -0.921: stays 0.997, margin 0.602 m
+stone 5 at x = 1.209, y = 1.235, turned by -0.508: stays 0.972, margin 0.602 m
+stone 6 at x = -0.736, y = 0.459, turned by 0.997: stays 0.999, margin 0.602 m
 */
