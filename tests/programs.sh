@@ -562,6 +562,11 @@ layers() { # fill in layers: each is counted once, from files and from drawings
     "$kern" --density 1000 --phi 30 "$g" >"$out/o" &&
         [ "$(grep -c 'fill        weighs 9810 N' "$out/o")" -eq 2 ] || return 1
     printf '%s\n' "$ground" "$stone" 'FILL 0 3 1 3 1 4 0 4' | drawing >"$g"
+    printf '%s\n' "$ground" "$stone" 'FILL 0 1 1 1 1 2 0 2' \
+        'FILL 1 2 0 2 0 1 1 1' | drawing >"$out/again.dxf"
+    says 'skipped     1 outline drawn twice on FILL' --density 1000 --phi 30 \
+        "$out/again.dxf" && says 'fill        weighs 9810 N' --density 1000 \
+        --phi 30 "$out/again.dxf" || return 1
     says 'its outline differs by 66.7 % from a fill' --density 1000 --phi 30 \
         --kern "$f" "$g" && grep -q '^mass STONE_2 1000 \|^mass STONE_2 999.99' "$f"
 }
@@ -622,7 +627,14 @@ backs() { # of earth: steps over it are upright, and fill beside it is refused; 
         echo 'fill 4 20' >>"$f" &&
         refuses 'from x = 2 to 3 bears the earth on it already' "$f" &&
         sed -i 's/^fill.*/prop w 0 -1 -77 1 5/' "$f" &&
+        refuses "prop: a point on block 'w', which is from x = 0 to 3" "$f" &&
+        sed -i 's/^prop.*/prop w 0 -1 3.5 1 5/' "$f" &&
         refuses "prop: a point on block 'w', which is from x = 0 to 3" "$f" ||
+        return 1
+    # a flat back, on which a plane within the soil is worse than the back
+    printf '%s\n' 'fixed g -5 -1 9 -1 9 0 -5 0' 'block w 9 0 0 4 0 1 3 0 3' \
+        'earth right 3 18 30 30' >"$f"
+    refuses 'under it by at most 45 - phi / 2 = 30 degrees, is expected' "$f" ||
         return 1
     printf '%s\n' 'LOW 0 0 1 0 1 2 0 2' 'HIGH 3 1 4 1 4 2 3 2' \
         'DECK 0 2 4 2 4 3 0 3' | drawing >"$out/second.dxf"

@@ -757,6 +757,20 @@ static int outlines_contents(struct outlines *o, int i, char *in, int *others,
     return found;
 }
 
+/* Lists what is drawn twice of fill i. */
+static void outlines_repeat(struct outlines *o, int i)
+{
+    struct shapes *s = o->s;
+    const struct shapes_path *a = s->path + o->block[i].path;
+    for (int j = i + 1; j < o->blocks && !a->gone; j++) {
+        struct shapes_path *b = s->path + o->block[j].path;
+        if (!b->gone && b->role == SHAPES_FILL && b->area > 0.999 * a->area
+            && a->area > 0.999 * b->area
+            && outlines_within(o, o->block + i, o->block + j))
+            shapes_leave(s, b, "outline drawn twice");
+    }
+}
+
 /* Lists outlines that are drawn twice, frames, and holes. */
 static void outlines_nest(struct outlines *o)
 {
@@ -766,6 +780,8 @@ static void outlines_nest(struct outlines *o)
         struct shapes_path *a = s->path + o->block[i].path;
         double area;
         int others;
+        if (a->role == SHAPES_FILL)
+            outlines_repeat(o, i);
         if (!outlines_nests(o, i))
             continue;
         const int found = outlines_contents(o, i, in, &others, &area);

@@ -833,10 +833,11 @@ static int text_earth(struct text_reader *r)
     return 0;
 }
 
-/* Is a point farther from a block than that is large? */
+/* Is a point off a block, by more than a twentieth of what that is large? */
 static int text_beside(const kern_block *b, kern_vec at)
 {
-    const double size = hypot((double)(b->box.high.x - b->box.low.x),
+    const double size = 0.05
+                      * hypot((double)(b->box.high.x - b->box.low.x),
                               (double)(b->box.high.y - b->box.low.y));
     return (double)at.x < (double)b->box.low.x - size
         || (double)at.x > (double)b->box.high.x + size
@@ -1143,6 +1144,7 @@ static int text_lean(struct text_reader *r, struct text_soil *s,
     struct text_file *t = r->t;
     const struct soil_earth *e = &s->earth;
     const double highest = e->water > 0 ? fmax(e->top, e->level) : e->top;
+    const double rankine = 0.78539816339744831 - e->phi / 2;
     const struct soil_edge *foot = NULL, *head = NULL;
     double least = HUGE_VAL;
     for (int i = 0; i < back->edges; i++) {
@@ -1161,11 +1163,16 @@ static int text_lean(struct text_reader *r, struct text_soil *s,
     s->earth.lean = text_lean_of(s, foot->p, head->q);
     if (s->earth.lean > least)
         s->earth.lean = fmin(fmax(least, 0), s->earth.lean);
-    if (fabs(s->earth.lean) <= 0.79)
+
+    /* On a back that leans farther under the earth than Rankine's plane of
+       sliding, Coulomb's plane along the back is not the worst one. */
+    if (s->earth.lean <= 0.79 && s->earth.lean >= -rankine - 1e-6)
         return 0;
     return text_fail(t,
-                     "earth: a back within 45 degrees of the vertical is "
-                     "expected, read one of %.3g degrees",
+                     "earth: a back that leans over the earth by at most 45 "
+                     "degrees, or under it by at most 45 - phi / 2 = %.3g "
+                     "degrees, is expected, read one of %.3g degrees",
+                     57.295779513082321 * rankine,
                      57.295779513082321 * s->earth.lean);
 }
 
