@@ -11430,6 +11430,8 @@ static void kern_descent_pair(kern_descent *r, kern_course *c,
         if (!kern_spend(r->task->work, r->task->options.limit,
                         1 + a->vertices / KERN_UNIT))
             return;
+
+        /* an edge that the vertex may meet ends the motion, or is a touch */
         for (i = 0; i < a->vertices; i++) {
             const int next = kern_polygon_next(a, i);
             kern_edge e;
