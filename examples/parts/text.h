@@ -1063,7 +1063,8 @@ static int text_layers(struct text_reader *r, struct text_soil *const *fill,
 static int text_lay(struct text_reader *r, const struct text_surface *above)
 {
     struct text_file *t = r->t;
-    struct text_soil **fill = malloc((size_t)t->soils * sizeof *fill);
+    struct text_soil **fill = malloc((size_t)t->soils
+                                     * sizeof(struct text_soil *));
     int fills = 0, bad = !fill;
     r->statement = "fill";
     for (int i = 0; i < t->soils && fill; i++)
