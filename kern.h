@@ -3058,13 +3058,13 @@ typedef struct kern_graph {
    `force` has two phases. Between verdicts, and in the pass, it holds contact
    forces: the pass replaces the forces from which it begins by those that it
    finds. While a program of all groups is solved, it is scratch
-   (kern_model_rays()). `sum` is scratch of the proofs: no function leaves
+   (kern_model_rays()). `scratch` belongs to the function that runs: none leaves
    anything in it for another. */
 typedef struct kern_answer {
     const kern_known *known; /* forces that held a similar structure, or NULL */
     kern_force *force;       /* one a contact                                */
     kern_motion *motion;     /* one a block                                  */
-    kern_real *sum;          /* four a block                                 */
+    kern_real *scratch;      /* four a block                                 */
 } kern_answer;
 
 /* States of a cluster: it must be balanced; its groups have been balanced as
@@ -3169,7 +3169,7 @@ static void kern_model_order(const kern_model *m)
                              ? down
                              : kern_vec_step(down, KERN_LEVEL_SLOPE,
                                              kern_vec_turn(down));
-    kern_real *const height = m->answer.sum; /* of a block */
+    kern_real *const height = m->answer.scratch; /* of a block */
     int *const list = m->graph.block, groups = m->graph.groups;
     int gap, i, j;
     for (i = 0; i < m->s->blocks; i++)
@@ -3277,8 +3277,9 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->unit = m->size + groups;
     m->answer.force = (kern_force *)(void *)kern_take_reals(take,
                                                             2 * s->contacts);
-    m->answer.sum = kern_take_reals(take, 7 * s->blocks);
-    m->answer.motion = (kern_motion *)(void *)(m->answer.sum + 4 * s->blocks);
+    m->answer.scratch = kern_take_reals(take, 7 * s->blocks);
+    m->answer.motion = (kern_motion *)(void *)(m->answer.scratch
+                                               + 4 * s->blocks);
     m->common = *take;
 
     /* After that the arrays of the pass and of parts. */
@@ -3517,7 +3518,7 @@ static int kern_model_proven(const kern_model *m, kern_real error)
 static int kern_answer_holds(const kern_model *m, const kern_query *q)
 {
     return kern_model_proven(
-        m, kern_prove_forces(m->s, q, m->answer.force, m->answer.sum));
+        m, kern_prove_forces(m->s, q, m->answer.force, m->answer.scratch));
 }
 
 /* Moves the forces of each line from its ends at the shrinkage `from` to its
@@ -6855,7 +6856,7 @@ static kern_real kern_path_newton(kern_path *path, const kern_query *q,
     const kern_part *p = path->part;
     const int n = 3 * p->groups;
     const kern_real power = kern_dot(p->y, p->eq.rhs, n);
-    kern_real *rate = p->m->answer.sum; /* scratch */
+    kern_real *rate = p->m->answer.scratch;
     if (path->kind == KERN_PATH_SHRINK)
         return kern_shrink_critical(path, q, power);
     kern_path_rate(p, q, rate);
@@ -7217,7 +7218,7 @@ static void kern_body_first(kern_model *m, const kern_path *path,
                             kern_known *out)
 {
     const kern_real offset = kern_half_width(path);
-    kern_real *load = m->answer.sum; /* three a body, in its units */
+    kern_real *load = m->answer.scratch; /* three a body, in its units */
     int g, first = KERN_OUT, about = 0;
     out->margin = KERN_INFINITY;
     out->motion = m->answer.motion;
@@ -9024,9 +9025,9 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
     for (i = 0; i < 3 * p->groups; i++)
         p->y[i] = -p->dual.u[i];
     kern_part_motion(p);
-    if (!kern_model_proven(m,
-                           kern_prove_raised(m->s, q, m->answer.force,
-                                             m->answer.motion, m->answer.sum)))
+    if (!kern_model_proven(m, kern_prove_raised(m->s, q, m->answer.force,
+                                                m->answer.motion,
+                                                m->answer.scratch)))
         return 0;
     kern_proof_out(m, r->proof, KERN_STANDS);
     kern_proof_out(m, r->proof, KERN_FALLS);
