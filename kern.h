@@ -576,11 +576,11 @@ typedef enum kern_status {
 
 /* Where the fault of a negative status lies. */
 typedef struct kern_fault {
-    int block;         /* index of a block; -1: none                        */
+    int block;         /* index of the block at fault; -1: none             */
     int other;         /* the other block of an overlap; -1: none           */
     int index;         /* vertex of the polygon or contact point; -1: none  */
     kern_real value;   /* the overlap is at least this deep [m]; 0: none    */
-    kern_real allowed; /* deepest overlap that is a contact [m]; 0: none    */
+    kern_real allowed; /* deepest overlap that counts as a contact [m]      */
 } kern_fault;
 
 /* A force [N] and a counter-clockwise torque [N m] about a centre of mass. */
@@ -593,12 +593,12 @@ typedef struct kern_wrench {
 typedef struct kern_block {
     const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none   */
     int vertices;           /* >= 3; 0 if vertex is NULL; -1: was refused     */
-    int fixed;              /* nonzero: ground, exerts any force needed       */
+    int fixed;              /* nonzero: ground, which never moves             */
     kern_real area;         /* [m^2], < 0: clockwise; "size": sqrt(|area|)    */
     kern_box box;           /* of the polygon; read only if it has vertices   */
     kern_real mass;         /* [kg] > 0; not read if the block is fixed       */
     kern_vec centre;        /* centre of mass [m]                             */
-    kern_wrench load;       /* acts besides the weight, at the centre         */
+    kern_wrench load;       /* [N], [N m]: added to the weight, at the centre */
 } kern_block;
 
 /* A contact point. Block b feels the force  f n + r t  at p and block a the
@@ -611,7 +611,7 @@ typedef struct kern_contact {
     kern_vec p;       /* place [m]                                        */
     kern_vec n;       /* unit normal from a into b                        */
     kern_real mu;     /* coefficient of friction >= 0                     */
-    kern_real travel; /* along t to the closed kern, signed [m]: >>rules  */
+    kern_real travel; /* signed distance along t to the closed kern [m]   */
 } kern_contact;
 
 /* Two blocks that overlap deeper than the options allow. */
@@ -630,7 +630,7 @@ typedef struct kern_structure {
 } kern_structure;
 
 typedef struct kern_options { /* always start from kern_defaults()            */
-    kern_real mu;         /* friction of contacts found from polygons; 0.4    */
+    kern_real mu;         /* friction of contacts that are found; 0.4         */
     kern_real gap;        /* widest gap that is a contact [m]; 0: 1e-3 of the
                              size of the pair's smaller free block            */
     kern_real angle;      /* widest angle between touching edges [rad], < 0.5;
@@ -645,9 +645,10 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     kern_real pose_turn;  /* angles [rad]: kern_measured_options(); 0: exact  */
     kern_real narrow;     /* rate at which friction cones narrow as kerns
                              shrink [1/m; relative: 1]; 0, see kern_measure() */
-    kern_real reserve;    /* largest that kern_raised() tries, <= 0.1; 0: 0.1 */
-    kern_vec lone;        /* gravity, of any length: a single contact point of
-                             two blocks travels (>>rules); (0, 0): it stays   */
+    kern_real reserve;    /* largest push of kern_raised(), <= 0.1; 0: 0.1    */
+    kern_vec lone;        /* direction of gravity, any length: a single contact
+                             point of two blocks travels (>>rules); (0, 0): it
+                             stays                                            */
 } kern_options;
 
 /* The force at a contact point [N], along n and t. */
@@ -668,22 +669,22 @@ typedef struct kern_proof {
 } kern_proof;
 
 typedef struct kern_margin {
-    kern_real margin;  /* d*, the shrinkage up to which it stands [m]      */
-    kern_real holds;   /* largest shrinkage known to stand, proven         */
-    kern_real fails;   /* smallest known to fall, proven; `most`: none     */
+    kern_real margin;  /* d* [m]: it stands at all smaller shrinkages       */
+    kern_real holds;   /* largest shrinkage at which it provably stands    */
+    kern_real fails;   /* smallest at which it provably falls; or `most`   */
     kern_real most;    /* d_max: every kern is closed [m]; relative: 1     */
-    kern_real epsilon; /* step that was used                               */
-    int level;         /* Algorithm 1; -1: a verdict it needs is undecided */
-    int saturated;     /* nonzero: stands with every kern closed           */
+    kern_real epsilon; /* step of Algorithm 1 that was used [m]            */
+    int level;         /* of Algorithm 1; -1: one verdict is undecided      */
+    int saturated;     /* nonzero: it stands even with every kern closed   */
 } kern_margin;
 
 /* An interval of the margin of a measured structure: kern_certain(). In [m],
    relative: 1. */
 typedef struct kern_interval {
-    kern_real low;     /* 0: the structure may fall                       */
-    kern_real high;    /* 0: it falls; KERN_INFINITY: not known           */
-    kern_real settles; /* how far its blocks may move [m]; KERN_INFINITY: not
-                          known, or farther than is allowed */
+    kern_real low;     /* lower end; 0: the structure may fall            */
+    kern_real high;    /* upper end; 0: it falls; KERN_INFINITY: unknown  */
+    kern_real settles; /* how far its blocks may move [m]; KERN_INFINITY:
+                          unknown, or too far               */
 } kern_interval;
 
 /* Derivatives of the margin with respect to the data of a contact point: its
@@ -703,51 +704,54 @@ typedef struct kern_block_rate {
     kern_wrench load;     /* [m/N], [1/N] */
 } kern_block_rate;
 
-/* What is known of the forces in a structure that stands. */
+/* Result of kern_raised(). */
 typedef enum kern_raising {
-    KERN_NOT_SHOWN, /* neither is shown; this is no proof of falling    */
-    KERN_RAISED,    /* its load raises forces that hold it              */
-    KERN_HANGS      /* some blocks rest on nothing; the others stand
-                       without them                                     */
+    KERN_NOT_SHOWN, /* undecided: neither raised nor hanging is shown   */
+    KERN_RAISED,    /* the load raises forces that hold the structure   */
+    KERN_HANGS      /* some blocks rest on nothing; the others stand without
+                       these                                            */
 } kern_raising;
 
 /* Why a search for forces that the load raises ended (kern_work.end). */
 typedef enum kern_end {
-    KERN_END_NONE,  /* there was no search                            */
-    KERN_END_SHOWN, /* all is shown; of a load: up to its load factor */
-    KERN_END_LOST,  /* no equilibrium was found: blocks run away, or
-                       the search makes no progress                   */
+    KERN_END_NONE,  /* no search has run                              */
+    KERN_END_SHOWN, /* forces were found (kern_raised_load(): up to the load
+                       factor)                                              */
+    KERN_END_LOST,  /* no equilibrium was found: blocks move away, or the search
+                       makes no progress                              */
     KERN_END_WORK   /* a limit of work was reached                    */
 } kern_end;
 
-/* A profile in four numbers: of margins [m] or load factors of free blocks. */
+/* A profile in four numbers. The values are the margins [m] or the load factors
+   of the free blocks. */
 typedef struct kern_collapse {
-    kern_real least; /* the weakest block's: the margin, the load factor */
-    kern_real mean;  /* progressive margin, or progressive load factor   */
-    kern_real weak;  /* mean of the lower half                           */
+    kern_real least; /* smallest value: the margin or the load factor    */
+    kern_real mean;  /* mean value: progressive margin or load factor    */
+    kern_real weak;  /* mean of the lower half of the values             */
     kern_real drop;  /* expected drop: mean of h exp(-value / 0.07), where h is
                              the height of the centre above the lowest block in
                              mean sizes, at least 0.3; 0 for margins          */
 } kern_collapse;
 
-/* What a mechanism does at a contact point. */
+/* Motion of the two blocks at a contact point. */
 typedef enum kern_meeting {
-    KERN_RESTS,  /* its blocks move as one, or not at all            */
-    KERN_HINGES, /* its blocks turn about it                         */
-    KERN_SLIDES, /* its blocks slide, and part as sliding does
-                    (dilatancy: >>limits)                            */
-    KERN_OPENS   /* its blocks part                                  */
+    KERN_RESTS,  /* they move as one body, or not at all             */
+    KERN_HINGES, /* they turn relative to each other about the point */
+    KERN_SLIDES, /* they slide, and part at the friction angle (dilatancy:
+                    >>limits)                                        */
+    KERN_OPENS   /* they part                                        */
 } kern_meeting;
 
-/* What limits a measure, and what moves first: kern_critical_of(). The arrays
-   are the caller's, and each may be NULL. */
+/* Result of kern_critical_of(): the contacts that limit a measure, and the
+   blocks that move. The arrays are the caller's, and each may be NULL. */
 typedef struct kern_critical {
-    kern_meeting *meeting; /* one a contact point                             */
-    kern_real *limit;      /* one a contact point: how much it limits, as a
-                             share of the limit of `contact`; up to 1.0001    */
-    int *group;            /* one a block: number of its group, which moves as
-                             one body, 0 the fastest; -1: it rests            */
-    int contact; /* the first point that limits most, to 1e-4; -1: none */
+    kern_meeting *meeting; /* of each contact point                           */
+    kern_real *limit;      /* of each contact point: how much it limits, as a
+                              share of the limit of point `contact`; up to
+                              1.0001                                          */
+    int *group;            /* of each block: its group, which moves as one body;
+                              0: the fastest; -1: the block rests             */
+    int contact; /* first point of the largest limit (to 1e-4); -1: none     */
     int groups;  /* number of groups; 0 if `group` is NULL              */
 } kern_critical;
 
@@ -758,41 +762,42 @@ typedef struct kern_work {
     int *index;
     int indices; /* KERN_INTS(blocks, contacts)                      */
     /* counters: the library adds to them, the caller may set them to 0       */
-    int pivots;       /* of all linear programs                           */
-    int solves;       /* top-down passes and linear programs              */
-    int units;        /* work of the last call, of a plan's question without
-                             the search for contacts; limit + 1 after
-                             KERN_LIMIT                                     */
-    kern_real error;  /* largest error of a proof / allowed error: <= 1   */
+    int pivots;       /* of the simplex method                            */
+    int solves;       /* top-down passes and linear programs solved       */
+    int units;        /* work of the last call, without a plan's search for
+                         contacts; limit + 1 after KERN_LIMIT               */
+    kern_real error;  /* largest error of a proof, as a share of the allowed
+                         error: <= 1                                      */
     kern_fault fault; /* of the last call with a negative status          */
     kern_end end;     /* of the last call that searched for raised forces */
 } kern_work;
 
-/* Warm start: what kern_measure() remembers of a structure for the next
-   question about a similar one. Measures use the bracket and the motion. The
-   questions of a plan and kern_stays() use the forces, too. The caller provides
-   both arrays or none. Their contents are verified before use: they change the
-   time of an answer, not the answer. */
+/* Warm start: results of kern_measure() that speed up the next call for a
+   similar structure. Measures use the bracket and the motion. kern_plan_*() and
+   kern_stays() also use the forces. The caller provides both arrays or neither.
+   Their contents are verified before use: they change the time of an answer,
+   not the answer. */
 typedef struct kern_known {
-    kern_motion *motion; /* one a block: the mechanism at `fails`            */
+    kern_motion *motion; /* of each block: the mechanism at `fails`          */
     kern_force *force;   /* one a contact point: forces at `holds`          */
-    kern_real holds, margin, fails; /* of the last measure; fails 0: none   */
+    kern_real holds, margin, fails; /* of the last measure; fails = 0: none   */
 } kern_known;
 
-/* What a call needs: kern_task_of(). Fields may be changed between calls. */
+/* Arguments of a call, from kern_task_of(). Fields may be changed between
+   calls. */
 typedef struct kern_task {
     kern_structure s;
     kern_options options; /* kern_defaults()                                  */
     kern_work *work;      /* not NULL                                         */
-    kern_known known;     /* arrays NULL: nothing is remembered               */
+    kern_known known;     /* warm start; arrays NULL: none                    */
 } kern_task;
 
 /* A structure that a planner changes by one block at a time: kern_plan_of().
    Set task.options and task.s.gravity before you add blocks. You may append
    contacts of your own to contact[task.s.contacts]. */
 typedef struct kern_plan {
-    kern_task task;    /* the structure as it is now                       */
-    kern_block *block; /* arrays of the caller, which task.s reads         */
+    kern_task task;    /* the present structure                            */
+    kern_block *block; /* the caller's array, which task.s reads           */
     int block_room;
     kern_contact *contact;
     int contact_room;
@@ -800,25 +805,25 @@ typedef struct kern_plan {
 
 /* Where a stone comes to rest: kern_rest(). */
 typedef struct kern_pose {
-    kern_block block; /* the stone there, with its own vertices        */
-    kern_vec turn;    /* cosine and sine of its turn                   */
+    kern_block block; /* the stone at rest, with vertices of its own   */
+    kern_vec turn;    /* cosine and sine of the angle of its turn      */
     int motions;      /* number of motions, the first one downward     */
 } kern_pose;
 
 /* A place for a stone, and the numbers by which kern_place_compare() ranks it.
    A number that was not computed must be the same in all places, such as 0. */
 typedef struct kern_place {
-    kern_real stays;   /* chance that it stays: kern_plan_stays()         */
-    kern_real margin;  /* of the structure with it: kern_plan_try()       */
+    kern_real stays;   /* chance that the stone stays: kern_plan_stays()  */
+    kern_real margin;  /* margin with the stone added: kern_plan_try()    */
     kern_real own;     /* the stone's value in a profile: kern_profile()  */
     kern_real load;    /* the least load factor: kern_load_factor()       */
-    kern_real x, turn; /* the place itself, in any units                  */
+    kern_real x, turn; /* the stone's position and angle, in any units    */
 } kern_place;
 
 /* Sides of a horizontal load or tilt: right is +x for gravity (0, -9.81). */
 typedef enum kern_side {
     KERN_LEFT = -1,
-    KERN_SHRINK = 0, /* no load, kerns shrink: for kern_profile() alone  */
+    KERN_SHRINK = 0, /* only for kern_profile(): kerns shrink, no load   */
     KERN_RIGHT = 1
 } kern_side;
 
@@ -875,44 +880,46 @@ typedef struct kern_lp {
    return KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000, contacts up to
    1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL, _SHARE (a relative
    shrinkage above 1), KERN_SAME_BLOCK, KERN_NO_BLOCK, KERN_NO_AREA,
-   KERN_NO_FREE, KERN_NO_LOAD and KERN_LIMIT. If the number of contacts is below
-   -1 it is a status of kern_contacts(), which every function returns, with its
-   fault. After KERN_LIMIT a measure is the largest value proven to stand so
-   far, or negative if there is none.
+   KERN_NO_FREE, KERN_NO_LOAD and KERN_LIMIT. A number of contacts below -1 is a
+   status of kern_contacts(): every function returns it and keeps its fault.
+   After KERN_LIMIT a measure is the largest value at which the structure is
+   proven to stand so far, or negative if there is none.
 
    Numbers that cannot be squared or multiplied safely are refused, and the
    fault names the block. With F = 1e60 (float: 1e10) the bounds are
      KERN_BAD_MASS    a mass outside [1 / F, F] [kg]
      KERN_NO_AREA     an area below 1 / F^2 [m^2]
      KERN_BAD_NUMBER  an area above F^2 [m^2]; an option, vertex, centre, place
-                      or travel above F [m]; a wrench of a pattern above F;
-                      weight and load of a block together above F [N], or
-                      below 1 / F [N] and not 0 */
+                      or travel above F [m]; a wrench of a pattern above F; the
+                      sum of weight and load of a block above F [N], or below 1
+                      / F [N] and not 0 */
 
-/* Returns the meaning of a status in words, also of a negative count. */
+/* Returns the meaning of a status in words. A negative count is a status,
+   too. */
 KERN_API const char *kern_status_text(int status);
 
-/* Returns the defaults that stand beside each field of kern_options. */
+/* Returns the default options. The comments of kern_options name them. */
 KERN_API kern_options kern_defaults(void);
 
-/* Returns *options (NULL: the defaults) that also find contacts which a little
-   rocking closes: gap at least 4 % of the mean size [m], angle at least 0.15
-   rad. */
+/* Returns *options (NULL: the defaults) with a gap of at least 4 % of the mean
+   size [m] and an angle of at least 0.15 rad. They also find contacts that a
+   slight rocking motion would close. */
 KERN_API kern_options kern_near(const kern_options *options,
                                 kern_real mean_size);
 
 /* Returns options for measured structures (>>measured), from *options (NULL:
    the defaults). e is the standard error of a stone's place [m], theta that of
-   its angle [rad]. The vertices are taken to be exact to e / 2 within their
-   stone. Sets
+   its angle [rad]. The vertices are assumed to be exact to e / 2 relative to
+   their stone. Sets
      gap      5.25 e, to which 1e-3 of the size is added. At a contact at
               distances r_a and r_b from the centres of its blocks the gap g
               becomes sqrt(g^2 + (3.5 theta)^2 (r_a^2 + r_b^2)) (>>tol)
      angle    7 theta, at least 1 degree and below 0.5. A corner may lie 3 e
               beyond the end of an edge
      overlap  8 e, and 3.5 theta r for r the diagonal of the smaller box;
-              contacts lie at half the depth, inside both blocks: none goes
-              through a part that is thinner. Set it higher to accept more
+              contacts lie at half the depth, inside both blocks, and none goes
+              through a part of a block that is thinner. A larger value accepts
+              deeper overlaps
    Verdicts are then those of the structure as it most likely rests. Every call
    refuses these options (KERN_BAD_OPTION) unless e > 0 and theta >= 0. */
 KERN_API kern_options kern_measured_options(const kern_options *options,
@@ -922,7 +929,8 @@ KERN_API kern_options kern_measured_options(const kern_options *options,
 KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
                                 int indices);
 
-/* Writes KERN_REALS and KERN_INTS at run time; 0 if a count is out of range. */
+/* Writes KERN_REALS and KERN_INTS, computed at run time. Writes 0 if a count is
+   out of range. */
 KERN_API void kern_work_need(int blocks, int contacts, int *reals,
                              int *indices);
 
@@ -930,40 +938,41 @@ KERN_API void kern_work_need(int blocks, int contacts, int *reals,
 
 /* Fills a block from a simple polygon, convex or not, turning either way: area,
    box, centroid, mass = density * |area| with the density in kg/m^2, no load.
-   The vertices stay the caller's and must live as long as the block. After they
-   have moved, call this again. fault may be NULL; its index is the vertex. A
-   failed call leaves no block, and other calls return KERN_NO_BLOCK for it.
-   Errors, by the bounds above: KERN_FEW_VERTICES, KERN_BAD_COUNT (above
-   1,000,000), KERN_BAD_NUMBER, KERN_NO_AREA, KERN_CROSSING (also if the last
-   vertex repeats the first, as in closed rings of other formats), KERN_BAD_MASS
-   (also a density not above 0). Time: O(n) for n vertices of a convex polygon;
-   otherwise O(n^2) tests of boxes. */
+   The block points to the caller's vertices, which must live as long as the
+   block. If the vertices move, call this function again. fault may be NULL; its
+   index is the vertex. After a failed call other functions refuse the block
+   with KERN_NO_BLOCK. Errors, by the bounds above: KERN_FEW_VERTICES,
+   KERN_BAD_COUNT (above 1,000,000), KERN_BAD_NUMBER, KERN_NO_AREA,
+   KERN_CROSSING (also if the last vertex repeats the first, as in closed rings
+   of other formats), KERN_BAD_MASS (also a density not above 0). Time: O(n) for
+   n vertices of a convex polygon; otherwise O(n^2) tests of boxes. */
 KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
                                      int vertices, kern_real density,
                                      kern_fault *fault);
 
-/* Fills a fixed block, as kern_block_init(): ground, a wall, a support. */
+/* Fills a fixed block, such as ground, a wall or a support. Errors are those of
+   kern_block_init(). */
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
                                       int vertices, kern_fault *fault);
 
 /* Simplifies a closed outline, such as one from an image: leaves out vertices
    while none is farther than the tolerance [m] from the edge that replaces it
-   (Douglas and Peucker 1973). A step lower than the tolerance goes, unless one
-   of its vertices is the farthest for another reason. A step higher than twice
-   the tolerance stays. Corners where the outline turns and then continues
-   follow the same rule.
+   (Douglas and Peucker 1973). A step lower than the tolerance is removed,
+   unless one of its vertices is the farthest from a longer edge. A step higher
+   than twice the tolerance is kept. Corners follow the same rule.
    Writes the vertices that stay to out[0..room), beginning with the one
    farthest from the centroid, and their indices in `vertex` to kept[0..room).
-   Returns how many there are, which is the least `room` that is enough. They
-   are a simple polygon, ready for kern_block_init(): if edges would cross, the
-   tolerance is halved, up to eight times, and then set to 0. The result does
-   not depend on the vertex with which the outline begins. If two vertices are
-   equally far, a mirrored or turned outline may keep the other one. `vertex`
-   may touch or cross itself. It must not overlap `out`.
+   Returns the number of these vertices, which is the least `room` that is
+   enough. They form a simple polygon, ready for kern_block_init(): if edges
+   would cross, the tolerance is halved, up to eight times, and then set to 0.
+   The result does not depend on the vertex with which the outline begins. If
+   two vertices are equally far from an edge, a mirrored or turned outline may
+   keep the other one. `vertex` may touch or cross itself. It must not overlap
+   `out`.
    Errors: KERN_NO_SPACE, KERN_FEW_VERTICES, KERN_NO_AREA or KERN_CROSSING (no
    polygon remains; out means nothing), KERN_BAD_COUNT (above 1,000,000),
    KERN_BAD_POINTER, KERN_BAD_NUMBER, KERN_BAD_OPTION (the tolerance is negative
-   or not a number). Time: O(n) for each level of halving, about log n; at worst
+   or not a number). Time: O(n log n) for most outlines of n vertices; at worst
    O(n) for each vertex that stays. */
 KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
                                    kern_real tolerance, kern_vec *out,
@@ -997,141 +1006,150 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
                            int room, kern_work *work);
 
-/* Writes the pairs of blocks that overlap too deeply for a contact to
-   out[0..room). Returns how many pairs there are, which may be more than room,
-   or a negative status as kern_contacts(). */
+/* Finds the pairs of blocks that overlap too deeply to be in contact, and
+   writes them to out[0..room). Returns how many pairs there are, which may be
+   more than room, or a negative status as kern_contacts(). */
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work);
 
-/* Finds the stretches of the contacts, from which kern_bearing() tells which
-   lengths of contact the structure needs. It works as kern_contacts() with two
-   differences. A hollow wider than the gap divides a line: a block on two feet
-   has one contact, as wide as the feet are apart, but two stretches. Contacts
-   with any fixed block are written as contacts with the first of these, so that
-   cutting a fixed block in two changes nothing. Compute margins with
-   kern_contacts(). Time: also O(C) for each interface of points and, with
-   several fixed blocks, for each contact. */
+/* Finds the stretches of the contacts: contacts that are divided at hollows.
+   From these kern_bearing() computes which lengths of contact the structure
+   needs. It works as kern_contacts() with two differences. A hollow wider than
+   the gap divides a line: a block on two feet has one contact from the outer
+   end of one foot to that of the other, but two stretches. Contacts with any
+   fixed block are written as contacts with the first of these, so that cutting
+   a fixed block in two changes nothing. For margins use kern_contacts()
+   instead. Time: that of kern_contacts(), plus O(C) for each interface of
+   points and, with several fixed blocks, for each contact. */
 KERN_API int kern_stretches(const kern_block *block, int blocks,
                             const kern_options *options, kern_contact *out,
                             int room, kern_work *work);
 
-/* Finds the contacts of block b with the blocks before it: those of
-   kern_contacts(), unless a later block lies so far out that the rounding of
-   its coordinates counts. Returns the same as kern_contacts(); it finds
-   KERN_STALE for block b and the blocks that it may touch. With options.lone,
-   only these contacts count as carrying a block. Time: O(b) tests of boxes, and
-   for blocks that meet as kern_contacts(). */
+/* Finds the contacts of block b with the blocks of lower index. They equal
+   those of kern_contacts(), unless a later block lies so far out that the
+   rounding of its coordinates matters. Return values are those of
+   kern_contacts(). KERN_STALE is found only for block b and the blocks that it
+   may touch. With options.lone, only these contacts count as carrying a block.
+   Time: O(b) tests of boxes, and for blocks that meet as kern_contacts(). */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options, kern_contact *out,
                         int room, kern_work *work);
 
-/* Makes a contact of the caller's own. *out has a, b, p, mu and the normal n,
-   from a into b and of any length. The contact goes from p to q; if q equals p
-   it is the point p. Writes one or two contact points to out and returns how
-   many. Errors: KERN_SAME_BLOCK, KERN_BAD_BLOCK (a negative index),
-   KERN_BAD_NUMBER, KERN_BAD_FRICTION, KERN_BAD_NORMAL (no length),
-   KERN_BAD_LINE (p to q leaves the tangent by more than options->angle),
-   KERN_BAD_OPTION. When all contacts are made, call kern_contact_travels(). */
+/* Makes a contact that the caller defines. Set a, b, p, mu and the normal n in
+   *out first; n points from a into b and may have any length. The contact is
+   the line from p to q, or the point p if q equals p. Writes one or two contact
+   points to out and returns how many. Errors: KERN_SAME_BLOCK, KERN_BAD_BLOCK
+   (a negative index), KERN_BAD_NUMBER, KERN_BAD_FRICTION, KERN_BAD_NORMAL (no
+   length), KERN_BAD_LINE (p to q leaves the tangent by more than
+   options->angle), KERN_BAD_OPTION. When all contacts are made, call
+   kern_contact_travels(). */
 KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
                                const kern_options *options);
 
 /* Sets the travel of every contact point (>>rules). The travel of a point
-   depends on the other points of its interface, those between the same two
-   blocks in either order. NULL is allowed and does nothing. Time: O(C) times
-   the number of points, for each run of points of one interface. */
+   depends on the other points of its interface, which are the points between
+   the same two blocks, in either order. Does nothing if `contact` is NULL.
+   Time: O(C) times the number of points, for each run of points of one
+   interface. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
-/* Returns the place at which a contact point acts at a shrinkage [m], or at a
-   growth if it is negative. relative: `shrink` is a share, and from 1 on the
-   point acts at the middle. Returns the origin for NULL. */
+/* Returns the place at which a contact point acts at a shrinkage [m]. A
+   negative shrinkage is a growth. If `relative` is nonzero, `shrink` is a share
+   of the travel, and at 1 and above the point acts at the middle. Returns the
+   origin for NULL. */
 KERN_API kern_vec kern_contact_at(const kern_contact *contact, kern_real shrink,
                                   int relative);
 
 /* -- verdicts and measures -- */
-/* `shrink` is the length [m] by which kerns are shrunk (relative: a share, at
-   most 1). If it is negative they grow. proof may be NULL. */
+/* `shrink` is the length [m] by which kerns are shrunk (options.relative: a
+   share of their travel, at most 1). If it is negative, kerns grow. `proof` may
+   be NULL. */
 
-/* Returns a task with gravity (0, -9.81), kern_defaults() and nothing known. */
+/* Returns a task with gravity (0, -9.81), kern_defaults() and no warm start. */
 KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
                                 const kern_contact *contact, int contacts,
                                 kern_work *work);
 
-/* Returns what task.known needs: two arrays for a warm start, as long as the
-   structure will be. */
+/* Returns a warm start for task.known, still empty. The arrays have room for
+   one motion of each block and one force of each contact point. */
 KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 
 /* Returns whether the structure stands: KERN_STANDS, KERN_FALLS or
    KERN_UNDECIDED. Time: O(B + C) if forces can be passed on from the top down,
-   as in most walls. Otherwise a pivot takes C plus the entries of the factors
-   (>>lp), which are at most B^2. */
+   as in most walls. Otherwise each pivot takes O(C + F) for F entries of the
+   factors (>>lp), F at most B^2. */
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
-/* Writes the interval of the margin of a measured structure, from the error e
-   and the angle theta in its options. Returns the verdict that is certain:
-   KERN_STANDS, KERN_FALLS (it falls with all contacts and friction that `high`
-   allows), or KERN_OK if neither is certain. `margin` is that of
-   kern_measure(), 0 where it falls.
+/* Computes an interval that contains the margin of a measured structure, from
+   the errors e and theta in its options. Returns the verdict that is certain:
+   KERN_STANDS, KERN_FALLS (it falls even with all contacts and friction that
+   `high` allows), or KERN_OK if neither is certain. Pass the `margin` of
+   kern_measure(), or 0 if the structure falls.
      low      The least of `margin` and of two margins on the contact points
               that are closed after the blocks have settled: with every other
               stretch open by 3 e, then with the other half. It is divided by 1
               + 200 e / size, or if e is below 0.005 mean sizes by 1 + 40,000 (e
               / size)^2. It is 0 if the structure may fall. The true margin is
-              above it in about 94 of 100 cases of what stands, in 60 to 73 of
-              stones put where they move. It tends to `margin` as e tends to 0.
+              above `low` for about 94 of 100 structures that stand, and for 60
+              to 73 of 100 stones placed where they move. `low` tends to
+              `margin` as e tends to 0.
      high     The margin with kerns that are longer by 3.5 e and friction angles
               that are larger by 3 theta, at least `margin`. If `margin` is 0,
               edges and corners within gaps and angles of twice the error carry
               as well.
-     settles  If it certainly stands: how far its blocks may move [m]. Three
-              tests must pass. It stands on stretches (kern_stretches()) at
-              least 5 e long, or that far inside their edge, with kerns shorter
-              by 3.5 e and friction angles smaller by 3 theta. It comes to rest
-              with every third stretch, each third in turn, open by the gap of
-              the options and 1.75 theta sizes, and no contact that presses
-              becomes shorter by half. And it stands on the stretches that are
-              closed then. `settles` is 1.5 times the longest of these motions,
-              at most 0.45 mean sizes. KERN_INFINITY: it does not pass.
-   KERN_STANDS: out->low is above 0 and out->settles is finite. A structure that
-   stands by forces on the contacts of the task never falls for certain.
-   What it does not see: settling has no inertia, so a block may rock from one
-   support to another. A slender block (4 to 12 times as high as its bed is
-   wide) that lacks support by 2 to 8 e under half of its bed may topple
-   although it certainly stands. Where more than a third of the stretches of a
-   block have gaps that were measured, as a comb with three teeth of five in the
-   air, `settles` tells too little.
+     settles  How far the blocks may move [m], if the structure certainly
+              stands. Three tests must pass. First, the structure stands on
+              stretches (kern_stretches()) at least 5 e long, or that far inside
+              their edge, with kerns shorter by 3.5 e and friction angles
+              smaller by 3 theta. Second, it comes to rest with every third
+              stretch, each third in turn, open by the gap of the options plus
+              1.75 theta sizes, and no contact that presses becomes shorter by
+              half. Third, it stands on the stretches that are closed then.
+              `settles` is 1.5 times the longest of these motions, at most 0.45
+              mean sizes. It is KERN_INFINITY if a test fails.
+   KERN_STANDS: out->low is above 0 and out->settles is finite. KERN_FALLS is
+   never returned if forces on the contacts of the task hold the structure.
+   Limits: settling has no inertia, so a block may rock from one support to
+   another. A slender block (4 to 12 times as high as its bed is wide) that
+   lacks support by 2 to 8 e under half of its bed may topple although it
+   certainly stands. If more than a third of the stretches of a block are
+   measured with gaps, as under a comb with three of its five teeth in the air,
+   `settles` is too small.
    The order of blocks and contacts does not matter, except for contacts of
-   exactly the same height and place. Errors are absolute in relative mode too.
-   contact[0..room) receives the contacts for `high`; the work memory is for
-   `room` contact points. Errors: those of kern_contacts() and kern_measure(),
-   KERN_BAD_OPTION also if the options are not those of kern_measured_options().
-   *out then means nothing; after KERN_LIMIT, which counts the whole call, it
-   has the ends proven so far.
+   exactly the same height and place. e and theta are absolute even with
+   options.relative. contact[0..room) receives the contacts for `high`. The work
+   memory must be long enough for `room` contact points. Errors: those of
+   kern_contacts() and kern_measure(), KERN_BAD_OPTION also if the options are
+   not those of kern_measured_options(). After an error *out means nothing.
+   After KERN_LIMIT, which limits the work of the whole call, *out has the ends
+   proven so far.
    Time: four searches for contacts, six margins or verdicts, and five settlings
-   of at most 7,200 visits of every contact point. In the median, settled
-   structures that stand take 24 times as long as kern_measure() at errors of 2
-   % of the mean size, and 86 times at 0.2 %. */
+   of at most 7,200 visits of every contact point. For settled structures that
+   stand, the median time is 24 times that of kern_measure() at errors of 2 % of
+   the mean size, and 86 times at 0.2 %. */
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
                                   int room);
 
-/* Finds whether the load, put on contacts without stress, raises forces that
-   hold the structure. Blocks approach wherever a force acts, stick where there
-   is friction to spare, and otherwise slide against the friction. If loads that
-   act at once show nothing, they grow from 0, as in kern_raised_load().
-   KERN_STANDS: writes *out and both arrays of the proof, which passes
-   kern_check_raised() (for KERN_NOT_SHOWN only forces). KERN_FALLS: the motion
-   is that of kern_verdict(), and *out is as it was.
+/* Finds whether the load, applied to unstressed contacts, raises forces that
+   hold the structure. Blocks approach at every contact with a force. They stick
+   where the force is inside the friction cone, and otherwise slide against the
+   friction. If no such forces are found for the whole load at once, the load
+   grows from 0, as in kern_raised_load(). KERN_STANDS: writes *out and both
+   arrays of the proof, which passes kern_check_raised(). For KERN_NOT_SHOWN it
+   writes only the forces. KERN_FALLS: the motion is that of kern_verdict(), and
+   *out is unchanged.
    *reserve (may be NULL) is the largest of the shares of gravity 0, .001 ...
    .005, .0055, .006, .007, .008, .01, .015, .02, .03, .05 and .1 for which the
    structure stays raised under a push of that share to either side, with kerns
    shrunk further by that share of the mean size (relative: by that share). It
    is 0 where the structure is not raised. Shares above options.reserve are not
-   tried. KERN_BAD_OPTION: a reserve without gravity. work->end tells why the
-   search without a push ended. KERN_NO_SPACE also if a structure is much wider
-   than a wall of squares. Time: 3 margins in the mean of 969 walls; with the
-   reserve 6. */
+   tried. KERN_BAD_OPTION: `reserve` is not NULL, but there is no gravity.
+   work->end tells why the search without a push ended. KERN_NO_SPACE also if a
+   structure is much wider than a wall of squares. Time: 3 times that of
+   kern_measure() in the mean of 969 walls, 6 times with the reserve. */
 KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof);
@@ -1143,15 +1161,14 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
        r = min(reserve, .01) + .004
        s = max(1, displacement of block i that raises the forces), where the
            mean weight is 1 and the stiffness of a contact point is .1 plus,
-           at the end of a line, its travel in mean sizes. A turn counts by
-           half the size of the block
-   This is a chance among placements like those of the fit, of which 630 stay
-   and 205 move (tests/TRUST.md): most are close to falling. Of the places that
-   stand and that a planner draws at random, more stay than the chance says.
-   KERN_STANDS: writes *chance, from .05 to 1, or 0 if some block hangs.
-   KERN_FALLS: *chance is as it was. KERN_BAD_BLOCK: i is no free block.
-   KERN_BAD_OPTION: no gravity. Time: that of 3 kern_plan_try() in the median,
-   with the known forces of a plan. */
+           at the end of a line, its travel in mean sizes. A turn counts as a
+           displacement of turn times half the size of the block
+   The law was fitted to 835 placements, most of them close to falling: 630 stay
+   and 205 move (tests/TRUST.md). Among places that a planner draws at random
+   and that stand, more stay than the chance says. KERN_STANDS: writes *chance,
+   from .05 to 1, or 0 if some block hangs. KERN_FALLS: *chance is unchanged.
+   KERN_BAD_BLOCK: i is no free block. KERN_BAD_OPTION: no gravity. Time: that
+   of 3 kern_plan_try() in the median, with the known forces of a plan. */
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance);
 
@@ -1159,11 +1176,10 @@ KERN_API kern_status kern_stays(const kern_task *task, int i,
    rest, in the given poses. This is the question for a finished structure.
      KERN_STANDS     It stays: its load raises forces that hold it. Both arrays
                      of the proof pass kern_check_raised() as KERN_RAISED. A
-                     pencil on its tip stays, too: ask kern_raised() for a
-                     reserve.
-     KERN_FALLS      It moves by proof->motion, which passes
-                     kern_check_motion() or, if blocks hang,
-                     kern_check_raised() as KERN_HANGS.
+                     pencil on its tip counts as staying, too: kern_raised()
+                     computes its reserve.
+     KERN_FALLS      It moves, by proof->motion. This passes kern_check_motion()
+                     or, if blocks hang, kern_check_raised() as KERN_HANGS.
      KERN_UNDECIDED  Neither is shown; work->end tells why.
    *how (may be NULL) is KERN_HANGS where blocks hang, KERN_RAISED where it
    stays and KERN_NOT_SHOWN elsewhere. To find the least friction with which it
@@ -1177,9 +1193,10 @@ KERN_API kern_status kern_let_go(const kern_task *task, kern_raising *how,
 /* Computes the minimum-norm forces (>>measures): of all forces that hold the
    structure, those with the least sum of f^2 + (r / mu)^2 over the contact
    points. KERN_STANDS: writes force[0..contacts), which pass the check of a
-   proof. KERN_UNDECIDED: there are no such forces, as kern_verdict() tells, or
-   none so exact, as where jams are critical or sizes differ by 1e4.
-   KERN_NO_SPACE as in kern_raised(). Time: 1/3 of a margin. */
+   proof. KERN_UNDECIDED: no such forces exist (see kern_verdict()), or none as
+   exact as a proof requires, as in critical jams or where sizes differ by 1e4.
+   KERN_NO_SPACE as in kern_raised(). Time: a third of that of
+   kern_measure(). */
 KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                                  kern_force *force);
 
@@ -1188,106 +1205,111 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                     out->holds, with its kerns shrunk. proof->motion moves it at
                     out->fails (not written if the margin is saturated).
      KERN_FALLS     level, margin, holds, fails and saturated are 0; most and
-                    epsilon are set. proof->motion says how it falls.
+                    epsilon are set. proof->motion is the mechanism.
      KERN_LIMIT     level is -1, saturated 0. margin and holds are the largest
                     shrinkage proven to stand, or -1 if there is none yet. fails
-                    is the smallest proven to fall, or `most`. If the input was
-                    not read fails, most and epsilon are infinite. The proof
-                    means nothing.
+                    is the smallest proven to fall, or `most`. If the limit
+                    ended the call before it read the input, then fails, most
+                    and epsilon are infinite. The proof means nothing.
      KERN_UNDECIDED As for KERN_LIMIT: no verdict between these two is proven.
-     KERN_BAD_STEP  *out is kept: most / epsilon > 1,000,000.
-   How wide [holds, fails] may be: >>limits. The level is proven with the margin
-   if kerns are nested, otherwise by a proof of each step.
-   options.narrow = k: in every question about kerns shrunk by d > 0, friction
-   mu is max(0, (mu - k d) / (1 + mu k d)), the tangent of its angle less atan(k
-   d). A robot that places stones within e and theta sets k = tan(theta) / (2
-   e). Then margin / (2 e) is how many times its own error the structure bears;
-   a measure, not a bound. If k is so large that kerns hardly shrink, this mu at
-   the margin is the least friction with which the structure stands.
-   Warm start: the search begins from task->known and remembers its result
-   there. After KERN_UNDECIDED and KERN_LIMIT nothing is known any longer. */
+     KERN_BAD_STEP  most / epsilon > 1,000,000. *out is unchanged.
+   The width of [holds, fails] is given in >>limits. If kerns are nested, the
+   proofs of the margin also prove the level. Otherwise each step has a proof of
+   its own.
+   If options.narrow = k, a shrinkage d > 0 also reduces friction from mu to
+   max(0, (mu - k d) / (1 + mu k d)), the tangent of the friction angle minus
+   atan(k d). A robot that places stones within e and theta sets k = tan(theta)
+   / (2 e). Then margin / (2 e) estimates how many times its own error the
+   structure can bear. It is not a bound. If k is so large that kerns hardly
+   shrink, the reduced friction at the margin is the least friction with which
+   the structure stands. Warm start: the search begins from task->known and
+   remembers its result there. After KERN_UNDECIDED and KERN_LIMIT task->known
+   is empty. */
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
                                   const kern_proof *proof);
 
-/* Computes how the margin depends on every contact point and block, from the
-   proof that kern_measure() wrote, into contact[0..contacts) and
-   block[0..blocks). It is the derivative of the margin if one mechanism alone
-   is critical, the contacts stay and no kern that carries is about to close.
-   Otherwise it is that of the mechanism of the proof. If corners of two blocks
-   lie together at the end of a contact, either is taken to move it. The travel
-   of single points (options.lone) is taken to stay. options.narrow must be 0.
-   Returns KERN_OK, or KERN_UNDECIDED if the margin is saturated or does not
-   change. Time: O(B + C), 0.03 of that of the margin. */
+/* Computes the derivatives of the margin with respect to every contact point
+   and block, from the proof that kern_measure() wrote. Writes them to
+   contact[0..contacts) and block[0..blocks). They are exact if only one
+   mechanism is critical, the contacts stay and no kern that carries is about to
+   close. Otherwise they hold for the mechanism of the proof. If corners of two
+   blocks coincide at the end of a contact, either corner moves the end. The
+   travel of single points (options.lone) is treated as constant. options.narrow
+   must be 0. Returns KERN_OK, or KERN_UNDECIDED if the margin is saturated or
+   does not change. Time: O(B + C), 0.03 of that of kern_measure(). */
 KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       const kern_margin *margin,
                                       const kern_proof *proof,
                                       kern_contact_rate *contact,
                                       kern_block_rate *block);
 
-/* Computes the deficit (>>rules) [m; relative: 1]. KERN_STANDS: it is 0.
-   KERN_FALLS: *deficit is written. KERN_LIMIT: *deficit is a lower bound, -1 if
-   the structure is not proven to fall yet. */
+/* Computes the deficit (>>rules) [m; relative: 1]. KERN_STANDS: *deficit is 0.
+   KERN_FALLS: *deficit is written. KERN_LIMIT: *deficit is a lower bound, or -1
+   if the structure is not proven to fall yet. */
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 
 /* Computes the length [m] of the shortest contact that the structure needs,
    among those of kern_contacts() or, where faces may be hollow, of
    kern_stretches(). The structure stands on its contacts of at least this
    length, but not on the longer ones alone. If several points form an
-   interface, the length of each is twice its travel. A single point that stays
-   is never left out. KERN_STANDS: writes *length, or KERN_INFINITY if no
-   contact that has a length is needed. proof->force holds the structure by
-   those contacts, and proof->motion moves it without the shortest of them; it
-   is 0 where that is undecided and the contact counts as needed. KERN_FALLS: it
-   falls with all contacts. Time: one verdict for each step of a bisection of
-   the lengths, on a logarithmic scale. */
+   interface, the length of each is twice its travel. A single point without a
+   travel is never left out. KERN_STANDS: writes *length, or KERN_INFINITY if no
+   contact that has a length is needed. proof->force holds the structure by the
+   contacts of at least this length. proof->motion moves it without the shortest
+   of them. If that verdict is undecided, the contact counts as needed and the
+   motion is 0. KERN_FALLS: the structure falls with all contacts. Time: one
+   verdict for each step of a bisection of the lengths, on a logarithmic
+   scale. */
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
 /* Computes the largest factor of a horizontal load to a side, on top of weights
-   and loads. KERN_STANDS: writes *factor, KERN_INFINITY if the structure stands
-   at 1,000,000; proof as in kern_measure(), for the loads at the factor.
-   KERN_FALLS: it falls at 0. KERN_BAD_OPTION: no gravity, or the side is
-   neither left nor right. */
+   and loads. KERN_STANDS: writes *factor, which is KERN_INFINITY if the
+   structure stands at 1,000,000. The proof is that of kern_measure(), for the
+   loads at the factor. KERN_FALLS: it falls at a factor of 0. KERN_BAD_OPTION:
+   no gravity, or the side is neither left nor right. */
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof);
 
-/* Computes the largest factor of pattern[0..blocks), as kern_load_factor(): a
-   wrench about each free block's centre. */
+/* Computes the largest factor of a load pattern[0..blocks), which has a wrench
+   about the centre of each free block. Statuses and proof are those of
+   kern_load_factor(). */
 KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          kern_real shrink,
                                          const kern_wrench *pattern,
                                          kern_real *factor,
                                          const kern_proof *proof);
 
-/* Computes the least factor of the pattern with which the structure stands. It
-   is 0 if the structure stands without the pattern; otherwise it is the
+/* Computes the least factor of a load pattern with which the structure stands.
+   It is 0 if the structure stands without the pattern; otherwise it is the
    smallest load that holds it, as a prop or a hand does. To find the largest
    factor, call kern_load_factor_of() with this load added to the blocks.
-   KERN_STANDS: writes *factor. proof->force holds the structure at it;
-   proof->motion moves it just below (not written if the factor is 0).
+   KERN_STANDS: writes *factor. proof->force holds the structure at the factor.
+   proof->motion moves it just below, and is not written if the factor is 0.
    KERN_FALLS: it falls at every factor, and *factor is KERN_INFINITY.
    KERN_UNDECIDED, KERN_LIMIT: it is proven to fall at every factor below
-   *factor. Time: a verdict for each mechanism. */
+   *factor. Time: that of one verdict for each mechanism on the way. */
 KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         const kern_wrench *pattern,
                                         kern_real *factor,
                                         const kern_proof *proof);
 
-/* Computes the load factor of Coulomb friction, from rest: sliding stones need
-   not part. *factor is the largest multiple of the load that raises forces
-   which hold the structure, as in kern_raised(). This is proven while the load
-   grows from 0, each step (>>tune) from those before. With friction equilibrium
-   is not unique: another path of loading may collapse earlier (by 5 % in one
-   case) or later. *factor is never above the load factor, which is computed
-   first. The load is `pattern`, or if that is NULL, horizontal to the side.
-   KERN_STANDS: writes *factor, KERN_INFINITY if the load is raised at
-   1,000,000. Both arrays of the proof pass kern_check_raised() with the loads
-   at the factor. work->end is KERN_END_SHOWN if *factor is the load factor;
-   otherwise it tells why it is less. KERN_FALLS: it falls at 0. KERN_UNDECIDED
-   also if its own weight is not shown to raise forces; *factor is kept. Time: 8
-   load factors in the median of settled stones, 13 on walls that slide (9.5 on
-   those of 40 to 60 blocks). */
+/* Computes the load factor for Coulomb friction, with the load growing from 0:
+   unlike in kern_load_factor(), stones that slide need not part. *factor is the
+   largest multiple of the load that raises forces which hold the structure, as
+   in kern_raised(). Each step of the load (>>tune) is proven, starting from the
+   step before. With friction equilibrium is not unique: another path of loading
+   may collapse earlier (by 5 % in one case) or later. *factor is never above
+   the load factor, which is computed first. The load is `pattern`, or if that
+   is NULL, horizontal to the side. KERN_STANDS: writes *factor, KERN_INFINITY
+   if the load is raised at 1,000,000. Both arrays of the proof pass
+   kern_check_raised() with the loads at the factor. work->end is KERN_END_SHOWN
+   if *factor is the load factor; otherwise it tells why it is less. KERN_FALLS:
+   it falls at 0. KERN_UNDECIDED also if the weight alone is not shown to raise
+   forces; *factor is unchanged. Time, in multiples of kern_load_factor(): 8 in
+   the median of settled stones, 13 on walls that slide (9.5 on those of 40 to
+   60 blocks). */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
@@ -1301,71 +1323,74 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                kern_side side, kern_real *angle,
                                const kern_proof *proof);
 
-/* Computes the profile (>>rules), in value[0..blocks): shrinkages [m] for
-   KERN_SHRINK, factors of a horizontal load for a side, KERN_INFINITY for a
-   fixed block. After a negative status *out is as it was, and value means
+/* Computes the profile (>>rules). Writes to value[0..blocks) shrinkages [m] for
+   KERN_SHRINK, factors of a horizontal load for a side, and KERN_INFINITY for a
+   fixed block. After a negative status *out is unchanged and the values mean
    nothing. KERN_BAD_OPTION: no such side, or a load without gravity.
-   KERN_UNDECIDED: a verdict that it depends on is undecided. KERN_LIMIT: the
-   values of blocks that have been taken away are final, others are -1. Time: 3
-   to 5 times that of the margin. */
+   KERN_UNDECIDED: a verdict that the profile depends on is undecided.
+   KERN_LIMIT: the values of blocks that have been removed are final, others are
+   -1. Time: 3 to 5 times that of kern_measure(). */
 KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
                                   kern_real *value, kern_collapse *out);
 
-/* Finds what limits a measure, from its proof. proof->motion, not NULL, moves
-   the structure at about `shrink`; proof->force holds it there or is NULL.
-   After kern_measure() pass out->margin and its proof; if the structure falls,
-   pass 0 and the motion alone. How much a contact point limits is the first of
-   these that is above 0 at any contact:
-     1. the power that the mechanism gains per length by which the point moves
-        inward, if there are forces
-     2. the rate at which its blocks turn about it
-     3. the speed at which its blocks slide
+/* Finds the contacts that limit a measure and the blocks that move, from the
+   measure's proof. proof->motion, not NULL, moves the structure at about
+   `shrink`. proof->force holds it there, or is NULL. After kern_measure() pass
+   out->margin and its proof. If the structure falls, pass 0 and only the
+   motion. The limit of a contact point is the first of these quantities that is
+   above 0 at any contact:
+     1. if there are forces: the increase of the mechanism's power per length
+        [m] by which the contact point moves inward
+     2. the spin of its two blocks relative to each other about the point
+     3. the speed at which its two blocks slide
    Motions slower than 1e-4 (the fastest is 1) count as rest. KERN_OK: out's
    arrays are filled, contact and groups are set. KERN_BAD_POINTER also without
-   a motion, KERN_BAD_NUMBER for one that is not finite (the fault names the
-   block). Time: O(C), and O(B) for each group. */
+   a motion. KERN_BAD_NUMBER also for a motion that is not finite; the fault
+   names the block. Time: O(C), and O(B) for each group. */
 KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
                                       const kern_proof *proof,
                                       kern_critical *out);
 
 /* -- planning -- */
-/* A plan is a structure that changes by a stone at a time. No contact is
-   searched twice, and kern_measure(&plan.task, ...) and the questions below
-   start from its last measure. Measure first: answers are the same without, but
-   slower. Questions leave the plan as it is. Their negative statuses include
-   those of kern_plan_add(). Their proof is of the structure with the block: it
-   has one more motion, and the forces of the block's contacts follow those of
-   the plan. The search for these contacts may use options.limit, and the
-   question that follows may use it again. */
+/* A plan is a structure that changes by one stone at a time. No contact is
+   searched twice. kern_measure(&plan.task, ...) and the queries below start
+   from the last measure of the plan. Without such a measure the answers are the
+   same, but slower. Queries leave the plan unchanged. Their negative statuses
+   include those of kern_plan_add(). Their proof is for the structure with the
+   block added: it has one more motion, and the forces of the block's contacts
+   follow those of the plan. The search for these contacts may use options.limit
+   units, and the query itself as many again. */
 
-/* Returns an empty plan under gravity (0, -9.81). The arrays, those of
-   kern_known_of() and the work memory must be long enough for so many blocks
-   and contact points. */
+/* Returns an empty plan under gravity (0, -9.81). All arrays, also those of
+   kern_known_of() and of the work memory, must be long enough for these numbers
+   of blocks and contact points. */
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
                                 kern_known known, kern_work *work);
 
-/* Adds a block after the others and finds its contacts. Returns how many
-   contact points it has, or a negative status of kern_touch(); KERN_NO_SPACE
-   also if the plan is full, KERN_BAD_POINTER also without arrays for known
-   forces or motions. After a negative status the plan is as it was. The block
-   is copied, its vertices are NOT: they must outlive the plan. Its contacts are
-   found with the present options, and keep their friction. Time: O(B). */
+/* Adds a block after the others and finds its contacts. Returns the number of
+   its contact points, or a negative status of kern_touch(). KERN_NO_SPACE also
+   if the plan is full, KERN_BAD_POINTER also without arrays for known forces or
+   motions. After a negative status the plan is unchanged. The block is copied,
+   but its vertices are NOT: they must outlive the plan. Its contacts are found
+   with the present options. Later changes of options.mu do not change their
+   friction. Time: O(B). */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 
-/* Removes block i. The blocks after it move up, also in the contacts. KERN_OK:
-   done. KERN_BAD_BLOCK: there is none. Time: O(B + C). */
+/* Removes block i. The indices of later blocks decrease by 1, also in the
+   contacts. KERN_OK: done. KERN_BAD_BLOCK: there is no block i. Time: O(B +
+   C). */
 KERN_API kern_status kern_plan_remove(kern_plan *plan, int i);
 
-/* Computes what kern_measure() would return with the block added. Time: that of
-   one verdict, if the block does not change which stones are the weakest. The
-   search comes from above: a call that options.limit ends proves an upper
-   bound, out->fails, but a lower one, out->holds, only near its end. With half
-   of the work that they need, 963 tries on walls have these bounds:
+/* Computes the results of kern_measure() with the block added. Time: that of
+   one verdict, if the weakest stones stay the weakest. The search starts at an
+   upper bound: if options.limit ends the call, out->fails is an upper bound,
+   but out->holds is above 0 only if the search was nearly done. Shares of 963
+   tries on walls that had these bounds after half of the work that they need:
      upper bound, at most 2 margins    0.73      none       0.06
                   at most 1.1 margins  0.53      any lower  0.03
-   For a lower bound use kern_plan_bears(). With half of the margin it takes
-   0.44 of the work of a try in the median, and 0.13 where a try takes 1,500
+   For a lower bound use kern_plan_bears(). For half of the margin it takes 0.44
+   of the work of a try in the median, and 0.13 where a try takes 1,500
    units. */
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof);
@@ -1373,17 +1398,17 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
 /* Returns whether the margin with the block added is at least `margin` [m]
    (relative: a share): KERN_STANDS with forces at that shrinkage, KERN_FALLS
    with a motion. A structure that stands with every kern closed bears any
-   margin, unless options.narrow is set. If kerns are not nested it also falls,
-   with the motion at the margin of kern_plan_try(), if that margin is smaller.
-   KERN_BAD_NUMBER also for a negative margin. Time: that of a verdict; O(B + C)
-   beyond the measured margin if the block does not touch the blocks that limit
-   it. */
+   margin, unless options.narrow is set. If kerns are not nested, KERN_FALLS
+   also if the margin of kern_plan_try() is smaller; the motion is then the one
+   at that margin. KERN_BAD_NUMBER also for a negative margin. Time: that of a
+   verdict. For a margin above the measured one it is O(B + C) if the block does
+   not touch the blocks that limit the margin. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof);
 
-/* Answer kern_stays() and kern_raised() for the plan with a block added.
-   Without a block (NULL) they answer for the plan as it is, kern_stays() for
-   its last block. */
+/* Compute kern_stays() and kern_raised() for the plan with a block added. If
+   `block` is NULL they use the plan as it is: kern_plan_stays() then treats its
+   last block as the one placed last. */
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
                                      kern_real *chance);
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
@@ -1391,90 +1416,97 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
                                       const kern_proof *proof);
 
 /* Copies a plan into `to`, which kern_plan_of() made with arrays and work
-   memory of its own: one plan for each thread. Vertices are not copied, so both
-   plans read the same ones. KERN_OK: the two give the same answers, to the last
-   bit. KERN_NO_SPACE: an array of `to` is too short, and `to` is as it was. */
+   memory of its own. Each thread needs a plan of its own. Vertices are not
+   copied, so both plans read the same ones. KERN_OK: both plans give the same
+   answers, to the last bit. KERN_NO_SPACE: an array of `to` is too short, and
+   `to` is unchanged. */
 KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
 
 /* Finds where a stone comes to rest on a structure, such as plan.task, when it
-   is let down with its centre at x, turned by an angle with this cosine and
-   sine. x is measured along gravity turned by +90 degrees, which is the x of
-   the plane for gravity (0, -9.81). How high the stone is does not matter: it
-   begins above all blocks.
-   The stone goes down without turning to the first touch. Then, from touch to
-   touch, its centre takes the steepest way down that is free: a turn about a
-   point where the stone touches, a slide along an edge that is steeper than
-   options.mu holds, or a turn on which it slides at two touches that options.mu
-   (or 0.01 if that is more) does not hold. No turn is by more than 28 degrees at
-   a time. The stone is at rest where no way leads down. Two convex corners that
-   meet hold nothing. Of 41,000 stones on blocks that cannot move, such as cubes
-   on a grid, stairs and saw teeth, 0.993 stand there; kern_plan_bears() tells
-   whether this one does. Blocks of the structure stay. Each motion ends where
-   the stone meets a block, so it overlaps none by more than 1e-6 (float: 1e-4)
-   of its size. A mirrored stone and structure have the mirrored pose, and the
-   order of blocks does not matter.
-   vertex[0..stone->vertices) receives the vertices there, in their order; it is
-   another array than the stone's own. The structure's contacts are not read.
-   KERN_OK: *out is written; below 0 it means nothing. KERN_NO_SUPPORT: the
-   stone falls past the structure. KERN_NO_REST: it still moves after 64
-   motions. KERN_NO_LOAD: no gravity. KERN_BAD_NUMBER also for x, the stone's
-   centre, and a turn whose length is not 1. Blocks and stone are checked as by
-   kern_touch(); in the fault the stone is block B. Time: O(B) for each motion,
-   and the edges near it: in the mean 32,000 instructions on a wall of 30 rough
-   stones, 19,000 on a bond of 36 bricks. */
+   is lowered with its centre at x, turned by the angle with cosine turn.x and
+   sine turn.y. x is measured along gravity turned by +90 degrees, which is the
+   x of the plane for gravity (0, -9.81). The height of the stone does not
+   matter: the descent begins above all blocks.
+   The stone moves straight down to its first touch. Then it moves on from touch
+   to touch, each time by the motion that lowers its centre most steeply: a turn
+   about a point where the stone touches, a slide along an edge that is steeper
+   than friction holds, or a turn while it slides at two touches that friction
+   does not hold. Friction is options.mu, and at two touches at least 0.01. A
+   motion turns the stone by at most 28 degrees. The stone is at rest where no
+   motion lowers its centre. Two convex corners that meet hold nothing. Of
+   41,000 stones on blocks that cannot move, such as cubes on a grid, stairs and
+   saw teeth, 0.993 stand where they come to rest; check this with
+   kern_plan_bears(). Blocks of the structure do not move. Each motion ends
+   where the stone meets a block, so it overlaps none by more than 1e-6 (float:
+   1e-4) of its size. A mirrored stone and structure have the mirrored pose, and
+   the order of blocks does not matter.
+   vertex[0..stone->vertices) receives the vertices of the stone at rest, in
+   their order. It must not be the stone's own array. The structure's contacts
+   are not read. KERN_OK: *out is written. After a negative status *out means
+   nothing. KERN_NO_SUPPORT: the stone falls past the structure. KERN_NO_REST:
+   the stone still moves after 64 motions. KERN_NO_LOAD: no gravity.
+   KERN_BAD_NUMBER also for a bad x or stone's centre, and for a `turn` whose
+   length is not 1. Blocks and stone are checked as by kern_touch(). In the
+   fault the stone has the index B. Time: O(B) for each motion, plus the edges
+   near it. The mean is 32,000 instructions on a wall of 30 rough stones, 19,000
+   on a bond of 36 bricks. */
 KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
                                kern_real x, kern_vec turn, kern_vec *vertex,
                                kern_pose *out);
 
-/* Compares two places for a stone. Returns 1 if a is better, -1 if b is, 0 if
-   no number differs. NULL is worse than any place. `alone` is the margin of the
-   structure without the stone, which most places leave as it is. The first of
-   these numbers that differs decides:
+/* Compares two places for a stone. Returns 1 if a is better, -1 if b is better,
+   and 0 if no number differs. NULL is worse than any place. `alone` is the
+   margin of the structure without the stone; most places do not change it. The
+   first of these numbers that differs decides:
      stays   the larger chance; all from 0.9 on count as equal
      margin  the larger; all within 1e-4 (float: 1e-3) of `alone` count as equal
      own     the larger
      load    the larger
      x turn  the smaller, so that any order of places gives the same best
-   All but x and turn are rounded to 13 bits first, 1e-4 of the number. So the
-   rounding of an answer hardly ever chooses the place, and a structure that is
-   moved has the same best place. So has a mirrored one, unless x decides: then
-   it has the other place of the tie. NaN is the worst of each number.
-   In 111 states of walls some of eight places of kern_rest() stay in all six
-   runs of the simulator of examples/laboratory, and some do not. The best place
-   stays in 107 of these states, and that of the largest margin in 96. */
+   All but x and turn are first rounded to 13 bits, 1e-4 of the number. So
+   rounding hardly ever decides, and moving a structure does not change its best
+   place. Nor does mirroring, unless x decides between two places: then the
+   mirrored structure has the other one. NaN is worse than any number.
+   Tested on 111 walls under construction: at each, some of eight places of
+   kern_rest() stay in all six runs of the simulator of examples/laboratory, and
+   some do not. The best place stays on 107 of these walls, and the place of the
+   largest margin on 96. */
 KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
                                 kern_real alone);
 
 /* -- proofs -- */
 
-/* Return the error of a proof, as a share of the allowed error: up to 1 the
-   proof holds. They return KERN_INFINITY if the forces or the motion prove
-   nothing, and for bad input (NULL, NaN). Forces may leave 1e-9 (float: 1e-4)
-   of the load on a block in each of its equations, plus roundings of the
-   largest force there. Their sum may be 1e6 (1e3) weights. A motion must be one
-   that such forces could not stop, whatever rounding does. Time: O(B + C). Work
-   memory: for forces 4 B reals. */
+/* Return the error of a proof as a share of the allowed error. The proof holds
+   if the result is at most 1. Return KERN_INFINITY if the forces or the motion
+   prove nothing, and for bad input (NULL, NaN). In each equation of a block
+   forces may leave a residual of 1e-9 (float: 1e-4) of the load on the block,
+   plus the rounding of the largest force there. Their sum may be 1e6 (1e3)
+   weights. A motion must be one that such forces could not stop, whatever
+   rounding does. Time: O(B + C). Work memory: for forces 4 B reals. */
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
                                      const kern_force *force);
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
                                      const kern_motion *motion);
 
-/* Returns the error of the proof of kern_raised(). For KERN_RAISED it checks
-   the forces. It also checks that the motion approaches at every contact whose
-   force equilibrium needs, and slides by less than 1/500 (float: 1/5) of that
-   where it must stick. For KERN_HANGS it checks that the motion moves blocks
-   without a load, that no contact with another block presses one of them
-   against gravity, and that the forces hold the others without them.
-   KERN_NOT_SHOWN proves nothing: KERN_INFINITY. Work memory: 5 B reals. */
+/* Returns the error of the proof of kern_raised(), as a share of the allowed
+   error. For KERN_RAISED it checks the forces. It also checks that the motion
+   closes every contact whose force equilibrium needs. Where a contact must
+   stick the motion may slide by at most 1/500 (float: 1/5) of that approach.
+   For KERN_HANGS it checks that the motion moves blocks without a load, that no
+   contact with another block presses one of them against gravity, and that the
+   forces hold the others without them. KERN_NOT_SHOWN proves nothing:
+   KERN_INFINITY. Work memory: 5 B reals. */
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
                                      kern_raising raising,
                                      const kern_proof *proof);
 
 /* -- the linear program alone -- */
 
-/* Solves a small dense linear program. x has cols, y rows numbers.
-     KERN_LP_OPTIMAL     x is a solution, of least cost if there are costs, and
-                         then y are its prices: cost - y.A >= 0, 0 where x > 0
+/* Solves a small dense linear program. x has room for lp->cols numbers, y for
+   lp->rows.
+     KERN_LP_OPTIMAL     x is a solution. If there are costs, it is one of least
+                         cost and y are its prices: cost - y.A >= 0, 0 where x >
+                         0
      KERN_LP_INFEASIBLE  no x exists: y.A >= 0 and y.rhs < 0
      KERN_LP_UNBOUNDED   the cost falls along x: A x = 0, x >= 0, cost.x < 0
      KERN_UNDECIDED      the method did not end, or the check failed, as it may
@@ -1482,8 +1514,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
      KERN_LIMIT          lp->limit was reached
    Each answer is checked against A, every row and column in its own units, so
    that the choice of units does not matter. After a negative status x and y
-   mean nothing. Work memory: KERN_LP_REALS and _INTS(rows, cols). Time: rows^2
-   + rows cols for a pivot. */
+   mean nothing. Work memory: KERN_LP_REALS and _INTS(rows, cols). Time:
+   O(rows^2 + rows cols) for each pivot. */
 KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
                                    kern_real *y, kern_work *work);
 
@@ -1492,7 +1524,7 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #endif
 #endif /* KERN_H */
 
-/* Stop here if you only want to use the library. Below is how it works.      */
+/* Users of the library can stop here. The rest is the implementation. */
 
 /* ==== Part III: Statics and proofs ================================= >>impl */
 
