@@ -1547,15 +1547,14 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #error "kern.h: do not compile the implementation with -ffast-math"
 #endif
 
-/* C++ that includes the implementation must not warn of its casts, which are
-   those of C. */
+/* Turns off the warning of C++ compilers for C-style casts. */
 #if defined(__cplusplus) && defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #endif
 
-/* The vectorisers of gcc fuse pairs of products such as a c - b d and a d + b c
-   into one operation, also with -ffp-contract=off. */
+/* Turns off the vectorisers of gcc: they fuse pairs of products such as a c - b
+   d and a d + b c into one operation, even with -ffp-contract=off. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__FMA__)
 #pragma GCC push_options
 #pragma GCC optimize("no-tree-vectorize")
@@ -1565,9 +1564,9 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 extern "C" {
 #endif
 
-/* KERN_ASSERT checks a condition that holds whatever the arguments are.
-   KERN_AUDIT checks the state of an engine (tests/audit.h). Both do nothing
-   unless a test build defines them. */
+/* KERN_ASSERT checks a condition that holds for all arguments of a caller.
+   KERN_AUDIT checks the internal state of an engine (tests/audit.h). Both do
+   nothing unless a test build defines them. */
 #ifndef KERN_ASSERT
 #define KERN_ASSERT(condition) ((void)0)
 #endif
@@ -1596,25 +1595,26 @@ extern "C" {
 /* ---- Constants -------------------------------------------------- >>tune */
 /* All constants of Parts III to V; those of the geometry are in >>tol. Each
    constant has one job. Lengths are shares of a block's size and forces are
-   shares of the total weight, unless a unit stands in brackets. KERN_PICK(a, b)
-   is a in double and b in float. A value that is the name of another constant
+   shares of the total weight, unless a unit is given in brackets. KERN_PICK(a,
+   b) is a in double and b in float. A constant defined by another constant
    bounds the same rounding. */
 
 /* ---- what a proof allows ---- */
 
-/* Largest residual of a row of equilibrium in a proof, as a share of what acts
-   on the block. Coordinates and masses are known far less exactly. */
+/* Largest residual of an equation of equilibrium in a proof, as a share of the
+   loads on the block. Coordinates and masses are known far less exactly. */
 #define KERN_TOL KERN_PICK(1e-9, 1e-4)
-/* Largest sum of forces in a proof, in weights. It excludes jams, whose forces
-   are arbitrarily large. A motion proves a fall only if its power exceeds this
-   sum times the fastest speed at which it closes a contact. */
+/* Largest sum of forces in a proof, as a multiple of the total weight. It
+   excludes jams, whose forces are arbitrarily large. A motion proves a fall
+   only if its power exceeds this sum times the fastest speed at which it closes
+   a contact. */
 #define KERN_BOUND KERN_PICK(1e6, 1e3)
 /* Rounding of a sum in a proof, as a share of its terms: a row has some tens of
-   terms. Part VI takes twice as much, as a share of the largest coordinate, for
-   the distance within which two places are the same. */
+   terms. In Part VI two points are the same if they are closer than twice this
+   share of the largest coordinate. */
 #define KERN_ROUNDING (32 * KERN_EPS)
-/* Largest share by which a tangential force may exceed its cone: the rounding
-   of mu f. */
+/* Largest share by which a tangential force may exceed its friction cone, which
+   is the rounding of mu f. */
 #define KERN_CONE_TOL (8 * KERN_EPS)
 /* Least power [W] of a motion in a proof, and an addend to each closing speed
    [m/s]: products of smaller numbers may lose digits by underflow. */
@@ -1622,26 +1622,26 @@ extern "C" {
 /* Largest residual of a row or column in the proof of a caller's linear
    program, as a share of the terms. */
 #define KERN_LP_TOL KERN_TOL
-/* Raised forces: a contact must stick if its tangential force is below the cone
-   by more than this share of the cone. */
+/* Raised forces: a contact must stick if its tangential force is below mu f by
+   more than this share of mu f. */
 #define KERN_SLIDES_TOL KERN_TOL
-/* Raised forces: contacts with smaller forces, as a share of the least load of
-   a block, need not approach. Equilibrium holds without these forces. */
+/* Raised forces: a contact with a smaller force, as a share of the least load
+   of a block, need not approach, since equilibrium holds without that force. */
 #define KERN_PRESSED_LEAST KERN_TOL
 /* Raised forces: largest slide of a contact that must stick, as a share of its
-   approach. The inverse is the stiffness along t of >>raised. */
+   approach. Its inverse is the stiffness along t in >>raised. */
 #define KERN_STICKS KERN_PICK(2e-3, 0.2)
-/* Least cosine between a contact's normal and gravity for the contact to hold a
-   block up. A contact below it is a vertical joint, also in a drawing of few
-   digits. As a wedge it would press with thousands of the weights that it
-   holds. */
+/* Least cosine between a contact's normal and gravity at which the contact can
+   hold a block up. A contact with a smaller cosine counts as a vertical joint
+   whose coordinates have few digits. As a wedge it would press with thousands
+   of times the weight that it holds. */
 #define KERN_HOLDS_UP KERN_R(1e-4)
 
 /* ---- what may be asked ---- */
 
 /* Largest coordinate and option [m], largest sum of weight and loads of a block
-   [N], and largest mass [kg] and size [m]. Squares, moments and products with
-   KERN_BOUND of these keep all digits. */
+   [N], and largest mass [kg] and size [m]. Squares and moments of such numbers,
+   and products with KERN_BOUND, keep all digits. */
 #define KERN_FAR KERN_PICK(1e60, 1e10)
 /* Least size [m] of a block: arms divided by it keep all digits. */
 #define KERN_SIZE_LEAST (1 / KERN_FAR)
@@ -1654,7 +1654,7 @@ extern "C" {
 /* Largest difference between 1 and the square of a normal's length: the
    rounding of a normal that the caller computed in this precision. */
 #define KERN_NORMAL_TOL (64 * KERN_EPS)
-/* Angle [rad] from which options.angle is refused: it would take a corner for a
+/* Least options.angle [rad] that is refused: with it a corner would count as a
    face, and the series of kern_sine() would lose digits. */
 #define KERN_ANGLE_MOST KERN_R(0.5)
 /* Largest options.reserve, in shares of gravity: the table of
@@ -1662,27 +1662,28 @@ extern "C" {
 #define KERN_RESERVE_MOST KERN_R(0.1)
 /* Default gravity of a task [m/s^2]. */
 #define KERN_GRAVITY KERN_R(9.81)
-/* Largest number of blocks of a task, and of rows of a program: sizes of the
-   work memory and products of its indices are then an int. */
+/* Largest number of blocks of a task, and of rows of a program. Sizes of the
+   work memory and products of its indices then fit into an int. */
 #define KERN_BLOCKS_MOST 20000
 /* Largest number of contact points, vertices, levels and columns, and of blocks
    of a contact search. */
 #define KERN_POINTS_MOST 1000000
-/* Largest number of units of a call, and of entries of a caller's matrix. */
+/* Largest limit of work of a call [units], and largest number of entries of a
+   caller's matrix. */
 #define KERN_WORK_MOST 2000000000
 
 /* ---- what work costs, in units ---- */
-/* Fitted to counts of instructions: a unit is 550 to 2,000 of them
-   (>>verdicts). A constant *_UNIT tells how many things are done in one
-   unit. */
+/* The costs are fitted to counts of instructions: one unit of work is 550 to
+   2,000 instructions (>>verdicts). A constant *_UNIT is the number of items
+   that one unit of work processes. */
 
-/* Entries of sparse columns that are added up in a unit. Of a dense factor it
-   is 8/3 as many, since no indices are read. */
+/* Entries of sparse columns that are added up in a unit. For a dense factor the
+   number is 8/3 times as large, since no indices are read. */
 #define KERN_UNIT 64
 /* Blocks and contacts that a call reads and checks in a unit. */
 #define KERN_CALL_UNIT 5
-/* Blocks and contacts that the proof of a query reads in a unit. Three units
-   are added for each query. */
+/* Blocks and contacts that the check of a proof reads in a unit. Each proof
+   costs three more units. */
 #define KERN_QUERY_UNIT 14
 /* Groups and contacts that are ordered for a short skyline in a unit. */
 #define KERN_ORDER_UNIT 4
@@ -1690,75 +1691,77 @@ extern "C" {
 #define KERN_KNOWN_UNIT 32
 /* Contacts that the line search evaluates at one place in a unit. */
 #define KERN_PLACE_UNIT 16
-/* Products that a step of Newton's method takes for a contact: its row, its law
-   and its block of the matrix. */
+/* Number of products of one step of Newton's method for one contact: for its
+   row, its law and its block of the matrix. */
 #define KERN_CONTACT_PRODUCTS KERN_R(100)
-/* Products that the factor takes for a row, as a multiple of the square of its
-   number of blocks. Half of all pairs of blocks take 27 products each. */
+/* Number of products of the Cholesky factor for one row, divided by the square
+   of the row's number of blocks. Half of all pairs of blocks take 27 products
+   each. */
 #define KERN_PAIR_PRODUCTS KERN_R(14)
 
 /* ---- model ---- */
 
-/* Largest travel of a contact point that counts as 0 [mean size]: a millionth
-   of the shortest line is rounding. */
+/* Travels of contact points below this count as 0 [mean size]: a millionth of
+   the shortest line is rounding. */
 #define KERN_TRAVEL_LEAST (KERN_R(1e-6) * KERN_R(1e-3))
-/* In double, slope of the lines along which blocks count as equally high. A
-   flat arch is then ordered from side to side and not by rounding. */
+/* Slope of the lines along which blocks count as equally high (only in double).
+   A flat arch is then ordered from side to side and not by rounding. */
 #define KERN_LEVEL_SLOPE KERN_R(1e-6)
-/* Runs of at most so many blocks are sorted by insertion: with shorter runs the
-   steps of Shell's sort cost more than they save. */
+/* Longest run of blocks that is sorted by insertion: with shorter runs the
+   passes of Shell's sort cost more than they save. */
 #define KERN_SORT_RUN 32
 
 /* ---- measures ---- */
 
 /* Width of the bracket of a measure [mean block size; load factor; tangent of a
-   quarter of the angle]. Half of it lies before the critical value, and up to
-   all of it may lie beyond. With a narrower one fewer verdicts near critical
-   have a proof. A wider one exceeds the promised 2e-6. */
+   quarter of the angle]. Half of the width lies below the critical value, and
+   up to all of it may lie above. With a narrower bracket fewer verdicts near
+   critical have a proof. A wider bracket exceeds the promised 2e-6. */
 #define KERN_WIDTH KERN_PICK(1.26e-6, 1.8e-3)
-/* Largest distance between the proofs on both sides of the critical value, in
-   widths, at which the search still aims at that value. Beyond it the search
-   cuts the bracket. */
+/* Widest bracket, in KERN_WIDTH, for which the search tries the predicted
+   critical value. Wider brackets are cut. */
 #define KERN_WIDEST KERN_R(20)
-/* How many times wider a bracket may be and still be an answer: in jams no
-   proof comes closer. */
+/* Widest bracket that is accepted as an answer, in KERN_WIDTH: in jams no proof
+   comes closer. */
 #define KERN_ANSWER KERN_PICK(80, 20)
-/* Most groups that are solved as one linear program; margins are then exact.
-   With more groups its factor costs more than the interior point. */
+/* Most groups that are solved as one linear program, whose margins are exact.
+   With more groups the factor of the program costs more than the interior
+   point. */
 #define KERN_SMALL 64
-/* Number of steps to the largest travel if kerns are not nested, and of half a
-   circle of tilt under loads that stay. A range of falling that is narrower
-   than a step may be missed. A walk or a climb takes at most five times as many
-   steps. */
+/* Number of steps of a walk: up to the largest travel if kerns are not nested,
+   or through half a circle of tilt under fixed loads. An interval of falling
+   that is narrower than a step may be missed. A walk or a climb takes at most
+   five times as many steps. */
 #define KERN_SCAN 1001
 /* Default step of a level [mean size]: the paper's steps are of this order. */
 #define KERN_LEVEL_STEP KERN_R(0.02)
 /* Default step of a level where kerns are relative [share of the travel]. */
 #define KERN_LEVEL_SHARE KERN_R(0.05)
-/* Largest load factor; beyond it the load counts as held for ever. */
+/* Largest load factor that is searched. A structure that stands there stands
+   under any multiple of the load. */
 #define KERN_FACTOR_MOST KERN_R(1e6)
-/* Deficit: first growth of the kerns [mean size; share of the travel], less
-   than any deficit that matters. */
+/* Deficit: first growth of the kerns that is tried [mean size; share of the
+   travel], smaller than any deficit that matters. */
 #define KERN_GROW_FIRST KERN_R(0.001)
-/* Deficit: factor of the growth if kerns are nested; few verdicts suffice. */
+/* Deficit: factor from one growth to the next if kerns are nested; few verdicts
+   suffice. */
 #define KERN_GROW_NESTED KERN_R(4)
-/* Deficit: factor of the growth if kerns are not nested, so that a range of
-   standing is seldom missed. */
+/* Deficit: the same factor if kerns are not nested. It is small so that an
+   interval of standing is seldom missed. */
 #define KERN_GROW_EVEN KERN_R(1.1)
-/* Deficit: largest growth, in longest sides of the free blocks' box
-   (>>rules). */
+/* Deficit: largest growth that is tried, in longest sides of the free blocks'
+   box (>>rules). */
 #define KERN_GROW_MOST 1000
 
 /* ---- profile, mechanism, sensitivity ---- */
 
 /* Profile: largest load factor; a stone that reaches it counts as unlimited. */
 #define KERN_PROFILE_MOST KERN_R(10)
-/* Most places beyond a critical value, a bracket's width apart, at which a
-   mechanism with a proof is searched. */
+/* Most places above a critical value, KERN_WIDTH apart, at which the search
+   tries to prove a mechanism. */
 #define KERN_FALL_TRIES 8
-/* Most steps of a collapse that take no block away, besides three for each
-   group. There are such steps since both verdicts may have a proof at one
-   place. */
+/* Most steps of a collapse that remove no block, besides three for each group.
+   Such steps occur since both verdicts may have a proof at one place. */
 #define KERN_FALL_IDLE 8
 /* Expected drop: load factor at which a stone falls with a chance of 1/e.
    Values from 0.05 to 0.1 rank structures as well. */
@@ -1766,28 +1769,31 @@ extern "C" {
 /* Expected drop: least height that counts [mean block size], since the lowest
    stones fall, too. */
 #define KERN_DROP_HEIGHT KERN_R(0.3)
-/* Blocks rest, or do not approach, below this share of the highest speed. */
+/* Speed, as a share of the highest, below which blocks count as resting or as
+   not approaching. */
 #define KERN_REST KERN_R(1e-4)
-/* A limit or a speed is larger than another only by more than this share. Of
-   equals the first is then reported, not the one that rounding raised. */
+/* Limits or speeds that differ by at most this share count as equal. The first
+   of equals is then reported, and not the one that rounding makes largest. */
 #define KERN_TIE KERN_R(1e-4)
 /* Sensitivity: a sum of powers below this share of its terms is rounding. */
 #define KERN_RATE_LEAST KERN_PICK(1e-10, 1e-5)
-/* Sensitivity: a corner moves the end of a contact if it is no farther away
-   than this, the length of the shortest line. */
+/* Sensitivity: largest distance from a corner to the end of a contact at which
+   the corner moves the end [size], the length of the shortest line. */
 #define KERN_CORNER_NEAR KERN_R(1e-3)
-/* Sensitivity: two such distances that differ by less count as equal. */
+/* Sensitivity: two distances from corners to an end count as equal if they
+   differ by less than this [size]. */
 #define KERN_CORNER_TIE KERN_R(1e-6)
 
 /* ---- residuals that rounding leaves ---- */
 
 /* Largest residual of equilibrium of a group that a method may leave, as a
    share of its load. It is far below KERN_TOL, since residuals of many groups
-   may add up. At 1e-10 in double a light stone beside heavy ones stands
-   although it falls. */
+   may add up. With 1e-10 in double, a light stone beside heavy ones is reported
+   to stand although it falls. */
 #define KERN_PASS_TOL KERN_PICK(1e-11, 1e-6)
-/* Largest residual that a program of all groups may leave, a tenth of KERN_TOL:
-   its forces are not passed on, so that residuals do not add up. */
+/* Largest residual that a program of all groups may leave. It may be a tenth of
+   KERN_TOL: forces are not passed on from group to group, so that residuals do
+   not add up. */
 #define KERN_PART_TOL KERN_PICK(1e-10, 1e-5)
 /* Rounding of a residual, as a share of the largest force or value in it. */
 #define KERN_RESIDUAL (4 * KERN_EPS)
@@ -1797,240 +1803,260 @@ extern "C" {
 /* Shift of the diagonal of Newton's matrix, as a share of its mean. Without it
    a row has no pivot if no ray of the group presses. */
 #define KERN_DUAL_SHIFT KERN_ROUNDING
-/* Most rounds of Newton's method. It ends in far fewer, unless digits are
-   lost. */
+/* Most rounds of Newton's method. It takes far fewer, unless rounding spoils
+   it. */
 #define KERN_NORM_ROUNDS 100
-/* Line search: it ends when the derivative has fallen by this factor. Newton's
-   next step makes up for the rest. */
+/* Line search: factor by which the derivative must fall. Newton's next step
+   makes up for the rest. */
 #define KERN_SHARE_TOL 8
-/* Line search with prices: this factor, since the next prices begin there. */
+/* The same factor for a search with prices, since the next prices are computed
+   from its result. */
 #define KERN_SHARE_TOL_PRICED 1000
-/* Line search: most steps, each four times the last, to pass the maximum. */
+/* Line search: most steps until the maximum has been passed, each four times
+   the last. */
 #define KERN_SHARE_GROWS 13
-/* Line search: most places after that; regula falsi needs few. */
+/* Line search: most places that regula falsi tries after the maximum has been
+   passed. It needs few. */
 #define KERN_SHARE_PLACES 20
 
 /* ---- top-down pass ---- */
 
-/* A pivot of a 3 x 3 matrix below this share of its trace is rounding. At 1e-11
-   in double a profile of rubble wrongly starts above the margin. */
+/* A pivot of a 3 x 3 matrix below this share of its trace is rounding. With
+   1e-11 in double, a profile of rubble wrongly starts above the margin. */
 #define KERN_THREE_TOL KERN_PICK(1e-12, 1e-5)
 /* A pivot of a 3 x 3 matrix above this share of its trace needs no refinement
    of the solution. */
 #define KERN_THREE_GOOD KERN_PICK(1e-4, 1e-2)
-/* Most contacts of a group that is balanced alone: the arrays are on the
-   stack. */
+/* Most contacts of a group that is balanced alone. It is the length of arrays
+   on the stack. */
 #define KERN_ROWS_MOST 12
 /* Most rounds of Newton's method for one group. Usually it ends in four. */
 #define KERN_ALONE_ROUNDS 10
 /* Factor by which a residual must fall in a round; otherwise no forces
    exist. */
 #define KERN_ALONE_PACE 8
-/* Load on a joint within 30 degrees of upright, as a share of the load that a
-   bed would take. With .3 verdicts of 126 courses of bricks take eight times
-   the work, and with 1 they take 900 times. */
+/* First guess of the load on a joint within 30 degrees of upright, as a share
+   of the load on a bed. With 0.3, verdicts on 126 courses of bricks take eight
+   times the work, and with 1 they take 900 times. */
 #define KERN_SIDE_SHARE KERN_R(0.1)
-/* Norm of the forces, in loads of a cluster, beyond which the cluster counts as
-   infeasible. With a larger norm clusters grow later and Newton's method takes
-   more steps: without this bound a try costs 4 % more. */
+/* Norm of the forces, as a multiple of the cluster's loads, above which the
+   cluster counts as infeasible. With a larger norm clusters grow later and
+   Newton's method takes more steps: without this bound kern_plan_try() costs 4
+   % more. */
 #define KERN_CLUSTER_NORM KERN_R(100)
-/* A contact that closes more slowly than this share of the largest speed counts
+/* Closing speed, as a share of the largest speed, below which a contact counts
    as parting. */
 #define KERN_PARTS_TOL KERN_R(1e-4)
-/* A cluster may have this share of all groups, inverse: a quarter in a verdict,
-   a fifth in a search, a seventh in a search that knows forces. With a fifth
-   verdicts take 7 % more. With a quarter measures take 6 % more. With a fifth
-   tries from known forces take 6 % more. */
+/* Number of groups divided by the largest size of a cluster in a verdict. It is
+   one more in a search, and three more in a search from known forces. With 5
+   verdicts take 7 % more work. With 4 in a search measures take 6 % more. With
+   5 in a search from known forces kern_plan_try() takes 6 % more. */
 #define KERN_CLUSTER 4
-/* Most groups of a cluster if there are more than KERN_SMALL groups. With
-   fewer, some measures of 100 blocks take four times the work. */
+/* Most groups of a cluster if the structure has more than KERN_SMALL groups.
+   With smaller clusters some measures of 100 blocks take four times the
+   work. */
 #define KERN_CLUSTER_MOST 20
-/* Groups of the structure for each of which such a cluster may have one
-   more. */
+/* A cluster may have one more group for each KERN_CLUSTER_MORE groups of the
+   structure. */
 #define KERN_CLUSTER_MORE 32
-/* Units of work of a pass for each group and contact. With 30, measures of
-   bricks take 1.4 times as long. */
+/* Largest work of a pass for each group and contact [units]. With 30, measures
+   of bricks take 1.4 times as long. */
 #define KERN_PASS_UNITS 9
 
 /* ---- search ---- */
 
-/* Two critical values that differ by less are the same [mean block size]: with
-   less, Newton's method follows rounding. */
+/* Critical values that differ by less count as equal [mean block size]. With a
+   smaller difference Newton's method would follow rounding. */
 #define KERN_VALUE_SAME KERN_PICK(1e-10, 1e-5)
 /* A negative force of a known basis below this share of the weight is
    rounding. */
 #define KERN_BASIS_NOISE KERN_PICK(1e-10, 1e-5)
-/* Most places of a bracket. Four to eight suffice, unless digits are lost. */
+/* Most places at which one bracket is cut. Four to eight suffice, unless
+   rounding spoils the proofs. */
 #define KERN_BRACKET_ROUNDS 100
-/* Most verdicts of a search for a least load; each mechanism takes one. */
+/* Most verdicts of kern_least_load_of(): it takes one for each mechanism. */
 #define KERN_LEAST_ROUNDS 100
-/* Most kinks of a power, where kerns close, that Newton's method passes. */
+/* Most kinks of a power that Newton's method passes. A kink is where a kern
+   closes. */
 #define KERN_BENDS 8
-/* Most falling parts before the whole is solved. */
+/* Most falling parts that a search follows before it solves the whole. */
 #define KERN_PARTS 8
-/* A bracket without a predicted value is cut at a quarter, since mechanisms are
-   found near its lower end more often. */
+/* A bracket without a predicted value is cut at 1 / KERN_CUT of its width,
+   since mechanisms are found near its lower end more often. */
 #define KERN_CUT KERN_R(4)
 /* Largest step of Halley's method, in steps of Newton's. */
 #define KERN_HALLEY_MOST KERN_R(4)
-/* First step of a search [mean size; load factor, tangent of a quarter of the
-   angle]. Chosen on the odd half of the corpus and on walls of 100 to 200
-   blocks. */
+/* First step of a search: KERN_CLIMB [mean size], KERN_CLIMB_PUSH [load factor,
+   tangent of a quarter of the angle]. Both are tuned on the odd half of the
+   corpus and on walls of 100 to 200 blocks. */
 #define KERN_CLIMB KERN_R(0.1)
 #define KERN_CLIMB_PUSH KERN_R(0.5)
-/* Growth of these steps: each is this many times the one before. */
+/* Factor from one step of a search to the next. */
 #define KERN_CLIMB_GROWS KERN_R(1.5)
 
 /* ---- interior point ---- */
 
-/* Most steps. Ten usually suffice, unless digits are lost. */
+/* Most steps of the interior point. Ten usually suffice, unless rounding spoils
+   it. */
 #define KERN_IPM_ROUNDS 100
 /* Shift of the diagonal of M where M is singular, as a share of its mean. */
 #define KERN_IPM_SHIFT KERN_PICK(1e-10, 1e-5)
-/* Share of the way to x, z = 0 that a step leaves, less as the gap closes: no
-   step is possible from the boundary. */
+/* Share of the way to the boundary (x or z = 0) that a step leaves, since no
+   step is possible from the boundary. It shrinks as the gap closes. */
 #define KERN_IPM_BACKOFF KERN_R(1e-3)
-/* Least share of its force that a ray keeps in a step: a force that rounds to 0
-   would never grow again. */
+/* Least share of its force that a ray keeps in a step, since a force that
+   rounds to 0 would never grow again. */
 #define KERN_IPM_KEEP KERN_EPS
 /* Least share of its force that a ray keeps when forces are balanced. */
 #define KERN_IPM_BALANCE KERN_R(1e-3)
-/* Starting point: x and z are raised by this times the magnitude of their least
-   entry, if that is negative (Mehrotra). */
+/* Starting point (Mehrotra): if the least entry of x or z is negative, the
+   vector is raised by this multiple of that entry's magnitude. */
 #define KERN_IPM_LIFT_LEAST KERN_R(1.5)
-/* Starting point: x and z are also raised by this share of their largest
+/* Starting point: the vector is also raised by this share of its largest
    entry. */
 #define KERN_IPM_LIFT_SHARE KERN_R(1e-3)
-/* Least -s with which a query continues from the last one. With s = 0 it could
-   not find that the structure falls. */
+/* Least -s with which a query continues from the solution of the last one. From
+   s = 0 it could not find that the structure falls. */
 #define KERN_IPM_S KERN_R(1e-3)
-/* Least gap with which a query continues: closer to the boundary it could not
-   turn. */
+/* Least gap with which a query continues from the last solution. Closer to the
+   boundary the method makes no progress in a new direction. */
 #define KERN_IPM_GAP KERN_R(1e-3)
 /* Least product x z after a step, as a share of the mean product. */
 #define KERN_IPM_CENTRE KERN_R(0.03)
-/* Least share of the gap that a step aims at. With less, fewer verdicts are
-   decided. */
+/* Least share of the gap that a step aims at. With a smaller share fewer
+   verdicts are decided. */
 #define KERN_IPM_AIM KERN_R(0.03)
-/* Gap that is rounding: the square of the shift of the diagonal. */
+/* Gap below which a solution is exact but for rounding: the square of the shift
+   of the diagonal. */
 #define KERN_IPM_GAP_LEAST (KERN_IPM_SHIFT * KERN_IPM_SHIFT)
-/* Largest gap of a solution that still has digits. */
+/* Largest gap at which the method continues: beyond it the solution has no
+   digits left. */
 #define KERN_IPM_GAP_MOST KERN_BOUND
 /* A continued query restarts if after k steps its gap exceeds the first gap
-   times KERN_IPM_SLACK KERN_IPM_PACE^k. Otherwise some walls take three times
-   the work. */
+   times KERN_IPM_SLACK * KERN_IPM_PACE^k. Without the restart some walls take
+   three times the work. */
 #define KERN_IPM_PACE KERN_R(0.95)
-/* The factor of that bound before the first step. */
+/* The factor of that bound on the gap before the first step. */
 #define KERN_IPM_SLACK KERN_R(1.1)
 
 /* ---- simplex method ---- */
 
 /* Least violation of x >= 0 that counts, as a share of the largest load. */
 #define KERN_VALUE_TOL KERN_PICK(1e-10, 1e-5)
-/* Least gain of a column that enters, as a share of the largest price. With
-   less the method would follow rounding. */
+/* Least gain of a column that enters, as a share of the largest price. Smaller
+   gains are rounding. */
 #define KERN_PRICE_TOL KERN_VALUE_TOL
 /* Least pivot, as a share of the largest entry of the entering column. */
 #define KERN_PIVOT_LEAST KERN_VALUE_TOL
-/* Rounding of a price, of a slope and of x and y, as a share of the largest. */
+/* Rounding of a price, of a slope and of an entry of x or y, as a share of the
+   largest of its kind. */
 #define KERN_LP_ROUNDING KERN_ROUNDING
-/* Lift of a certificate off the columns that it touches, as a share of its
-   largest entry: the check of a motion allows for as much rounding. */
+/* Amount by which y.A_j of the basic columns is raised above 0 in a
+   certificate, as a share of its largest entry. The check of a motion allows
+   for as much rounding. */
 #define KERN_LIFT KERN_ROUNDING
 /* Largest residual of a basic solution, as a share of its largest value, before
    the basis is factored again. */
 #define KERN_BASIS_TOL KERN_PASS_TOL
-/* Refinements of a basic solution; each gains most of the digits. */
+/* Number of refinements of a basic solution. Each one gains most of the digits
+   of a number. */
 #define KERN_REFINES 3
-/* Least pivot of a column that is factored after its group's own columns, as a
-   share of its largest entry. Below it the column depends on those before
-   it. */
+/* Least pivot of a column that is factored after the own columns of all groups,
+   as a share of its largest entry. With a smaller pivot it depends on the
+   columns before it. */
 #define KERN_LATE_PIVOT KERN_PICK(1e-4, 1e-2)
 /* Least pivot of a column in its own group, where its entries are about 1. With
-   less the inverse grows from course to course. With more it fills: at 0.01 a
-   call may take more than 2,000 instructions for a unit of its limit. */
+   0.01 the inverse grows from course to course, and a call may take more than
+   2,000 instructions for a unit of its limit. With a larger value the inverse
+   fills. */
 #define KERN_OWN_TOL KERN_R(0.03)
-/* Crash basis: most columns of a group that are tried; the arrays are on the
-   stack. */
+/* Crash basis: most columns of a group that are tried. It is the length of
+   arrays on the stack. */
 #define KERN_CRASH_COLUMNS 12
 /* Crash basis: least determinant of three columns with entries of about 1. */
 #define KERN_CRASH_DET KERN_LATE_PIVOT
-/* Crash basis: largest pull of a column, in loads of its group. */
+/* Crash basis: largest tension in a column, as a multiple of its group's
+   load. */
 #define KERN_CRASH_PULL KERN_R(2)
-/* Prices are refined after KERN_PIVOTS + KERN_PIVOTS_ROW rows pivots. Most
-   programs take fewer. */
+/* Budget of pivots: KERN_PIVOTS + KERN_PIVOTS_ROW for each row. After it prices
+   are refined. Most programs take fewer pivots. */
 #define KERN_PIVOTS 50
-/* The pivots of that budget for each row. */
+/* Pivots of the budget for each row. */
 #define KERN_PIVOTS_ROW 2
-/* Budgets of pivots after which Bland's rule is used: it is safe, and slow. */
+/* Number of budgets of pivots after which Bland's rule is used. It cannot
+   cycle, but it is slow. */
 #define KERN_PIVOTS_BLAND 5
-/* Budgets of pivots after which a program of a structure ends; one pivot for
-   each column is added. Only jams take more than two budgets, and the interior
-   point answers them sooner. */
+/* Number of budgets of pivots after which a program of a structure ends, plus
+   one pivot for each column. Only jams take more than two budgets, and the
+   interior point solves jams sooner. */
 #define KERN_PIVOTS_JAM 3
-/* Most pivots of other programs, as a constant: it ends cycles of rounding. */
+/* Most pivots of a caller's program are this number plus KERN_PIVOTS_EACH for
+   each row and column. The bound ends cycles that rounding causes. */
 #define KERN_PIVOTS_MOST 200
-/* Most pivots of other programs, for each row and column. */
+/* Pivots of that bound for each row and column. */
 #define KERN_PIVOTS_EACH 20
 
 /* ---- raised ---- */
 
-/* Norm of the forces, in loads of all groups, beyond which the search ends. */
+/* Norm of the forces, as a multiple of the loads of all groups, above which the
+   search ends. */
 #define KERN_RAISE_NORM KERN_R(200)
-/* Largest slide, in approaches, of a contact in a proof: a stone that falls
-   into a jam slides farther. */
+/* Largest slide of a contact in a proof, as a multiple of its approach. A stone
+   that falls into a jam slides farther. */
 #define KERN_SLIDE_MOST KERN_R(100)
-/* Most rounds of Newton's method for one set of prices; usually it takes 4. */
+/* Most rounds of Newton's method for one set of prices. Usually it takes 4. */
 #define KERN_PRICED_ROUNDS 10
-/* A search is lost if u goes this many times as far as in its first round, plus
-   once for each group, since in a row of groups their slides add up. It is also
-   lost if u goes KERN_JUMPS times as far from the last place shown as that is
-   from the unloaded one. */
+/* A search ends without a result if the displacement u exceeds (KERN_RUNS_AWAY
+   + number of groups) times the u of its first round; in a row of groups their
+   slides add up. It also ends if u moves from the last loaded equilibrium by
+   more than KERN_JUMPS times the u of that equilibrium. */
 #define KERN_RUNS_AWAY KERN_R(30)
 #define KERN_JUMPS KERN_R(2)
-/* A search is also lost after this many rounds, plus half as many as there are
-   groups, in which the prices have not settled. With fewer rounds a long row is
-   given up before its other end has moved. */
+/* A search also ends after this many rounds, plus one for every two groups, if
+   prices have not converged by then. With fewer rounds the search of a long row
+   ends before the far end of the row has moved. */
 #define KERN_PATIENCE 20
 /* Most work of one search, as a multiple of the cost of a factorisation. */
 #define KERN_SEARCH_COSTS 3000
-/* Prices are extrapolated by KERN_FORWARD of their last changes where the
-   cosine of the last two changes is larger than KERN_COHERENT. */
+/* Prices are extrapolated by KERN_FORWARD times their last change if the cosine
+   between the last two changes is larger than KERN_COHERENT. */
 #define KERN_FORWARD KERN_R(2)
 #define KERN_COHERENT KERN_R(0.7)
-/* Share of the way by which a price falls in a round. */
+/* Share of the difference to its new value by which a falling price changes in
+   a round. */
 #define KERN_PRICE_FALL KERN_R(0.3)
 /* Newton's method begins if at most KERN_FEW_CHANGES contacts changed in the
-   last round, and takes at most KERN_NEWTON_ROUNDS steps. With more steps it
-   costs more and finds no more. */
+   last round, and takes at most KERN_NEWTON_ROUNDS steps. More steps cost more
+   and find no more solutions. */
 #define KERN_FEW_CHANGES 2
 #define KERN_NEWTON_ROUNDS 3
 /* A load grows to the load factor in KERN_LOAD_STEPS steps. A step that fails
    is divided by KERN_LOAD_FINER, since a failing step takes the work of ten
-   others. No step is below the share KERN_LOAD_NARROW of the load that was
-   shown. As a share of the load factor, which may be several times too high,
-   the least step would stop 3 % before limit equilibrium. */
+   others. The least step is the share KERN_LOAD_NARROW of the largest load with
+   proven equilibrium. If it were a share of the load factor, which may be
+   several times too high, the search would stop 3 % below limit equilibrium. */
 #define KERN_LOAD_STEPS 10
 #define KERN_LOAD_FINER 4
 #define KERN_LOAD_NARROW KERN_R(0.005)
 /* kern_stays(): distance from the stone, in contacts from block to block, up to
-   which blocks are free. All others are held. With 3 or 5 the chance tells
-   less. */
+   which blocks are free. All other blocks are held. With 3 or 5 the chance
+   separates stones that stay from stones that move less well. */
 #define KERN_STAYS_NEAR 4
-/* kern_stays(): stiffness along t. It is less than where a proof requires that
-   contacts stick within KERN_STICKS. */
+/* kern_stays(): stiffness of contacts along t, as kern_dual.stiff. It is
+   smaller than that of a proof, in which contacts must stick within
+   KERN_STICKS. */
 #define KERN_STAYS_STIFF KERN_R(4)
-/* kern_stays(): the largest reserve that is searched for, the number added to
-   the reserve, and the scale, all fitted to placements. A larger reserve does
-   not change the chance. */
+/* kern_stays(): constants of its law, fitted to placements. KERN_STAYS_MOST is
+   the largest reserve that counts, KERN_STAYS_ADD is added to the reserve, and
+   KERN_STAYS_ODDS scales the odds. */
 #define KERN_STAYS_MOST KERN_R(0.01)
 #define KERN_STAYS_ADD KERN_R(0.004)
 #define KERN_STAYS_ODDS KERN_R(5.5e7)
 
 /* ---- Vectors ------------------------------------------------------ >>vec */
 
-/* Returns the magnitude of a, and 0 for -0. Compilers do not find the one
-   instruction by themselves. */
+/* Returns the magnitude of a, and 0 for -0. gcc and clang need the builtin to
+   compile this to one instruction. */
 static kern_real kern_abs(kern_real a)
 {
 #ifdef __GNUC__
@@ -2130,8 +2156,8 @@ static kern_real kern_sine(kern_real angle)
     return angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42)));
 }
 
-/* Shortens the interval [*low, *high] to those s for which at + s slope lies
-   from least to most. An empty interval has *low > *high. */
+/* Shortens the interval [*low, *high] to those s for which at + s * slope lies
+   in [least, most]. An empty interval has *low > *high. */
 static void kern_clip(kern_real *low, kern_real *high, kern_real at,
                       kern_real slope, kern_real least, kern_real most)
 {
@@ -2164,7 +2190,7 @@ static kern_real kern_wrench_sum(const void *w)
     return kern_abs(of[0]) + kern_abs(of[1]) + kern_abs(of[2]);
 }
 
-/* v := s v, for n numbers, also those of structs of numbers */
+/* v := s v, for an array of n numbers or structs with n numbers in total */
 static void kern_scale(void *v, int n, kern_real s)
 {
     kern_real *to = (kern_real *)v;
@@ -2242,7 +2268,7 @@ static void kern_box_add(kern_box *box, kern_vec p)
 }
 
 /* ---- Statics -------------------------------------------------- >>statics */
-/* Eq. (5) of >>method, as kern_part_set() writes it:
+/* Eq. (5) of >>method, as kern_part_set() assembles it:
 
        \   n   /         f n + r t = x1 (n + mu t) + x2 (n - mu t),
         \  |  /              x1, x2 >= 0
@@ -2250,27 +2276,27 @@ static void kern_box_add(kern_box *box, kern_vec p)
        ---- p ----  t
 
    A has three rows for each free block (force, torque about its centre) and two
-   columns for each contact point. Units are the size of the block and the
-   weight of all. */
+   columns for each contact point. The unit of a length is the size of the
+   block, and the unit of a force is the total weight. */
 
 /* Contacts that may carry: all, or only those with nested kerns. */
 typedef enum kern_carry { KERN_CARRY_ALL, KERN_CARRY_NESTED } kern_carry;
 
-/* A question: which weights and loads the structure has to carry, and how far
-   kerns shrink. */
+/* A query: the weights and loads that the structure has to carry, and the
+   shrinkage of its kerns. */
 typedef struct kern_query {
     kern_real shrink; /* of all kerns [m; relative: share of each travel]   */
     int relative;     /* nonzero: shrink is a share                         */
-    kern_real narrow; /* rate at which friction cones narrow                */
+    kern_real narrow; /* options.narrow of the task                         */
     kern_real mean;   /* mean size of the free blocks                       */
     kern_vec gravity;
     const kern_wrench *pattern; /* NULL: side * m |g| horizontally          */
     kern_real factor;           /* of the pattern                           */
-    kern_real loads;            /* factor of the blocks' own loads          */
-    int side;                   /* 1 or -1, of a NULL pattern or a tilt     */
-    const kern_real *fallen;    /* block i is gone if fallen[i] >= 0; NULL:
-                                           no block is gone                 */
-    kern_real shortest;         /* shorter contacts carry nothing [m]       */
+    kern_real loads;            /* factor of the loads of the blocks        */
+    int side;                   /* 1 or -1: side of a NULL pattern or tilt   */
+    const kern_real *fallen;    /* block i has been removed if fallen[i] >= 0;
+                                   NULL: no block                           */
+    kern_real shortest;         /* [m]: shorter contacts carry nothing      */
     kern_carry carry;           /* contacts that may carry                  */
 } kern_query;
 
@@ -2290,7 +2316,7 @@ static inline kern_real kern_friction(const kern_contact *c,
              : c->mu;
 }
 
-/* Returns 1 if block i has been taken away. */
+/* Returns 1 if block i has been removed. */
 static inline int kern_is_gone(const kern_query *q, int i)
 {
     return q->fallen && q->fallen[i] >= 0;
@@ -2304,15 +2330,16 @@ KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
     return kern_abs(c->travel) < KERN_TRAVEL_LEAST * mean ? 0 : c->travel;
 }
 
-/* Returns the length of a contact's line, or about that of the interface of its
-   points. Returns 0 for a single point. */
+/* Returns the length of a contact's line, or the approximate length of the
+   interface of its points. Returns 0 for a single point. */
 static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
 {
     return 2 * kern_abs(kern_travel(c, mean));
 }
 
-/* Returns 1 if a contact carries nothing: it is too short, one of its blocks is
-   gone, or it is a travelling point and these are left out. */
+/* Returns 1 if a contact carries nothing: it is too short, one of its blocks
+   has been removed, or it is a point that travels and q->carry excludes
+   these. */
 static inline int kern_is_out(const kern_query *q, const kern_contact *c)
 {
     const kern_real len = q->shortest > 0 ? kern_contact_length(c, q->mean) : 0;
@@ -2342,8 +2369,8 @@ static void kern_pattern_on(const kern_structure *s, const kern_query *q, int i,
                    s->block[i].mass * KERN_R(q->side), w);
 }
 
-/* Returns the magnitude of a force. It is not 0 if only the squares
-   underflow. */
+/* Returns the magnitude of a force. The result is not 0 if only the squares of
+   the components underflow. */
 static kern_real kern_force_size(const kern_wrench *w)
 {
     const kern_vec f = kern_vec_make(w->fx, w->fy);
@@ -2362,8 +2389,9 @@ static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
          * (kern_force_size(w) + kern_abs(w->torque) / kern_block_size(b));
 }
 
-/* Writes the sum of all wrenches on block i except those of its contacts.
-   Returns the sum of their magnitudes, the scale of the block's residual. */
+/* Writes the sum of all wrenches on block i except those of its contacts to
+   *sum. Returns the sum of their magnitudes, the scale of the block's
+   residual. */
 static inline kern_real kern_wrench_on(const kern_structure *s,
                                        const kern_query *q, int i,
                                        kern_wrench *sum)
@@ -2453,9 +2481,10 @@ KERN_SHARED static int kern_same_interface(const kern_contact *c,
 }
 
 /* ---- Work arrays ------------------------------------------------- >>work */
-/* The work memory that is left. Slices are taken from it one after the other.
-   If a slice does not fit, the count that is left becomes -1 and stays
-   negative. That slice and all later ones must not be used. */
+/* kern_take is the part of the work memory that is still free. Slices are taken
+   from it one after the other. If a slice does not fit, the count of free
+   numbers or indices becomes -1 and stays negative. That slice and all later
+   ones must not be used. */
 
 typedef struct kern_take {
     kern_real *real;
@@ -2470,8 +2499,8 @@ KERN_SHARED static void kern_take_open(kern_take *take, const kern_work *work)
     *take = all;
 }
 
-/* Takes n numbers, or n indices. If they do not fit the count becomes negative,
-   and no later slice changes that. */
+/* Take a slice of n numbers, or of n indices, and return it. If the slice does
+   not fit, the count becomes negative. */
 static kern_real *kern_take_reals(kern_take *take, int n)
 {
     kern_real *const at = take->real;
@@ -2489,7 +2518,7 @@ static int *kern_take_ints(kern_take *take, int n)
     return at;
 }
 
-/* Takes n numbers from the end of the memory that is left. */
+/* Takes a slice of n numbers from the end of the free memory. */
 static kern_real *kern_take_last(kern_take *take, int n)
 {
     take->reals -= n;
@@ -2504,7 +2533,7 @@ static int kern_take_fits(const kern_take *take)
 
 /* ---- what a call may spend ---- */
 
-/* Returns the limit in units; 0 of the caller means the largest. */
+/* Returns the limit of work [units]; options.limit = 0 means the largest. */
 static int kern_limit_of(int limit)
 {
     return limit > 0 ? limit : KERN_WORK_MOST;
@@ -2522,8 +2551,8 @@ static void kern_work_begin(kern_work *work)
     work->units = 0;
 }
 
-/* Counts work that is about to be done. Returns 0 if the call has not so much
-   left: this and all further work is refused, and the call ends. */
+/* Counts work before it is done. Returns 0 if it exceeds the limit of the call:
+   this and all further work is refused, and the call ends. */
 static int kern_spend(kern_work *work, int limit, int units)
 {
     const int left = kern_limit_of(limit) - work->units;
@@ -2541,7 +2570,7 @@ static kern_status kern_ended(const kern_task *task, kern_status status)
 }
 
 /* ---- Checks of arguments ---------------------------------------- >>check */
-/* All that the statics reads is checked once, before any memory is used:
+/* All input of the statics is checked once, before any work memory is used:
    numbers are within bounds, indices exist, normals have length 1. */
 
 /* Checks the options. */
@@ -2572,13 +2601,14 @@ static inline kern_status kern_contact_check(const kern_contact *c, int blocks)
         return KERN_SAME_BLOCK;
     if (!kern_vec_is_moderate(c->p)
         || !(kern_abs(c->travel) <= KERN_FAR)
-        /* 0 times a number that is not finite is not a number */
+        /* the sum is NaN if one of these is not finite */
         || !kern_is_finite(0 * c->n.x + 0 * c->n.y + 0 * c->mu))
         return KERN_BAD_NUMBER;
     return c->mu < 0 ? KERN_BAD_FRICTION : KERN_OK;
 }
 
-/* Checks a block. Sets *loaded if it is free and a load acts on it. */
+/* Checks a block. Sets *loaded if the block is free and a weight or load acts
+   on it. */
 static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
                                     int *loaded)
 {
@@ -2634,8 +2664,9 @@ static kern_status kern_structure_check(const kern_structure *s,
 }
 
 /* Checks all arguments except the contents of the arrays. `out` is the address
-   of the result; a verdict has none, and passes the task. Clears the units and
-   the fault of the work memory. Its other counters add up over calls. */
+   of the caller's result; a query without a result passes the task instead.
+   Clears the units and the fault of the work memory. Its other counters add up
+   over calls. */
 static kern_status kern_task_check(const kern_task *task, kern_real shrink,
                                    const void *out)
 {
@@ -2644,7 +2675,7 @@ static kern_status kern_task_check(const kern_task *task, kern_real shrink,
     if (!task || !task->work || !task->work->real || !task->work->index || !out)
         return KERN_BAD_POINTER;
     s = &task->s;
-    /* a status that kern_contacts() returned; its fault is kept */
+    /* the count is a status of kern_contacts(): its fault is kept */
     if (s->contacts <= (int)KERN_NO_SPACE
         && s->contacts >= (int)KERN_STATUS_LEAST)
         return (kern_status)s->contacts;
@@ -2721,29 +2752,29 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 /* Proofs read only the caller's data. Their error is a share of the allowed
    error: a proof with an error of at most 1 holds.
 
-   Forces prove "stands". Each lies in its cone. The residual of each row of
-   equilibrium is within KERN_TOL of the loads on the block, or within the
-   rounding of the contact forces there. The sum of all forces is at most
+   Forces prove "stands". Each force lies in its friction cone. The residual of
+   each row of equilibrium is at most KERN_TOL times the loads on the block plus
+   the rounding of the contact forces there. The sum of all forces is at most
    KERN_BOUND times the weight.
 
-   A motion proves "falls". Its power exceeds its own rounding plus KERN_BOUND
-   times the weight of the moving part times the highest speed at which it
-   closes a contact: forces of that sum could not hold it. The speed includes a
-   bound of its own rounding error, so the proof also holds in exact
-   arithmetic. */
+   A motion proves "falls". The power of the loads exceeds the rounding error of
+   the power plus KERN_BOUND times the weight of the moving blocks times the
+   highest speed at which the motion closes a contact. So contact forces with a
+   sum of up to KERN_BOUND weights cannot stop it. The speed includes a bound of
+   its own rounding error, so the proof also holds in exact arithmetic. */
 
-/* Returns the error of equilibrium as a share of the allowed error: the largest
-   residual of free blocks, or the sum `total` of all normal forces. `sum` has
-   the wrenches that contacts exert, four numbers a block. An error above 1 is
-   returned as at least 2. */
+/* Returns the error of equilibrium as a share of the allowed error. It is the
+   larger of two errors: the largest residual of the free blocks, and the sum
+   `total` of all normal forces. `sum` has four numbers a block, as
+   kern_prove_end() adds them up. An error above 1 is returned as at least 2. */
 static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                                  const kern_real *sum, kern_real total)
 {
     kern_real error = 0, weight = 0;
     int i;
 
-    /* The residual of each row of a free block, as a share of the loads on
-       it. */
+    /* Finds the largest residual of a row of a free block, as a share of the
+       allowed residual. */
     for (i = 0; i < s->blocks; i++, sum += 4)
         if (!s->block[i].fixed && !kern_is_gone(q, i)) {
             kern_wrench w;
@@ -2761,17 +2792,17 @@ static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                     error, left / (KERN_TOL * size + KERN_ROUNDING * sum[3]));
         }
 
-    /* The sum of the forces, as a share of the largest in a proof. */
+    /* Computes the sum of the forces as a share of the largest allowed sum. */
     weight *= KERN_BOUND;
-    if (!kern_is_finite(weight)) /* it would allow any forces */
+    if (!kern_is_finite(weight)) /* it allows any forces                */
         return KERN_INFINITY;
     if (total > 0)
         error = kern_max(error, total / weight);
     return error <= 1 ? error : kern_max(error, 2);
 }
 
-/* Adds a force with the normal part f to the sums of a block: fx, torque, fy,
-   and the largest f. */
+/* Adds a force with the normal component f to the four numbers of a block: the
+   sums of fx, torque and fy, and the largest f. */
 KERN_SHARED static void kern_prove_end(kern_real *sum, kern_vec arm,
                                        kern_real fx, kern_real fy, kern_real f)
 {
@@ -2782,8 +2813,8 @@ KERN_SHARED static void kern_prove_end(kern_real *sum, kern_vec arm,
 }
 
 /* Returns the error of forces as a proof that the structure stands, as a share
-   of the allowed error. Returns KERN_INFINITY if they prove nothing. `sum` is
-   scratch, four numbers a block. */
+   of the allowed error. Returns KERN_INFINITY if a force is outside its cone or
+   not finite. `sum` is scratch, four numbers a block. */
 static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
                                    const kern_force *force, kern_real *sum)
 {
@@ -2793,7 +2824,7 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
     KERN_ASSERT(force && sum);
     kern_zero(sum, 4 * s->blocks);
 
-    /* Each force must be in its cone. Its wrenches are added to its two
+    /* Checks that each force is in its cone, and adds its wrenches to its two
        blocks. */
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
@@ -2815,15 +2846,15 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
         total += f;
     }
 
-    /* The residual of equilibrium that the sums leave. */
+    /* Checks the residuals of equilibrium. */
     return kern_prove_rows(s, q, sum, total);
 }
 
 /* Returns an upper bound of the speed at which a motion closes contact c. A
-   force of 1 in the cone takes at most that power out of the motion. The bound
-   includes the rounding of this sum. Each operation may lose half of KERN_EPS
-   of its result. An arm takes three operations, and the spin multiplies its
-   rounding error. */
+   force in the cone with a normal component of 1 takes at most this power out
+   of the motion. The bound includes rounding errors: each operation may lose
+   KERN_EPS / 2 of its result, an arm takes three operations, and the spin
+   multiplies the error of the arm. */
 static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
                               const kern_query *q, const kern_motion *motion)
 {
@@ -2833,7 +2864,7 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
     const kern_real nx = kern_abs(c->n.x), ny = kern_abs(c->n.y);
     kern_real gap;
     int end;
-    for (end = 0; end < 2; end++) { /* velocity of b minus that of a */
+    for (end = 0; end < 2; end++) { /* v: velocity of b minus that of a */
         const kern_motion *m = motion + (end ? c->b : c->a);
         const kern_vec u = kern_velocity(m, arm[end]);
         const kern_real spin = 3 * kern_abs(m->spin);
@@ -2851,8 +2882,8 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
 /* Returns a norm of a motion: 0 only if the block rests. */
 static kern_real kern_speed(const kern_motion *m) { return kern_wrench_sum(m); }
 
-/* Returns the speed of a block's centre, or its spin times its size if that is
-   larger. */
+/* Returns the larger of the speed of a block's centre and its spin times its
+   size. */
 static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
 {
     return kern_max(kern_vec_length(kern_vec_make(v->vx, v->vy)),
@@ -2885,7 +2916,7 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
     int i, first = -1; /* block that moves */
 
     /* Sums the power of the loads on the moving blocks, the magnitudes of its
-       terms, by which it rounds, and the weight of the moving blocks. */
+       terms, which bound its rounding, and the weight of the moving blocks. */
     for (i = 0; i < s->blocks; i++) {
         const kern_motion *m = motion + i;
         kern_wrench w, p;
@@ -2903,12 +2934,13 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
         terms += kern_wrench_sum(&p);
     }
 
-    /* Without a power that is safely above 0 there is nothing to prove. */
+    /* The power must be above 0 despite rounding. */
     weight *= KERN_BOUND;
     if (!(power > KERN_POWER_LEAST) || !kern_is_finite(terms + weight))
         return KERN_INFINITY;
 
-    /* Begins with the contacts of the last stone, which may stop it first. */
+    /* Finds the fastest closing. Begins with the contacts of the last stone,
+       which are the most likely to stop the motion. */
     for (i = s->contacts - 1; i >= 0 && weight * closing <= power; i--) {
         const kern_contact *c = s->contact + i;
         if ((c->a >= first || c->b >= first) && kern_speeds(c, motion) > 0
@@ -2919,15 +2951,16 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
         }
     }
 
-    /* The power that forces and rounding could take, as a share of the
-       power. */
+    /* Returns the power that contact forces and rounding could take, as a share
+       of the power of the loads. */
     return (weight * closing + KERN_ROUNDING * terms) / power;
 }
 
-/* Returns the error of forces and of the displacement that raised them, as a
-   share of the allowed error. Each loaded contact approaches, and slides as its
-   friction says. The two are then a solution for some stiffness of each
-   contact: its force over its approach. */
+/* Returns the error of forces and of the displacement that raises them, as a
+   share of the allowed error. The proof requires that each loaded contact
+   approaches, and that it slides only against its friction, on the cone. Forces
+   and displacement are then a solution for some stiffness of each contact: its
+   force divided by its approach. */
 static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
                                    const kern_force *force,
                                    const kern_motion *motion, kern_real *sum)
@@ -2937,17 +2970,17 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
     kern_wrench w;
     int i;
 
-    /* Fixed blocks must rest. Equilibrium does not need forces that are far
-       below the least load. */
+    /* Checks that fixed blocks rest, and finds the least load on a block:
+       equilibrium does not need forces that are far smaller. */
     for (i = 0; i < s->blocks; i++)
         if (!s->block[i].fixed)
             least = kern_min(least, kern_wrench_on(s, q, i, &w));
         else if (!(kern_speed(motion + i) <= 0))
             return KERN_INFINITY;
 
-    /* Each loaded contact must approach by more than the rounding of its
-       blocks' motions. Inside of its cone it must stick, and on the cone it
-       must slide against its friction. */
+    /* Checks each loaded contact. It must approach by more than the rounding of
+       its blocks' motions. With a force inside the cone it must stick. With a
+       force on the cone it must slide against the friction. */
     for (i = 0; i < s->contacts && error <= 1; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real f = force[i].normal, r = force[i].tangential;
@@ -2956,7 +2989,8 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
         const kern_real press = -kern_vec_dot(c->n, u);
         const kern_real slide = kern_vec_cross(c->n, u);
         if (!(f
-              > KERN_PRESSED_LEAST * least)) /* equilibrium does not need it */
+              > KERN_PRESSED_LEAST * least)) /* equilibrium does not need this
+                                                force                        */
             continue;
         if (!(press
               > KERN_ROUNDING
@@ -2969,8 +3003,9 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
     return error;
 }
 
-/* Keeps in the set (value >= 0) only free blocks without loads that no block
-   outside of the set holds up against gravity. Returns how many are left. */
+/* Removes from the set of blocks with value >= 0 all that are fixed or loaded,
+   and all that a block outside of the set holds up against gravity. Returns the
+   number of blocks that are left. */
 static int kern_unsupported(const kern_structure *s, kern_real *value)
 {
     const kern_real pull = kern_vec_length(s->gravity);
@@ -3044,8 +3079,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
     if (raising == KERN_RAISED)
         return kern_prove_raised(s, &q, proof->force, proof->motion, sum);
 
-    /* The motion names the blocks that hang. Nothing may hold them up, and the
-       forces must hold the others without them. */
+    /* The hanging blocks are those that move. Nothing may hold them up, and the
+       forces must hold the other blocks without them. */
     value = sum + 4 * s->blocks;
     for (i = 0; i < s->blocks; i++) { /* every block that moves must hang */
         const int falls = kern_speed(proof->motion + i) > 0;
@@ -3061,37 +3096,35 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* ---- The model ------------------------------------------------- >>model */
 /* Each free block becomes a group of three rows. Groups are numbered along
    gravity from top to bottom, so a group has a larger number than those that it
-   carries. Fixed blocks and blocks that have been taken away are the ground,
-   whose number follows the last group. A contact belongs to its upper group,
-   which it carries. */
+   carries. Fixed blocks and blocks that have been removed are the ground, whose
+   number follows the last group. A contact belongs to its upper group, which is
+   the group that it carries. */
 
 /* Groups and the contacts between them.
 
-   `local` tells which groups are in the open part. It has three phases. While
-   no part is open it is KERN_OUT for every group. Before a part is opened it is
+   `local` has the groups of the open part. It has three phases. While no part
+   is open it is KERN_OUT for every group. Before a part is opened it is
    KERN_MARKED for the groups of the next part. While a part is open it is the
-   number in the part, and KERN_OUT for all other groups. kern_norm_open() takes
-   the groups with KERN_OUT; any other number then means that the group is
-   held. */
+   number of a group in the part, and KERN_OUT for all other groups. Exception:
+   kern_norm_open() opens the groups with KERN_OUT and holds all others. */
 typedef struct kern_graph {
     int groups;
     int *group;        /* of a block                                     */
     int *block;        /* of a group                                     */
     int *ends;         /* groups of b (2 i) and a (2 i + 1), contact i   */
-    int *touch;        /* of a group: the first end of a contact there     */
+    int *touch;        /* of a group: first end of a contact at it         */
     int *after;        /* of an end: the next end at the same group        */
-    kern_real *torque; /* two an end: of n and t, as kern_row has them     */
+    kern_real *torque; /* two an end: torques of n and t, as in kern_row   */
     int *local;        /* of a group: its number in the open part          */
     int *carrier;      /* of a group: its only carrier, or KERN_OUT        */
 } kern_graph;
 
 /* The forces and the motion of the last verdict.
 
-   `force` has two phases. Between verdicts, and in the pass, it holds contact
-   forces: the pass replaces the forces from which it begins by those that it
-   finds. While a program of all groups is solved, it is scratch
-   (kern_model_rays()). `sum` is scratch of the proofs: no function leaves
-   anything in it for another. */
+   `force` has two phases. Between verdicts and in the pass it holds contact
+   forces; the pass starts from them and overwrites them. While a program of all
+   groups is solved it is scratch (kern_model_rays()). `sum` is scratch of the
+   proofs: no function leaves anything in it for another. */
 typedef struct kern_answer {
     const kern_known *known; /* forces that held a similar structure, or NULL */
     kern_force *force;       /* one a contact                                */
@@ -3099,8 +3132,8 @@ typedef struct kern_answer {
     kern_real *sum;          /* four a block                                 */
 } kern_answer;
 
-/* States of a cluster: it must be balanced; its groups have been balanced as
-   one part before. Both may be set. */
+/* State of a cluster. KERN_OPEN: it must be balanced. KERN_TRIED: its groups
+   have been balanced as one part before. Both may be set. */
 enum { KERN_OPEN = 1, KERN_TRIED = 2 };
 
 /* A value of graph.local: the group will belong to the next part. */
@@ -3111,11 +3144,11 @@ typedef struct kern_clusters {
     int *last;       /* of a group: the last group of its cluster    */
     int *next;       /* of a group: the next of its cluster, cyclic  */
     int *open;       /* of a last group: the state of its cluster    */
-    int front;       /* no open cluster ends before this group       */
+    int front;       /* no open cluster has its last group before this one */
     int groups_most; /* largest number of groups of a cluster        */
-    int budget_end;  /* units of work at which the pass ends         */
-    int changed;     /* group that known forces may not balance, if the next
-                                 pass begins from them; or KERN_OUT   */
+    int budget_end;  /* value of work->units at which the pass ends  */
+    int changed;     /* group that the known forces may not balance in a pass
+                        that begins from them; or KERN_OUT            */
 } kern_clusters;
 
 typedef struct kern_model {
@@ -3125,19 +3158,22 @@ typedef struct kern_model {
     kern_answer answer;
     int relative;
     kern_real mean;      /* mean size of the free blocks                 */
-    kern_real weight;    /* unit of force: all loads on free blocks      */
-    kern_real *unit;     /* of a group: 1 / the unit of its torques      */
+    kern_real weight;    /* unit of force: sum of the loads on free blocks [N]
+                                                                         */
+    kern_real *unit;     /* of a group: 1 / unit of its torques [1/m]    */
     kern_real *load;     /* three a group: what contacts must exert [N]  */
-    kern_real *size;     /* of a group: magnitude of its loads           */
-    kern_real shrunk;    /* shrinkage of graph.torque, or infinity       */
-    kern_real reduction; /* of friction cones, of the last query         */
+    kern_real *size;     /* of a group: magnitude of its loads [N]       */
+    kern_real shrunk;    /* shrinkage for which graph.torque is set; or infinity
+                                                                         */
+    kern_real reduction; /* kern_reduction() of the last query           */
     kern_clusters cluster;
     int whole;        /* nonzero: all groups are one part             */
-    kern_take common; /* work memory after the arrays of every method */
-    kern_take rest;   /* work memory that is left                     */
+    kern_take common; /* work memory for a program of all groups      */
+    kern_take rest;   /* work memory for parts                        */
 } kern_model;
 
-/* Structs that are copied, cleared and scaled as arrays of numbers. */
+/* Checks at compile time that these structs can be copied, cleared and scaled
+   as arrays of numbers. */
 typedef char kern_structs_are_numbers
     [sizeof(kern_force) == 2 * sizeof(kern_real)
              && sizeof(kern_motion) == 3 * sizeof(kern_real)
@@ -3189,10 +3225,11 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     return known;
 }
 
-/* Sorts the blocks of all groups along gravity, and those of equal height from
-   side to side. If rounding decided, few columns of a flat arch would be own
-   columns of their groups (>>lp). In float rounding is too large for that, and
-   the index decides. Shell's sort needs neither memory nor recursion. */
+/* Sorts the blocks of all groups along gravity, and blocks of equal height from
+   side to side. If rounding ordered blocks of equal height, few columns of a
+   flat arch would be own columns of their groups (>>lp). In float, rounding is
+   too large for an order from side to side, and the index decides. Shell's sort
+   needs neither memory nor recursion. */
 static void kern_model_order(const kern_model *m)
 {
     const kern_block *block = m->s->block;
@@ -3228,24 +3265,25 @@ static void kern_model_unload(kern_model *m)
     kern_zero(m->answer.force, 2 * m->s->contacts);
 }
 
-/* Returns an array of two numbers for each contact, one for each ray of its
-   cone, for programs of all groups. It is the memory of the answer's forces,
-   which mean nothing until kern_part_forces() writes them again. */
+/* Returns an array of two numbers for each contact, one for each edge of its
+   friction cone, for programs of all groups. The array uses the memory of
+   answer.force, which means nothing until kern_part_forces() writes it
+   again. */
 static kern_real *kern_model_rays(const kern_model *m)
 {
     return (kern_real *)(void *)m->answer.force;
 }
 
-/* Gives every free block that is not gone a group, and lists the contacts of
-   each group. */
+/* Makes a group of every free block that has not been removed, and lists the
+   contacts of each group. */
 static void kern_model_group(kern_model *m, const kern_query *q)
 {
     kern_graph *const graph = &m->graph;
     const kern_structure *s = m->s;
     int i, g, none = 0;
 
-    /* The groups are the free blocks. All data of groups are reset: the
-       torques, the forces, the groups that the pass balances. */
+    /* Lists the free blocks as groups. Resets all data of the last groups:
+       torques, forces, and the group that the pass must balance again. */
     for (i = s->blocks - 1; i >= 0; i--)
         if (!s->block[i].fixed && !kern_is_gone(q, i))
             graph->block[none++] = i;
@@ -3256,8 +3294,8 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     kern_model_unload(m);
     kern_model_order(m);
 
-    /* A block's group is its place in the order. The ground has the number
-       after the last. */
+    /* Numbers the groups in their order. The ground has the number after the
+       last group. */
     for (i = 0; i < s->blocks; i++)
         graph->group[i] = none;
     for (g = 0; g < none; g++) {
@@ -3265,7 +3303,8 @@ static void kern_model_group(kern_model *m, const kern_query *q)
         graph->touch[g] = KERN_OUT;
     }
 
-    /* A contact that carries nothing has both of its ends on the ground. */
+    /* Sets the groups at both ends of each contact. A contact that carries
+       nothing has both ends on the ground. */
     for (i = s->contacts - 1; i >= 0; i--) {
         const kern_contact *c = s->contact + i;
         const int gone = kern_is_out(q, c);
@@ -3292,13 +3331,13 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     kern_take *const take = &m->rest;
     int i, groups = 0;
 
-    /* There is room for all free blocks: later queries may take some of them
-       away, but never add one. */
+    /* Counts the free blocks. Later queries may remove blocks, but never add
+       one. */
     for (i = 0; i < s->blocks; i++)
         groups += !s->block[i].fixed;
 
-    /* First the arrays that every method needs. A program of all groups begins
-       at `common`. */
+    /* Takes the arrays that every method needs. A program of all groups uses
+       the memory from `common` on. */
     KERN_ASSERT(groups > 0);
     kern_take_open(take, task->work);
     graph->group = kern_take_ints(take, s->blocks + groups);
@@ -3313,7 +3352,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->answer.motion = (kern_motion *)(void *)(m->answer.sum + 4 * s->blocks);
     m->common = *take;
 
-    /* After that the arrays of the pass and of parts. */
+    /* Takes the arrays of the pass and of parts. */
     graph->touch = kern_take_ints(take, 6 * groups + 1);
     graph->carrier = graph->touch + groups;
     m->cluster.last = graph->carrier + groups;
@@ -3334,16 +3373,17 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     return KERN_OK;
 }
 
-/* The row of a contact at one of its ends: three equations of the group there.
-   It gives the speed of a motion at the contact, and the wrench of a force.
-   Every method that looks for forces uses it. Proofs have code of their own, so
-   that no fault is in both. */
+/* The row of a contact at one of its ends: its coefficients in the three
+   equations of the group there. The row maps a motion of the group to speeds
+   along n and t, and forces along n and t to a wrench. Every method that looks
+   for forces uses it. Proofs have code of their own, so that they share no
+   fault with it. */
 typedef struct kern_row {
     kern_real n[3]; /* wrench of a unit of normal force             */
-    kern_real turn; /* along t it is (-n[1], n[0], turn)            */
+    kern_real turn; /* wrench of a unit along t: (-n[1], n[0], turn) */
 } kern_row;
 
-/* Returns the row of a normal n that acts at an arm, its torque times
+/* Returns the row of a normal n that acts at an arm. Torques are multiplied by
    `unit`. */
 static inline kern_row kern_row_of(kern_vec n, kern_vec arm, kern_real unit)
 {
@@ -3352,7 +3392,7 @@ static inline kern_row kern_row_of(kern_vec n, kern_vec arm, kern_real unit)
     return row;
 }
 
-/* w += the speed of motion v along n and t. */
+/* w += the speeds of motion v along n and t. */
 static inline void kern_row_speed(const kern_row *c, const kern_real *v,
                                   kern_real w[2])
 {
@@ -3378,7 +3418,8 @@ static inline void kern_row_exert(const kern_row *c, kern_real f, kern_real r,
     b[2] += f * c->n[2] + r * c->turn;
 }
 
-/* Writes the rows of contact i, of block b and of block a, for a query. */
+/* Writes the rows of contact i for a query: row[0] of block b, row[1] of block
+   a. */
 static inline void kern_model_rows(const kern_model *m, const kern_query *q,
                                    int i, kern_row row[2])
 {
@@ -3400,8 +3441,8 @@ static inline kern_row kern_model_row(const kern_model *m, int end)
     return row;
 }
 
-/* Sets the cones of a query, and the torques of all rows unless they are for
-   the same shrinkage already. */
+/* Sets the reduction of cones for a query. Sets the torques of all rows, unless
+   they are already those of this shrinkage. */
 static void kern_model_arms(kern_model *m, const kern_query *q)
 {
     kern_real *to = m->graph.torque;
@@ -3481,10 +3522,10 @@ static int kern_model_loaded(const kern_model *m)
     return 0;
 }
 
-/* Returns 1 if kerns are nested, as those of lines are: a larger kern carries
-   every load that a smaller one carries. Points that move toward each other
-   along different tangents are not nested. Writes the shortest travel and the
-   longest, d_max, to range. */
+/* Returns 1 if kerns are nested: a larger kern carries every load that a
+   smaller one carries. Kerns of lines are nested. Kerns of points that move
+   toward each other along different tangents are not. Writes the shortest
+   travel and the longest, d_max, to range. */
 static int kern_is_nested(const kern_model *m, kern_real range[2])
 {
     const int *ends = m->graph.ends, none = 2 * m->graph.groups;
@@ -3505,28 +3546,28 @@ static int kern_is_nested(const kern_model *m, kern_real range[2])
     return points == 0;
 }
 
-/* Sets the known forces of a similar structure, if there are any. */
+/* Sets the known forces of a similar structure, or NULL if there are none. */
 KERN_SHARED static void kern_model_know(kern_model *m, const kern_known *known)
 {
     m->answer.known = known->fails > 0 && known->force ? known : NULL;
 }
 
-/* Charges units of work. Returns 0 if they are refused. */
+/* Charges units of work. Returns 0 if the work is refused. */
 static int kern_model_spend(const kern_model *m, int units)
 {
     return kern_spend(m->task->work, m->task->options.limit, units);
 }
 
-/* Charges n verdicts. Even for a small part a proof reads all blocks. Returns 0
-   if they are refused. */
+/* Charges the work of `queries` verdicts. Even for a small part a proof reads
+   all blocks. Returns 0 if the work is refused. */
 static int kern_model_ask(const kern_model *m, int queries)
 {
     return kern_model_spend(
         m, queries * (3 + (m->s->blocks + m->s->contacts) / KERN_QUERY_UNIT));
 }
 
-/* Returns 1 if the whole may be solved as one linear program: at most
-   KERN_SMALL groups, and all of the work memory. */
+/* Returns 1 if the whole may be solved as one linear program: it has at most
+   KERN_SMALL groups, and the work memory has its full size. */
 static int kern_model_is_small(const kern_model *m)
 {
     const kern_work *work = m->task->work;
@@ -3536,8 +3577,8 @@ static int kern_model_is_small(const kern_model *m)
         && work->indices >= indices;
 }
 
-/* Returns 1 if a proof with this error holds, and records the largest such
-   error. */
+/* Returns 1 if a proof with this error holds, and then records the error in
+   work->error if it is the largest so far. */
 static int kern_model_proven(const kern_model *m, kern_real error)
 {
     if (error <= 1)
@@ -3552,8 +3593,8 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
         m, kern_prove_forces(m->s, q, m->answer.force, m->answer.sum));
 }
 
-/* Moves the forces of each line from its ends at the shrinkage `from` to its
-   ends at `shrink` < `from`, with the same wrench. */
+/* Moves the two forces of each line from its ends at the shrinkage `from` to
+   its ends at `shrink` < `from`. Their wrench is unchanged. */
 static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
 {
     int i, k;
