@@ -2989,8 +2989,7 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
         const kern_real press = -kern_vec_dot(c->n, u);
         const kern_real slide = kern_vec_cross(c->n, u);
         if (!(f
-              > KERN_PRESSED_LEAST * least)) /* equilibrium does not need this
-                                                force                        */
+              > KERN_PRESSED_LEAST * least)) /* equilibrium does not need it */
             continue;
         if (!(press
               > KERN_ROUNDING
@@ -3144,7 +3143,7 @@ typedef struct kern_clusters {
     int *last;       /* of a group: the last group of its cluster    */
     int *next;       /* of a group: the next of its cluster, cyclic  */
     int *open;       /* of a last group: the state of its cluster    */
-    int front;       /* no open cluster has its last group before this one */
+    int front;       /* every open cluster ends at or after this group     */
     int groups_most; /* largest number of groups of a cluster        */
     int budget_end;  /* value of work->units at which the pass ends  */
     int changed;     /* group that the known forces may not balance in a pass
@@ -3380,7 +3379,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
    fault with it. */
 typedef struct kern_row {
     kern_real n[3]; /* wrench of a unit of normal force             */
-    kern_real turn; /* wrench of a unit along t: (-n[1], n[0], turn) */
+    kern_real turn; /* unit along t: (-n[1], n[0], turn)             */
 } kern_row;
 
 /* Returns the row of a normal n that acts at an arm. Torques are multiplied by
@@ -3635,41 +3634,40 @@ KERN_SHARED static void kern_proof_out(const kern_model *m,
 /* ==== Part IV: How forces and motions are found ========================== */
 
 /* ---- The simplex method -------------------------------------------- >>lp */
-/* Minimises cost . x  where  A x = rhs,  x >= 0,  by the revised simplex
-   method. Variables are the columns, then the place (see kern_program), then a
-   logical for each row: a variable whose column is a unit vector. Logicals must
-   be zero.
+/* Minimises cost . x where A x = rhs, x >= 0, by the revised simplex method.
+   The variables are the columns, then the place (see kern_program), then one
+   logical for each row. A logical is a variable whose column is a unit vector,
+   and it must be zero.
 
    The inverse of the basis B is a product of factors:
 
        B^-1 = E_n ... E_2 E_1 B_0^-1.
 
    Rows come in groups of three. A column of a network (`ends` given) touches
-   one or two groups. It is an own column of the first of them, in the order in
-   which groups carry each other. B_0 has three own columns of each group, or
-   logicals, so it is block triangular. For each group only its 3 x 3 inverse is
-   stored, and what its three columns exert on other groups. Without `ends` B_0
-   is the unit matrix.
+   one or two groups. It is an own column of the upper of these groups. B_0 has
+   three own columns, or logicals, of each group, so it is block triangular. For
+   each group B_0 stores only a 3 x 3 inverse, and the entries of its three
+   columns in the rows of other groups. Without `ends` B_0 is the unit matrix.
 
-   E_i lets one more column enter (the product form of the inverse). It is the
-   unit matrix except for one column. Let alpha be the entering column in terms
-   of the basis, and p the row in which it pivots: then that column is -alpha /
-   alpha_p, with 1 / alpha_p in row p. Its entries are stored in threes, from
-   the first that is not zero to the last.
+   Each E_i makes one more column enter (the product form of the inverse). E_i
+   is the unit matrix except for column p. Let alpha = B^-1 A_j for the entering
+   column j, and let p be the row in which it pivots. Then column p of E_i is
+   -alpha / alpha_p, with 1 / alpha_p in row p. Its entries are stored in
+   threes, from the first that is not zero to the last.
 
-   Vectors over the rows have three more places at their end, the rows of the
-   ground. A column that touches no other group has the ground as its other
-   group: reading gives 0 and writing has no effect, so no loop has to test for
-   it. */
+   Vectors over the rows have three more entries at their end, the rows of the
+   ground. A column that touches only one group has the ground as its other
+   group: the ground reads as 0 and is written without effect, so no loop has to
+   test for such columns. */
 
-/* A program. It is dense, or its columns are those of a network, two for each
-   contact. Columns 2 i and 2 i + 1 touch the groups ends[2 i] and ends[2 i +
-   1]; the number rows / 3 is the ground. Such a column has four entries (u, v,
-   r, s): (u, v, r) in the rows of the first of these groups, (-u, -v, s) in
-   those of the second.
+/* A linear program. It is dense, or its columns are those of a network: two
+   columns for each contact. Columns 2 i and 2 i + 1 touch the groups ends[2 i]
+   and ends[2 i + 1]; the number rows / 3 is the ground. Such a column has four
+   entries (u, v, r, s): (u, v, r) in the rows of the first of these groups,
+   (-u, -v, s) in those of the second.
 
-   The place is one more variable. Its column is `rate`, and its value tells how
-   far rhs has moved along a path. */
+   The place is one more variable. Its column is `rate`, and its value is the
+   distance by which rhs has moved along a path. */
 typedef struct kern_program {
     int rows, cols;
     const kern_real *a; /* dense: by columns; network: four a column   */
@@ -3683,38 +3681,38 @@ typedef struct kern_program {
     kern_work *work;       /* of the call                                  */
 } kern_program;
 
-/* The inverse of a basis: B_0, by groups, and the factors E_i. Each row of B_0
-   has six numbers: a row of the inverse of its group, and the entries of its
-   column in the three rows of the other group. `to` is the first of these
-   rows. */
+/* The inverse of a basis: the inverse of B_0, group by group, and the factors
+   E_i. Each row of B_0 has six numbers: a row of the inverse of its group, and
+   the entries of its column in the three rows of the other group. `to` is the
+   first of these rows. */
 typedef struct kern_factors {
     int size;         /* rows, rounded up to a multiple of three            */
-    int groups;       /* in B_0; all of a network, 0 if B_0 is the unit     */
+    int groups;       /* of B_0: all of a network, 0 if B_0 is the unit      */
     kern_real *block; /* of a row: six numbers                              */
     int *to;          /* of a row: first row of its column's other group    */
     int most, room;   /* largest number of factors, and of their entries    */
     int count;        /* of factors                                         */
     int *pivot;       /* of a factor: the row of its pivot                  */
     int *from;        /* of a factor: its first row with an entry           */
-    int *first;       /* of a factor: its first entry; then the end of all  */
+    int *first;       /* of a factor: its first entry; last: end of all     */
     kern_real *entry; /* of factors, in threes of rows                      */
 } kern_factors;
 
 typedef enum kern_basis {
-    KERN_BASIS_NONE,  /* none: begin with logicals                      */
+    KERN_BASIS_NONE,  /* no basis: the next solve begins with logicals  */
     KERN_BASIS_STALE, /* its columns have changed since it was factored */
     KERN_BASIS_READY
 } kern_basis;
 
-/* Solvers that may be used: also the backend (KERN_USE_GLPK), or only this
-   one. */
+/* Solvers that may be used. KERN_SOLVER_ANY: the backend (KERN_USE_GLPK), too.
+   KERN_SOLVER_BUILTIN: only the simplex method of this chapter. */
 typedef enum kern_solver { KERN_SOLVER_ANY, KERN_SOLVER_BUILTIN } kern_solver;
 
-/* `alpha` and `list` are scratch, and no phase reads what another left in them.
-   `alpha` is the vector that is solved for: the load that is not yet carried in
-   the crash, a residual while values are refined, otherwise the entering
-   column. `list` has the first column of each group in the crash, the waiting
-   columns while a basis is factored, and the rows of a ratio test. */
+/* `alpha` and `list` are scratch: no phase reads values that another phase left
+   there. In the crash `alpha` is the load that is not carried yet, during
+   refinement it is a residual, and otherwise it is the entering column. In the
+   crash `list` has the first column of each group, during a factorisation the
+   columns that wait, and in a ratio test its rows. */
 typedef struct kern_simplex {
     const kern_program *lp;
     kern_basis state;
@@ -3723,7 +3721,7 @@ typedef struct kern_simplex {
     int *place;       /* of a column, and of the place: its row, or KERN_OUT;
                                  in the crash: the next column of a group  */
     kern_real *value; /* of a row: value of its variable                   */
-    kern_real *slope; /* of a row: c of its variable (see below)           */
+    kern_real *slope; /* of a row: c of its variable (see "pivots")        */
     kern_real *price; /* of a row: y                                       */
     kern_real *alpha; /* of a row                                          */
     kern_real *ratio; /* of a row of the ratio test: the step to zero      */
@@ -3757,8 +3755,8 @@ static inline kern_real kern_lp_dot(const kern_program *lp, int j,
     return kern_dot(kern_lp_dense(lp, j), y, lp->rows);
 }
 
-/* One of the two groups of a column: the one of which it is an own column,
-   which comes first in the order, or the other one. */
+/* One of the two groups of a column. KERN_LP_END_OWN: the upper group, of which
+   it is an own column. KERN_LP_END_OTHER: the other group. */
 typedef enum kern_lp_end { KERN_LP_END_OWN, KERN_LP_END_OTHER } kern_lp_end;
 
 /* Writes column j's entries in the rows of one of its groups. Returns the first
@@ -3797,15 +3795,15 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
 
 /* ---- the basis ---- */
 
-/* v := B^-1 v, from rows to variables. */
+/* v := B^-1 v. Input: one number a row. Output: one number a basic variable. */
 static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 {
     const kern_factors *f = &sx->factors;
     int e, g, k;
 
-    /* Multiplies by B_0^-1 from top to bottom: solves the rows of each group
-       for its own columns, and subtracts what these exert on their other
-       groups. */
+    /* Multiplies by B_0^-1, from the top group to the bottom one. Solves the
+       rows of each group for its own columns, and subtracts the products of
+       these columns in the rows of other groups. */
     for (g = 0; g < f->groups; g++) {
         const kern_real *d = f->block + 18 * g;
         kern_real *own = v + 3 * g;
@@ -3822,7 +3820,7 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
         }
     }
 
-    /* E_1 to E_n: each adds a multiple of its column. */
+    /* Multiplies by E_1 to E_n: each adds a multiple of its column. */
     for (e = 0; e < f->count; e++) {
         const kern_real x = v[f->pivot[e]], *a;
         kern_real *w;
@@ -3839,7 +3837,8 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
     }
 }
 
-/* c := B^-T c, from variables to rows; zero after the last row. */
+/* c := B^-T c. Input: one number a basic variable. Output: one number a row,
+   and zeros after the last row. */
 static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
     const kern_factors *f = &sx->factors;
@@ -3865,7 +3864,7 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
     }
 }
 
-/* Writes column j in terms of the basis to sx->alpha. */
+/* Writes B^-1 A_j to sx->alpha: column j in terms of the basis. */
 static void kern_basis_column(kern_simplex *sx, int j)
 {
     kern_zero(sx->alpha, sx->factors.size + 3);
@@ -3880,7 +3879,7 @@ static int kern_basis_full(const kern_simplex *sx)
     return f->count == f->most || f->first[f->count] + f->size > f->room;
 }
 
-/* Makes column q basic in row p. sx->alpha is the column in terms of the
+/* Makes column q basic in row p. sx->alpha must be column q in terms of the
    basis. */
 static void kern_basis_enter(kern_simplex *sx, int q, int p)
 {
@@ -3918,11 +3917,11 @@ typedef enum kern_crash {
     KERN_CRASH_ANY      /* any column, and the logical of the torque     */
 } kern_crash;
 
-/* Chooses three columns of group g from the list that begins with j, makes them
-   basic, and adds what they exert to the loads of other groups. They carry the
-   load of the group such that the least of their three shares is as large as
-   possible. With KERN_CRASH_PUSHING no column may pull more than
-   KERN_CRASH_PULL loads. Returns 0 if no three columns will do. */
+/* Chooses three columns of group g from the list that begins with j, and makes
+   them basic. The three columns carry the load of the group, and the least of
+   their three forces is as large as possible. Adds these forces to the loads of
+   other groups. With KERN_CRASH_PUSHING no column may pull by more than
+   KERN_CRASH_PULL loads. Returns 0 if there are no such columns. */
 static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
 {
     const int logical = sx->lp->cols + 1 + 3 * g + 2;
@@ -3956,8 +3955,9 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
         mine[n++] = logical;
     }
 
-    /* Tries all triples of columns. Cramer's rule gives the shares. The share
-       of the third is computed first, since it excludes most triples. */
+    /* Tries all triples of columns. Computes the force of each column as a
+       share of the load by Cramer's rule. The share of the third column comes
+       first, since it excludes most triples. */
     for (i = 0; i < n; i++)
         for (j = i + 1; j < n; j++) {
             const kern_real *a = part[i], *b = part[j];
@@ -3985,16 +3985,16 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
             }
         }
 
-    /* What the three exert on other groups is added to the loads there. A share
-       that would pull counts as 0. */
+    /* Adds the forces of the three columns to the loads of their other groups.
+       A column that pulls counts as 0. */
     for (k = 0; k < 3 && found; k++)
         kern_lp_subtract(sx->lp, base[k], kern_max(share[k], 0), sx->alpha);
     return found;
 }
 
-/* Begins with the columns that x uses, if they may be a basis, and fills it
-   with the last columns. If x uses more columns than there are rows the next
-   program begins without a basis. */
+/* Makes a basis of the columns that x uses, and fills it up with the last
+   columns. If x uses more columns than there are rows, the next program begins
+   without a basis. */
 static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
                                kern_real least)
 {
@@ -4012,8 +4012,8 @@ static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
     sx->state = KERN_BASIS_STALE;
 }
 
-/* Makes the basis of logicals. For a network three columns of each group then
-   replace them, from top to bottom. */
+/* Makes a basis of logicals. For a network, three columns of each group then
+   replace its logicals, from top to bottom. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4038,9 +4038,9 @@ static void kern_simplex_crash(kern_simplex *sx)
 
 /* ---- factors ---- */
 
-/* Makes column j basic in one of its own rows that still has its logical: the
-   row where its entry is largest in terms of the columns before it. Returns 0
-   if there is none with a large enough entry. */
+/* Makes column j basic in a row of its own group that still has its logical. It
+   takes the row with the largest entry of the column in terms of the columns
+   that are already basic. Returns 0 if no such entry is large enough. */
 static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
@@ -4049,8 +4049,8 @@ static int kern_own_enter(kern_simplex *sx, int j)
     if (!lp->ends || j == lp->cols)
         return 0;
 
-    /* Writes the column in terms of the columns that its group has so far, and
-       finds its largest entry in a row that still has its logical. */
+    /* Computes the column in terms of the basic columns of its group, and finds
+       its largest entry in a row that still has its logical. */
     row = kern_lp_part(lp, j, KERN_LP_END_OWN, part);
     block = sx->factors.block + 6 * row;
     for (k = 0; k < 3; k++) {
@@ -4063,8 +4063,8 @@ static int kern_own_enter(kern_simplex *sx, int j)
     if (best == KERN_OUT)
         return 0;
 
-    /* Eliminates that row from the inverse of the group, and stores what the
-       column exerts on its other group. */
+    /* Eliminates this row from the inverse of the group, and stores the entries
+       of the column in the rows of its other group. */
     own = block + 6 * best;
     for (k = 0; k < 3; k++)
         own[k] /= alpha[best];
@@ -4079,7 +4079,7 @@ static int kern_own_enter(kern_simplex *sx, int j)
 }
 
 /* Makes column j basic in any row that still has its logical. Does nothing if
-   the column depends on those before it, or if there is no room. */
+   the column depends on the basic columns, or if there is no room. */
 static void kern_left_enter(kern_simplex *sx, int j)
 {
     kern_real least;
@@ -4095,8 +4095,8 @@ static void kern_left_enter(kern_simplex *sx, int j)
         kern_basis_enter(sx, j, best);
 }
 
-/* Writes the residual of the right-hand side to sx->alpha. Returns its largest
-   entry as a share of the largest value. */
+/* Writes the residual rhs - A x of the basic solution to sx->alpha. Returns its
+   largest entry as a share of the largest value. */
 static kern_real kern_basis_residual(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4128,15 +4128,16 @@ static int kern_basis_values(kern_simplex *sx)
     return left <= KERN_BASIS_TOL;
 }
 
-/* Factors the basis again: first three own columns of each group, then the
-   others. */
+/* Factors the basis again: first up to three own columns of each group, then
+   the other columns. */
 static void kern_basis_refactorise(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     kern_factors *f = &sx->factors;
     int i, p, left = 0;
 
-    /* Begins with logicals, and keeps the columns of the basis in a list. */
+    /* Moves the columns of the basis to a list, and makes the basis of
+       logicals. */
     for (i = 0; i <= lp->cols; i++)
         sx->place[i] = KERN_OUT;
     for (p = 0; p < lp->rows; p++) {
@@ -4145,7 +4146,7 @@ static void kern_basis_refactorise(kern_simplex *sx)
         sx->value[p] = 0;
     }
 
-    /* B_0 is the unit matrix, and there are no factors. */
+    /* Makes B_0 the unit matrix without factors. */
     kern_zero(f->block, 18 * f->groups);
     for (p = 0; p < 3 * f->groups; p++) {
         f->block[6 * p + p % 3] = 1;
@@ -4153,8 +4154,8 @@ static void kern_basis_refactorise(kern_simplex *sx)
     }
     f->count = f->first[0] = 0;
 
-    /* Own columns of a group take its rows in B_0. Columns that find no row
-       there enter one after the other. */
+    /* Places own columns of each group in its rows of B_0. Columns that find no
+       row there are entered one after the other, each with a factor. */
     for (p = 0; p < lp->rows; p++)
         if (sx->list[p] <= lp->cols && !kern_own_enter(sx, sx->list[p]))
             sx->list[left++] = sx->list[p];
@@ -4174,18 +4175,19 @@ static void kern_basis_renew(kern_simplex *sx)
 }
 
 /* ---- pivots ---- */
-/* Every basis gives an x with A x = rhs. A variable violates x >= 0 if it is
-   negative, or if it is a logical that is not zero. While there are violations
-   their sum is lowered. With
+/* Every basis gives an x with A x = rhs. A variable is in violation if it is
+   negative, or if it is a logical that is not zero. The first phase minimises
+   the sum of violations. With
 
        y = B^-T c,    c = +1 or -1 for a variable that violates, otherwise 0,
 
    y.A_j < 0 is the rate at which the sum falls when column j enters. If no
-   column lowers the sum and it is not zero, y is a Farkas certificate: the one
-   with the largest sum of violations, which a step of Newton's method needs. If
-   there are no violations, c is minus the costs, and y minus their prices. */
+   column lowers the sum and it is not zero, y is a Farkas certificate. Of all
+   certificates with entries of c of at most 1 it has the largest -y.rhs, which
+   is the sum of violations, as a step of Newton's method requires. If there are
+   no violations, c is minus the costs, and y is minus their prices. */
 
-/* How pivots are chosen. */
+/* Rules by which pivots are chosen. */
 typedef enum kern_rule {
     KERN_RULE_LARGEST, /* the column of the largest gain                   */
     KERN_RULE_REFINED, /* the column of the largest gain, prices refined   */
@@ -4199,15 +4201,16 @@ static int kern_lp_fixed(const kern_program *lp, int j)
     return j >= lp->cols + lp->follow;
 }
 
-/* Returns the rate at which the costs fall as variable j grows; 1 for a place
-   that grows. */
+/* Returns the rate at which the costs fall as variable j grows. Returns 1 for a
+   place that grows. */
 static kern_real kern_lp_worth(const kern_program *lp, int j)
 {
     return lp->cost && j < lp->cols ? -lp->cost[j]
                                     : KERN_R(j == lp->cols ? lp->follow : 0);
 }
 
-/* Writes c to sx->slope. Returns the sum of violations. */
+/* Writes c of each basic variable to sx->slope, and the number of violations to
+   sx->violated. Returns the sum of violations. */
 static kern_real kern_violations(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4229,11 +4232,11 @@ static kern_real kern_violations(kern_simplex *sx)
     return sum;
 }
 
-/* Refines y once by the residual of y.A_j = c for basic columns. Then lifts y
-   until y.A_j >= lift times its largest entry for these columns. A certificate
-   needs the lift, since rounding leaves y.A_j below zero as often as above. The
-   lift costs little of its power. Returns 0 without a basis, as after an answer
-   of the backend. */
+/* Refines y once by the residual of y.A_j = c for basic columns. At the same
+   time raises y.A_j of these columns by `lift` times the largest entry of y. A
+   certificate needs this, since rounding leaves y.A_j below zero as often as
+   above. It costs little of the certificate's power. Returns 0 without a basis,
+   as after an answer of the backend. */
 static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 {
     const kern_program *lp = sx->lp;
@@ -4253,9 +4256,10 @@ static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 }
 
 /* Computes prices and chooses the entering variable, sx->enters, by the rule.
-   sx->gain = c_j - y.A_j is the rate at which it lowers the sum of violations,
-   or the costs. A variable that would have to exceed lp->most to remove the
-   violations does not enter: it belongs to a jam. Returns 0 if none enters. */
+   sx->gain = c_j - y.A_j is the rate at which this variable lowers the sum of
+   violations, or the costs. A variable that would have to exceed lp->most to
+   remove the violations does not enter: it belongs to a jam. Returns 0 if no
+   variable enters. */
 static int kern_entering(kern_simplex *sx, kern_rule rule)
 {
     const kern_program *lp = sx->lp;
@@ -4272,14 +4276,15 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
     if (rule > KERN_RULE_LARGEST)
         kern_prices_mend(sx, sx->price, 0);
 
-    /* The least gain that counts is above rounding. If variables are bounded it
-       must also be able to remove the violations within their bound. */
+    /* Computes the least gain that counts, which is above rounding. If
+       variables are bounded, a variable must also be able to remove the
+       violations within its bound. */
     size = kern_largest(sx->price, lp->rows);
     least = costs || !(lp->most > 0) ? KERN_PRICE_TOL * size : sum / lp->most;
     least = kern_max(least, KERN_LP_ROUNDING * size);
 
-    /* Finds the largest gain of all columns that are not basic, or the first
-       gain. */
+    /* Finds the largest gain of all columns that are not basic, or with Bland's
+       rule the first gain. */
     sx->gain = 0;
     for (j = 0; j < all; j++) {
         kern_real d;
@@ -4296,10 +4301,11 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
     return sx->gain > least;
 }
 
-/* Returns by how much the slope of the sum rises when the basic variable of row
-   p passes zero. The variable approaches zero at the rate alpha, and reaches it
-   at *at. Returns 0 if it never does. A variable that violates may only move
-   towards zero, and one that must be zero leaves zero at once. */
+/* Returns the increase in the slope of the sum of violations where the basic
+   variable of row p passes zero. The variable approaches zero at the rate alpha
+   and reaches it after a step of *at. Returns 0 if the variable never reaches
+   zero, as when it is in violation and moves away from zero. A variable that
+   must be zero leaves zero at once. */
 static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 {
     const int fixed = kern_lp_fixed(sx->lp, sx->base[p]);
@@ -4319,13 +4325,14 @@ static int kern_lp_spend(const kern_program *lp, int units)
     return kern_spend(lp->work, lp->limit, units);
 }
 
-/* Chooses the row that the entering column takes, among rows whose variables
-   reach zero, and writes the length of the step to *step. The ratio test passes
-   such rows as long as the sum of violations still falls: a long step, which
-   passes through degenerate corners. With Bland's rule, and for costs, it stops
-   at the first. Of equals it takes the largest pivot, with Bland's rule the
-   least index. Returns KERN_OUT if no variable reaches zero. If its work is
-   refused kern_pivot_spend() refuses the pivot. */
+/* Chooses the row that the entering column takes, and writes the length of the
+   step to *step. Candidates are the rows whose variables reach zero. The ratio
+   test passes a candidate if the sum of violations still falls after it: such a
+   long step passes through degenerate corners. With Bland's rule, and for
+   costs, the step ends at the first candidate. Of equal candidates it takes the
+   largest pivot, or with Bland's rule the least index. Returns KERN_OUT if no
+   variable reaches zero. If the work of the test is refused, kern_pivot_spend()
+   refuses the pivot. */
 static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
 {
     const kern_real least = KERN_PIVOT_LEAST
@@ -4341,7 +4348,7 @@ static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
             n += kern_break(sx, i, at + n) > 0;
         }
 
-    /* Passes the closest of them until the sum no longer falls. */
+    /* Passes the closest of these rows until the sum no longer falls. */
     for (; n > 0 && left > 2 * KERN_LP_ROUNDING * sx->gain; n--) {
         seen += n;
         next = 0;
@@ -4365,8 +4372,8 @@ static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
     return best;
 }
 
-/* Charges a pivot: a column and prices, each of which passes all factors.
-   Returns 0 if the work is refused. */
+/* Charges the work of a pivot: one column and one set of prices, each
+   multiplied by all factors. Returns 0 if the work is refused. */
 static int kern_pivot_spend(const kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4379,16 +4386,17 @@ static int kern_pivot_spend(const kern_simplex *sx)
                         : lp->rows * (lp->cols / (4 * KERN_UNIT))));
 }
 
-/* Lowers the sum of violations, then the costs, until no column does. The sum
-   falls with every step whose length is not zero, unless prices are rounding.
-   So prices are refined after a budget of pivots, and Bland's rule, which
-   cannot cycle, is used after five. The limit ends cycles that rounding causes.
-   Programs of structures take less than two budgets, except in jams. Their
-   limit is three, plus one pivot for each column.
+/* Pivots until no column lowers the sum of violations, and then until no column
+   lowers the costs. The sum falls with every step whose length is not zero,
+   unless rounding spoils the prices. So prices are refined after one budget of
+   pivots, and Bland's rule, which cannot cycle, is used after five. A limit
+   ends cycles that rounding causes. Programs of structures take less than two
+   budgets of pivots, except in jams. Their limit is three budgets, plus one
+   pivot for each column.
 
-   Returns KERN_LP_OPTIMAL; KERN_LP_INFEASIBLE; KERN_LP_UNBOUNDED if the
-   entering column may grow for ever; KERN_NO_SPACE or KERN_LIMIT if there is no
-   room or no work left for a pivot; otherwise KERN_UNDECIDED. */
+   Returns KERN_LP_OPTIMAL, KERN_LP_INFEASIBLE or KERN_LP_UNBOUNDED. Returns
+   KERN_NO_SPACE if there is no room for a pivot, KERN_LIMIT if its work is
+   refused, and otherwise KERN_UNDECIDED. */
 static kern_status kern_simplex_run(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4402,35 +4410,34 @@ static kern_status kern_simplex_run(kern_simplex *sx)
         kern_real step = 0;
         int enters, p = KERN_OUT;
 
-        /* After a budget of pivots prices may be rounding. After five only
-           Bland's rule is sure to end. */
+        /* Chooses the rule. After one budget of pivots prices may be spoilt by
+           rounding. After five budgets only Bland's rule is sure to end. */
         if (count > budget)
             rule = count > KERN_PIVOTS_BLAND * budget ? KERN_RULE_BLAND
                                                       : KERN_RULE_REFINED;
         enters = kern_entering(sx, rule);
 
-        /* Writes the entering column in terms of the basis, and finds its
+        /* Computes the entering column in terms of the basis, and chooses its
            row. */
         if (enters) {
             kern_basis_column(sx, sx->enters);
             p = kern_leaving(sx, rule, &step);
         }
 
-        /* The method may end only with refined values. If they are not, it
-           refines them and tries again. */
+        /* Refines the values before the method may end, and tries again. */
         if (p == KERN_OUT && !sx->refined) {
             kern_basis_renew(sx);
             continue;
         }
 
-        /* The end: no column lowers the sum or the costs, or a column may grow
-           for ever. */
+        /* Ends if no column lowers the sum or the costs, or if a column may
+           grow without bound. */
         if (!enters)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
         if (p == KERN_OUT)
             return sx->violated ? KERN_UNDECIDED : KERN_LP_UNBOUNDED;
 
-        /* A pivot needs room for a factor, and work. */
+        /* Ends if there is no room for one more factor, or no work left. */
         if (kern_basis_full(sx))
             return KERN_NO_SPACE;
         if (!kern_pivot_spend(sx))
@@ -4456,7 +4463,7 @@ static kern_status kern_simplex_run(kern_simplex *sx)
 
 /* ---- opening, starting, reading ---- */
 
-/* Lays out the arrays of a simplex, with room for `room` entries of factors. */
+/* Takes the arrays of a simplex, with room for `room` entries of factors. */
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take)
 {
@@ -4484,8 +4491,8 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->ratio = kern_take_reals(take, m);
 }
 
-/* Makes the next program begin without a basis (KERN_BASIS_NONE), or factor the
-   same one again (KERN_BASIS_STALE). */
+/* Makes the next program begin without a basis (KERN_BASIS_NONE), or with the
+   same basis factored again (KERN_BASIS_STALE). */
 static void kern_simplex_change(kern_simplex *sx, kern_basis to)
 {
     if (sx->state > to)
@@ -4497,7 +4504,7 @@ static void kern_simplex_change(kern_simplex *sx, kern_basis to)
 #include "kern_lp.h"
 #endif
 
-/* x := the variables, of which the basic ones have the values v */
+/* x := all variables. The basic ones have the values v, the others are 0. */
 static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
                             kern_real *x)
 {
@@ -4508,7 +4515,8 @@ static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
             x[sx->base[i]] = v[i];
 }
 
-/* x := B^-1 v as variables. Destroys v. Returns 0 without a basis. */
+/* Writes B^-1 v as a vector of variables to x. Destroys v. Returns 0 without a
+   basis. */
 static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
 {
     if (sx->state == KERN_BASIS_NONE)
@@ -4518,11 +4526,12 @@ static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
     return 1;
 }
 
-/* Solves a program, beginning with the last basis, or with that of
-   kern_simplex_crash(). It is the only entry of the engine. Writes x for every
-   status: x of an infeasible program is the last basic solution, A x = rhs with
-   negative entries, from which Newton's step along a path is taken. Writes y: a
-   certificate for KERN_LP_INFEASIBLE, minus the prices for KERN_LP_OPTIMAL. */
+/* Solves a program, beginning with the last basis or with that of
+   kern_simplex_crash(). All solves go through this function. Writes x for every
+   status. For an infeasible program x is the last basic solution: A x = rhs
+   with negative entries, from which Newton's step along a path is taken. Writes
+   to y a certificate for KERN_LP_INFEASIBLE, and minus the prices for
+   KERN_LP_OPTIMAL. */
 static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
                                       kern_real *x, kern_real *y)
 {
@@ -4538,15 +4547,15 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
 #endif
     (void)solver;
 
-    /* Charges the start: reading the columns for a crash basis, or solving with
-       the factors of the last one. */
+    /* Charges the start, unless the last basis is ready: reading the columns
+       and factoring a basis. */
     sx->least = KERN_VALUE_TOL * kern_largest(lp->rhs, lp->rows);
     if (sx->state != KERN_BASIS_READY
         && !kern_lp_spend(lp, lp->ends ? (lp->rows + lp->cols) / 2
                                        : lp->rows * (lp->cols / KERN_UNIT)))
         return KERN_LIMIT;
 
-    /* Begins with the last basis or makes one, and pivots from there. */
+    /* Starts from the last basis, or makes a crash basis, and pivots. */
     if (sx->state == KERN_BASIS_NONE)
         kern_simplex_crash(sx);
     kern_basis_renew(sx);
@@ -4556,11 +4565,12 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
     return status;
 }
 
-/* Numbers that kern_lp_clean() keeps: of both signs, or only positive ones. */
+/* Signs of the numbers that kern_lp_clean() keeps: only positive ones, or
+   both. */
 typedef enum kern_sign { KERN_SIGN_PLUS, KERN_SIGN_ANY } kern_sign;
 
-/* Sets to 0 those of n numbers that are no larger than a share of the largest,
-   and those of a sign that is not kept. */
+/* Sets numbers to 0 whose magnitude is at most `share` of the largest of all n,
+   and numbers of a sign that is not kept. */
 KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
                                       kern_sign sign)
 {
@@ -4571,9 +4581,9 @@ KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
             v[i] = 0;
 }
 
-/* Returns from + u.v over n numbers, as a share of the sum of the terms'
-   magnitudes. The numbers of v lie `apart` from each other. Returns a result
-   that is not a number if a term is not finite. */
+/* Returns from + u.v, divided by the sum of the magnitudes of its terms.
+   Vectors have n numbers, and those of v lie `apart` from each other. Returns
+   NaN if a term is not finite. */
 static kern_real kern_lp_sum(kern_real from, const kern_real *u,
                              const kern_real *v, int apart, int n)
 {
@@ -4586,9 +4596,9 @@ static kern_real kern_lp_sum(kern_real from, const kern_real *u,
     return terms > 0 ? from / terms + (terms - terms) : from;
 }
 
-/* Returns 1 if x and y prove the status by products with the matrix alone, each
-   row and column to KERN_LP_TOL of its own terms. A value that is not a number
-   proves nothing.
+/* Returns 1 if x and y prove the status. The check uses only products with the
+   matrix, and each row and column must hold to KERN_LP_TOL of its own terms.
+   NaN proves nothing.
 
        optimal      A x = rhs,  cost + y A >= 0, = 0 where x > 0
        infeasible   y A >= 0,  y.rhs < 0
@@ -4619,8 +4629,8 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
 }
 
 /* Sets negative entries of x to 0. Returns 1 if x and y then prove the status.
-   If not, sets entries that are rounding to 0 and checks once more: a row
-   without other entries consists of rounding. */
+   Otherwise sets entries of the size of rounding to 0 and checks once more:
+   they spoil a row that has no other entries. */
 static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
@@ -4659,8 +4669,7 @@ static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
     if (status < 0)
         return status;
 
-    /* If x may grow for ever along the entering column, that ray is the
-       proof. */
+    /* For an unbounded program the proof is the ray of the entering column. */
     if (status == KERN_LP_UNBOUNDED && sx.state != KERN_BASIS_NONE) {
         kern_scale(sx.alpha, p.rows, -1);
         kern_basis_read(&sx, sx.alpha, x);
@@ -4687,10 +4696,11 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 }
 
 /* ---- Contact law and skyline factor --------------------------- >>skyline */
-/* The force with which a contact answers a motion (wn, wt) along n and t is
-   piecewise linear: f = nn wn + nt wt, r = nt wn + tt wt. So A x = b leads to a
-   matrix with the pattern of the groups. It is factored in their order (skyline
-   Cholesky). Minimum-norm forces, >>ipm and >>raised differ only in the law. */
+/* A contact law gives the force of a contact for an approach (wn, wt) along n
+   and t. It is piecewise linear: f = nn wn + nt wt, r = nt wn + tt wt. So A x =
+   b leads to a symmetric matrix with one row of 3 x 3 blocks for each group.
+   The matrix is factored in the order of the groups (skyline Cholesky). >>norm,
+   >>ipm and >>raised differ only in the law. */
 
 /* A symmetric matrix of 3 x 3 blocks, one row of blocks for each group, or its
    factor. Each row is stored from its first nonzero block to the diagonal. */
@@ -4703,12 +4713,12 @@ typedef struct kern_skyline {
 
 typedef struct kern_law {
     kern_real nn, nt, tt;
-    kern_force force; /* within the cone despite rounding             */
+    kern_force force; /* force for the approach, within its cone      */
 } kern_law;
 
-/* Returns the law of a contact that has the stiffness `stiff` along n, and mu
-   `shear` times that along t until it slides. With stiff = 2 and shear = mu it
-   is the law of two rays of stiffness 1 that cannot pull. */
+/* Returns the law of a contact that has the stiffness `stiff` along n, and mu *
+   shear * stiff along t until it slides. With stiff = 2 and shear = mu it is
+   the law of two rays of stiffness 1 that cannot pull. */
 static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
                                       kern_real stiff, kern_real shear)
 {
@@ -4729,10 +4739,10 @@ static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
     return s;
 }
 
-/* Takes room for the matrix of `groups` groups. Each of n contacts couples two
-   groups: the row of the later group reaches to the column of the other.
-   Returns the number of products of a factorisation, if there is room. It is a
-   real, since long rows have more than an int holds. */
+/* Takes memory for the matrix of `groups` groups. Each of n contacts couples
+   two groups: the row of the later group begins at or before the column of the
+   other. Returns the number of products of one factorisation, as a real, since
+   it may exceed an int. */
 static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
                                    int n, kern_take *take)
 {
@@ -4770,7 +4780,7 @@ static void kern_skyline_clear(kern_skyline *a)
 
 /* Adds a contact's law to the matrix: to the diagonal block of each of its
    groups, and to the block that couples them, in the row of the later group.
-   Held blocks have the last number and no row. */
+   Held blocks have the number a->groups and no row. */
 static void kern_skyline_law(kern_skyline *a, const int ends[2],
                              const kern_row row[2], const kern_law *s)
 {
@@ -4782,7 +4792,7 @@ static void kern_skyline_law(kern_skyline *a, const int ends[2],
             const kern_row *other = row + 1 - 2 * k;
             const int wide = 3 * (g - a->first[g] + 1);
             kern_real *to = a->entry + a->offset[g] + wide - 3;
-            kern_row_wrench(row, s->nn, s->nt, v); /* adds n v' + t w' */
+            kern_row_wrench(row, s->nn, s->nt, v); /* += n v' + t w'       */
             kern_row_wrench(row, s->nt, s->tt, w);
             kern_row_exert(row, v[0], w[0], to);
             kern_row_exert(row, v[1], w[1], to + wide);
@@ -4816,9 +4826,9 @@ static void kern_skyline_shift(kern_skyline *a, kern_real share)
     }
 }
 
-/* c -= a b', for a 3 x 3 block c of the rows a, and n columns that rows a and
-   rows b have in common. Successive rows are wide_a and wide_b numbers
-   apart. */
+/* c -= a b'. c is a 3 x 3 block of the rows of a. Sums over the n columns that
+   the rows of a and of b have in common. Successive rows are wide_a and wide_b
+   numbers apart. */
 static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
                                 const kern_real *b, int wide_b, int n)
 {
@@ -4830,7 +4840,8 @@ static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
     kern_real s20 = c2[0], s21 = c2[1], s22 = c2[2];
     int i;
 
-    /* Nine sums in registers: most of a factor's time goes here. */
+    /* Keeps nine sums in registers, since a factorisation spends most of its
+       time here. */
     for (i = 0; i < n; i++) {
         const kern_real x = b[i], y = b1[i], z = b2[i];
         s00 -= a[i] * x;
@@ -4855,8 +4866,8 @@ static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
     c2[2] = s22;
 }
 
-/* Replaces the matrix by Cholesky's L. Pivots below rounding are raised to
-   it. */
+/* Replaces the matrix by its Cholesky factor L. Raises pivots below rounding to
+   the size of rounding. */
 static void kern_skyline_factor(kern_skyline *a)
 {
     int g, h, r, k;
@@ -4865,9 +4876,9 @@ static void kern_skyline_factor(kern_skyline *a)
         kern_real *row = a->entry + a->offset[g], *d = row + wide - 3;
         const kern_real was[3] = {d[0], d[wide + 1], d[2 * wide + 2]};
 
-        /* Computes the row's blocks from its first column to the diagonal. From
-           each it subtracts the products of the columns that this row has in
-           common with row h. */
+        /* Computes the blocks of row g from its first column to the diagonal.
+           Subtracts from block h the products of the columns that rows g and h
+           have in common. */
         for (h = a->first[g]; h <= g; h++) {
             const int from = a->first[g] > a->first[h] ? a->first[g]
                                                        : a->first[h];
@@ -4879,8 +4890,8 @@ static void kern_skyline_factor(kern_skyline *a)
                                 other + 3 * (from - a->first[h]), wide_h,
                                 3 * (h - from));
 
-            /* Divides by the diagonal block of row h. For h = g that block is
-               computed at the same time. */
+            /* Divides block h by the diagonal block of row h. For h = g,
+               computes that diagonal block at the same time. */
             for (r = 0; r < 3; r++, c += wide) {
                 if (h < g || r > 0)
                     c[0] /= l[0];
@@ -4902,7 +4913,7 @@ static void kern_skyline_factor(kern_skyline *a)
     KERN_AUDIT(factor, a);
 }
 
-/* out := the solution of matrix * out = b, by the factor */
+/* Solves L L' out = b by the Cholesky factor L. */
 static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
                                kern_real *out)
 {
@@ -4921,9 +4932,9 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
     }
 }
 
-/* Adds the law of a contact that answers the motion w . (wn, wt) by the force
-   f: an outer product, whose rows are those of f and whose columns are those of
-   w. */
+/* Adds the outer product f w' of a contact to a matrix that is not symmetric:
+   the contact exerts the force f (w[0] wn + w[1] wt) for the approach (wn,
+   wt). */
 static void kern_skyline_outer(kern_skyline *a, const int ends[2],
                                const kern_row row[2], const kern_real f[2],
                                const kern_real w[2])
@@ -4945,10 +4956,10 @@ static void kern_skyline_outer(kern_skyline *a, const int ends[2],
     }
 }
 
-/* Factors a matrix that is not symmetric, in place. `low` has its rows up to
-   the diagonal. `up` has its columns, each stored as a row. The factors are L U
-   = matrix, where the diagonal of L is 1 and not stored. Pivots below rounding
-   are raised to it. */
+/* Factors a matrix that is not symmetric, in place. `low` has the rows of the
+   matrix up to the diagonal. `up` has the columns of the matrix, each stored as
+   a row. The factors are L U = matrix, where the diagonal of L is 1 and not
+   stored. Raises pivots below rounding to the size of rounding. */
 static void kern_skyline_split(kern_skyline *low, kern_skyline *up)
 {
     int i, j;
@@ -4974,7 +4985,7 @@ static void kern_skyline_split(kern_skyline *low, kern_skyline *up)
     }
 }
 
-/* out := the solution of L U * out = b */
+/* Solves L U out = b. */
 static void kern_skyline_split_solve(const kern_skyline *low,
                                      const kern_skyline *up, const kern_real *b,
                                      kern_real *out)
@@ -4996,18 +5007,19 @@ static void kern_skyline_split_solve(const kern_skyline *low,
 
 /* ---- Parts ------------------------------------------------------ >>part */
 /* A part is some of the groups with all contacts that touch them. All other
-   blocks are held. Held blocks can exert any force, so if a part falls the
-   whole structure falls: the motion of the part, with all other blocks at rest,
-   proves it. */
+   blocks are held. Held blocks can exert any force. So if a part falls, the
+   whole structure falls, and its proof is the motion of the part with all other
+   blocks at rest. */
 
-/* How the contacts of a part answer a motion. */
+/* Laws of the contacts of a part (>>skyline). */
 typedef enum kern_law_of {
     KERN_LAW_RAYS, /* two rays of stiffness 1 that cannot pull           */
     KERN_LAW_STIFF /* stiff along n and t, with a price: >>raised        */
 } kern_law_of;
 
-/* Where Newton's method begins: at u = 0, or at the present u. A cold start has
-   one more round, the first, in which all contacts press. */
+/* Starting point of Newton's method. KERN_START_COLD: u = 0, with one more
+   round, the first, in which all contacts press. KERN_START_WARM: the present
+   u. */
 typedef enum kern_start { KERN_START_COLD, KERN_START_WARM } kern_start;
 
 /* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
@@ -5023,13 +5035,13 @@ typedef struct kern_dual {
     kern_real stiff;            /* stiffness along t / (mu stiff_n)        */
 } kern_dual;
 
-/* Eq. (5) of a part as a linear program (>>verdict). The interior point has no
-   columns and uses only rhs, rate and shrink. */
+/* Eq. (5) of a part as a linear program (>>verdict). The interior point stores
+   no columns and uses only rhs, rate and shrink. */
 typedef struct kern_equations {
     kern_real *arc;   /* columns                                      */
     kern_real *rhs;   /* loads                                        */
     kern_real *rate;  /* minus the rate of rhs along a path           */
-    kern_real shrink; /* of the columns; infinity: there are none     */
+    kern_real shrink; /* for which columns are set; or infinity       */
     kern_program lp;
     kern_simplex simplex;
 } kern_equations;
@@ -5039,8 +5051,8 @@ typedef struct kern_part {
     kern_dual dual;
     kern_model *m;
     int groups, contacts;
-    int supports; /* number of contacts that carry groups of the part. They
-                                 come first; the others carry groups above    */
+    int supports; /* number of contacts that carry groups of the part, which
+                     come first; the others carry groups above                */
     int *group;   /* groups of the part; >>norm has its own order  */
     int *contact; /* contacts of the part                         */
     int *ends;    /* two a contact: groups of the part, or `groups` */
@@ -5051,8 +5063,8 @@ typedef struct kern_part {
     kern_status found; /* result of the method, proven or not          */
 } kern_part;
 
-/* Lists the groups of the part at the ends of its contacts. Returns 0 if there
-   is no room. */
+/* Writes the groups of the part at both ends of its contacts to p->ends.
+   Returns 0 if there is no room. */
 static int kern_part_ends(kern_part *p)
 {
     const kern_model *m = p->m;
@@ -5075,8 +5087,9 @@ static void kern_part_list(kern_part *p)
     p->contacts = 0;
     p->contact = kern_take_ints(&p->rest, 0);
 
-    /* Round 1 lists the contacts to groups below and to the ground, round 0
-       those to groups above that are not in the part. */
+    /* Lists the contacts with groups below and with the ground (supporting =
+       1), then the contacts with groups above that are not in the part
+       (supporting = 0). */
     for (supporting = 1; supporting >= 0; supporting--) {
         for (n = 0; n < p->groups; n++) {
             const int g = p->group[n];
@@ -5098,9 +5111,9 @@ static void kern_part_list(kern_part *p)
     }
 }
 
-/* Writes the loads of a part's groups for a query, three numbers each, in units
-   of force, as a program has them. Returns the residual of equilibrium that is
-   allowed. */
+/* Writes the loads of a part's groups for a query as the right-hand side of a
+   program: three numbers a group, divided by the unit of force. Returns the
+   largest residual of equilibrium that is allowed. */
 static kern_real kern_part_load(const kern_part *p, const kern_query *q,
                                 kern_real *to)
 {
@@ -5130,8 +5143,8 @@ static int kern_part_begin(kern_part *p, kern_model *m, int groups,
     return kern_take_fits(&p->rest);
 }
 
-/* Opens the part of the `groups` groups that graph.local marks, the last of
-   which is `last`. Returns 0 if the work memory does not hold it. */
+/* Opens a part of the groups that graph.local marks. `groups` is their number
+   and `last` the last of them. Returns 0 if the work memory is too small. */
 static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 {
     int g, n = groups;
@@ -5139,7 +5152,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     if (!kern_part_begin(p, m, groups, &m->rest))
         return 0;
 
-    /* Numbers the marked groups in their order, beginning with the last. */
+    /* Numbers the marked groups in their order, from the last to the first. */
     for (g = last; n > 0; g--)
         if (m->graph.local[g] != KERN_OUT) {
             m->graph.local[g] = --n;
@@ -5167,7 +5180,7 @@ static void kern_part_motion(kern_part *p)
     kern_motion_scale(m->s, m->answer.motion);
 }
 
-/* Writes y as a motion. Returns 1 if that proves that the part falls. */
+/* Writes y as a motion. Returns 1 if the motion proves that the part falls. */
 static int kern_part_falls(kern_part *p, const kern_query *q)
 {
     const kern_model *m = p->m;
@@ -5175,8 +5188,8 @@ static int kern_part_falls(kern_part *p, const kern_query *q)
     return kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion));
 }
 
-/* Writes x of a program of all groups as contact forces. Negative rounding
-   becomes 0. */
+/* Writes x of a program of all groups as contact forces. Negative numbers,
+   which are rounding, become 0. */
 static void kern_part_forces(kern_part *p)
 {
     kern_model *m = p->m;
@@ -5191,7 +5204,8 @@ static void kern_part_forces(kern_part *p)
     }
 }
 
-/* Writes x as forces. Returns 1 if they prove that the structure stands. */
+/* Writes x as contact forces. Returns 1 if the forces prove that the structure
+   stands. */
 static int kern_part_stands(kern_part *p, const kern_query *q)
 {
     kern_part_forces(p);
@@ -5204,10 +5218,10 @@ static int kern_part_stands(kern_part *p, const kern_query *q)
        min |x|^2 / 2,  A x = b,  x >= 0.
 
    The dual, max b.u - |max(0, A'u)|^2 / 2, has three unknowns for each group,
-   and x = max(0, A'u). It is concave and its curvature is piecewise constant,
-   so that Newton's method ends after a few steps. Its matrix is A_S A_S', of
-   the rays S that press at u. If no forces exist the dual grows without
-   limit. */
+   and x = max(0, A'u). The dual is concave and its curvature is piecewise
+   constant, so that Newton's method ends after a few steps. The matrix of
+   Newton's method is A_S A_S', where S is the set of rays that press at u. If
+   no forces exist, the dual grows without bound. */
 
 /* Writes to `way` the approach at which the law of contact i exerts the
    answer's force. Newton's method begins there, and so finds the least change
@@ -5261,8 +5275,8 @@ static inline void kern_part_rows(const kern_part *p, int k, kern_row row[2])
     row[1] = kern_model_row(p->m, 2 * p->contact[k] + 1);
 }
 
-/* w += the approach of the part's contact k along n and t by the motion v. The
-   difference of velocities is formed first, so that a rigid motion gives
+/* w += the approach of the part's contact k along n and t under the motion v.
+   The difference of velocities is formed first, so that a rigid motion gives
    exactly 0. */
 static inline void kern_part_speed(const kern_part *p, int k,
                                    const kern_real *v, kern_real *w)
@@ -5277,8 +5291,8 @@ static inline void kern_part_speed(const kern_part *p, int k,
     w[1] += row[1].turn * t[2];
 }
 
-/* b += the wrenches of the part's contact k with f along n and r along t. Those
-   on held blocks go to the last three numbers. */
+/* b += the wrenches of the part's contact k with force f along n and r along t.
+   Wrenches on held blocks go to the last three numbers. */
 static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
                                    kern_real r, kern_real *b)
 {
@@ -5288,13 +5302,14 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
     kern_row_exert(row + 1, f, r, b + 3 * p->ends[2 * k + 1]);
 }
 
-/* Of which motion an approach is: of the whole u, or of a step added to it. */
+/* The motion of which an approach is computed: a step added to u, or u
+   itself. */
 typedef enum kern_way_of { KERN_WAY_OF_STEP, KERN_WAY_OF_U } kern_way_of;
 
-/* Writes the approach of the supports along n and t: that of u to `way`, that
-   of the step to `turn`. The approach of u begins at minus the price of a stiff
-   contact, otherwise at the approach of the force that the contact has
-   already. */
+/* Writes the approach of the supports along n and t. The approach under u goes
+   to dual.way, and that under the step to dual.turn. The approach under u
+   begins at minus the price for a stiff contact, and otherwise at the approach
+   that gives the present force of the contact. */
 KERN_SHARED static void kern_norm_ways(kern_part *p, kern_way_of of)
 {
     const kern_dual *d = &p->dual;
@@ -5311,8 +5326,9 @@ KERN_SHARED static void kern_norm_ways(kern_part *p, kern_way_of of)
     }
 }
 
-/* Writes the gradient of the dual at u: b less the wrenches of the forces of u.
-   Returns the dual's value, and writes the largest force to *most. */
+/* Writes the gradient of the dual at u, which is b minus the wrenches of the
+   forces at u. Returns the value of the dual, and writes the largest force to
+   *most. */
 static kern_real kern_norm_gradient(kern_part *p, kern_real *most)
 {
     const kern_dual *d = &p->dual;
@@ -5343,8 +5359,8 @@ static void kern_part_add(kern_part *p, int k, const kern_law *s)
     kern_skyline_law(&p->dual.matrix, p->ends + 2 * k, row, s);
 }
 
-/* Writes the matrix of the contacts that press at u, or on a cold start of all
-   contacts, and shifts its diagonal. */
+/* Writes the matrix of the contacts that press at u (cold start: of all
+   contacts), and shifts its diagonal. */
 static void kern_norm_matrix(kern_part *p, kern_start start)
 {
     const int all = start == KERN_START_COLD;
@@ -5366,8 +5382,8 @@ static void kern_norm_matrix(kern_part *p, kern_start start)
     kern_skyline_shift(a, KERN_DUAL_SHIFT);
 }
 
-/* Returns the derivative of the dual along the step at u + share * step. `push`
-   is the contribution of the loads. */
+/* Returns the derivative of the dual along the step, at u + share * step.
+   `push` is the part of the derivative that the loads contribute. */
 static kern_real kern_norm_slope(const kern_part *p, kern_real push,
                                  kern_real share)
 {
@@ -5382,9 +5398,10 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
 }
 
 /* Returns the share of the step at which the dual is largest, by regula falsi,
-   since the dual is concave. It ends where the derivative is at most an eighth
-   of the first one, or with stiff contacts a thousandth, since the next prices
-   begin there. With stiff contacts each place is charged as work. */
+   since the dual is concave. The search ends where the derivative is at most an
+   eighth of the first one (KERN_SHARE_TOL), or with stiff contacts a thousandth
+   (KERN_SHARE_TOL_PRICED). With stiff contacts each place is charged as
+   work. */
 KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_dual *d = &p->dual;
@@ -5397,7 +5414,7 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
     kern_real at = 1;
     int round;
 
-    /* Grows the share until the derivative changes its sign, then cuts the
+    /* Increases the share until the derivative changes its sign. Then cuts the
        bracket where a linear derivative would be 0. */
     for (round = 0;
          round < (hi < KERN_INFINITY ? KERN_SHARE_PLACES : KERN_SHARE_GROWS);
@@ -5415,7 +5432,8 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
                                      (p->supports + 12) / KERN_PLACE_UNIT)))
             break;
 
-        /* The end with the same sign of the derivative moves. */
+        /* Moves the end of the bracket that has the same sign of the
+           derivative. */
         if (slope > 0) {
             at_hi /= 3; /* or the upper end might stay for many rounds */
             lo = at;
@@ -5429,8 +5447,9 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 }
 
 /* Finds the minimum-norm forces of a part's supports under the loads p->dual.b.
-   Returns KERN_STANDS with u; KERN_FALLS, which is no proof, if the norm
-   exceeds `bound`; KERN_UNDECIDED after `rounds` rounds; or KERN_LIMIT. */
+   Returns KERN_STANDS with u in p->dual.u, KERN_FALLS if the norm exceeds
+   `bound` (this is no proof), KERN_UNDECIDED after `rounds` rounds, or
+   KERN_LIMIT. */
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                   kern_real bound, kern_start start, int rounds)
 {
@@ -5439,20 +5458,19 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     int i, round;
     KERN_ASSERT(p->supports <= p->contacts);
 
-    /* A cold start begins at rest. The three numbers of held blocks are always
+    /* Sets u to 0 for a cold start. The three numbers of held blocks are always
        0. */
     for (i = start == KERN_START_COLD ? 0 : n; i < n + 3; i++)
         d->u[i] = d->step[i] = 0;
     kern_norm_ways(p, KERN_WAY_OF_U);
 
-    /* Each round balances the contacts that press now. */
+    /* Each round solves for the contacts that press at the present u. */
     for (round = (int)start; round < rounds; round++) {
         kern_real most, share;
         const kern_real value = kern_norm_gradient(p, &most);
 
-        /* Ends in equilibrium, or if the dual exceeds bound^2 / 2, half the
-           square of the largest norm: then there are no forces within the
-           bound. */
+        /* Ends if the forces are in equilibrium. Also ends if the dual exceeds
+           bound^2 / 2: then no forces have a norm within the bound. */
         if (kern_largest(d->grad, n) <= tolerance + KERN_RESIDUAL * most)
             return KERN_STANDS;
         if (!(value <= bound * bound / 2))
@@ -5460,8 +5478,8 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
         if (!kern_model_spend(p->m, d->cost))
             return KERN_LIMIT;
 
-        /* Takes Newton's step. That of a cold start is taken in full, since all
-           contacts are assumed to press. */
+        /* Takes Newton's step. The first step of a cold start is taken in full,
+           since all contacts are assumed to press. */
         kern_norm_matrix(p, round == 0 ? KERN_START_COLD : KERN_START_WARM);
         kern_skyline_factor(&d->matrix);
         kern_skyline_solve(&d->matrix, d->grad, d->step);
@@ -5482,9 +5500,10 @@ static int kern_graph_degree(const kern_graph *graph, int g)
     return n;
 }
 
-/* Lists the groups that contacts connect to `first`, from place n of the part
-   down, by breadth-first search. Of the new neighbours of a group those with
-   fewer contacts come first. Returns the place below the last group. */
+/* Lists the groups that contacts connect to `first` by breadth-first search.
+   Writes them to p->group from index n down. Of the new neighbours of a group
+   those with fewer contacts come first. Returns the index below the last group
+   written. */
 static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
@@ -5509,9 +5528,9 @@ static int kern_norm_layers(kern_part *p, int first, int n)
     return n;
 }
 
-/* Lists the groups that are not marked, which become the part, in an order that
-   makes rows of the factor short: breadth-first layers from a group at an end
-   of the structure, from the last place down (reverse Cuthill-McKee). */
+/* Makes a part of the groups that are not marked. Orders them so that rows of
+   the factor are short: in breadth-first layers from a group at an end of the
+   structure, from the last index down (reverse Cuthill-McKee). */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
@@ -5551,7 +5570,7 @@ static int kern_norm_open(kern_part *p, kern_model *m)
     return kern_part_ends(p) && kern_norm_lay(p, &p->rest);
 }
 
-/* Writes the forces of u. */
+/* Writes the contact forces for the approaches in dual.way. */
 static void kern_norm_write(kern_part *p)
 {
     kern_model *m = p->m;
@@ -5565,18 +5584,18 @@ static void kern_norm_write(kern_part *p)
 }
 
 /* ---- The top-down pass ------------------------------------------- >>pass */
-/* The pass balances the groups from top to bottom. A group passes its load, and
-   the forces from above, on to the contacts that carry it, by the least change
-   of their forces: a problem in three unknowns. A group that cannot be balanced
+/* The pass balances the groups from top to bottom. Each group is balanced by
+   the least change of the forces that carry it, under its load and the forces
+   from above: a problem in three unknowns. A group that cannot be balanced
    alone forms a cluster with the groups that rest on it. A group whose load
    changes is balanced again. Forces that balance every group prove that the
-   structure stands. If a cluster cannot be balanced, and its motion parts it
-   from all groups that rest on it, no forces from above could hold it: then it
-   is a part that falls.
+   structure stands. If a cluster cannot be balanced, and its motion separates
+   it from all groups that rest on it, no forces from above could hold the
+   cluster. Then it is a part that falls.
 
    A cluster, or the whole pass, has one of three outcomes. KERN_STANDS: its
-   groups are balanced. KERN_FALLS: a part that seems to fall is open.
-   KERN_UNDECIDED: it has no work memory or budget left. */
+   groups are balanced. KERN_FALLS: kern_part is open and seems to fall.
+   KERN_UNDECIDED: no work memory or budget is left. */
 
 /* Marks that the cluster of group g must be balanced. */
 static void kern_pass_mark_open(kern_model *m, int g)
@@ -5587,8 +5606,8 @@ static void kern_pass_mark_open(kern_model *m, int g)
         m->cluster.front = last;
 }
 
-/* Writes the force of contact i. If it changed, the cluster of group `carrier`
-   must be balanced again. */
+/* Writes the force of contact i. If it changes by more than the tolerance,
+   marks that the cluster of group `carrier` must be balanced again. */
 static void kern_pass_write(kern_model *m, int i, int carrier, kern_force f,
                             kern_real tolerance)
 {
@@ -5601,8 +5620,9 @@ static void kern_pass_write(kern_model *m, int i, int carrier, kern_force f,
     *to = f;
 }
 
-/* x := H^-1 b, from the lower half of a symmetric 3 x 3 matrix h. The unknown
-   of a pivot that is rounding becomes 0. Returns 1 if no pivot is small. */
+/* Solves h x = b for a symmetric 3 x 3 matrix h, of which it reads the lower
+   half. If a pivot is rounding, its unknown becomes 0. Returns 1 if no pivot is
+   small. */
 static int kern_pass_three(const kern_real h[9], const kern_real b[3],
                            kern_real x[3])
 {
@@ -5620,14 +5640,14 @@ static int kern_pass_three(const kern_real h[9], const kern_real b[3],
     return kern_min(d1, d2) > KERN_THREE_GOOD * (h[0] + h[4] + h[8]);
 }
 
-typedef struct kern_ray { /* an edge of a friction cone at the group      */
-    kern_real a[3];       /* wrench of a unit of x                        */
-    kern_real x;          /* its force, in units; below 0: no force       */
-    int press;            /* nonzero: it is in the matrix                 */
+typedef struct kern_ray { /* force along an edge of a friction cone       */
+    kern_real a[3];       /* its wrench on the group for x = 1            */
+    kern_real x;          /* magnitude, in units; below 0: no force       */
+    int press;            /* nonzero: the ray is in the matrix            */
 } kern_ray;
 
-/* Writes the two rays of a row, with their forces at the approach `way`, in
-   units. */
+/* Writes the two rays of a row, with their forces at the approach `way` divided
+   by `unit`. */
 static inline void kern_ray_pair(kern_ray *to, const kern_row *row,
                                  kern_real mu, const kern_real way[2],
                                  kern_real unit)
@@ -5640,10 +5660,10 @@ static inline void kern_ray_pair(kern_ray *to, const kern_row *row,
     to[0].press = to[1].press = 1;
 }
 
-/* Returns the unit of the forces of contact i, which is smaller for upright
-   joints, so that they take less of a load than beds. Otherwise each stone of a
-   course would push the next, and the last of a long course could not be
-   balanced alone. */
+/* Returns the unit of the forces of contact i. The unit of upright joints is
+   smaller, so that they take less of a load than beds. Otherwise each stone of
+   a course would push the next, and the last stone of a long course could not
+   be balanced alone. */
 static kern_real kern_pass_unit(const kern_model *m, int i)
 {
     const kern_vec g = m->s->gravity;
@@ -5651,8 +5671,8 @@ static kern_real kern_pass_unit(const kern_model *m, int i)
     return 4 * up * up < kern_vec_dot(g, g) ? KERN_SIDE_SHARE : KERN_R(1);
 }
 
-/* Writes b less the wrenches of the pressing rays, and the matrix of these
-   rays. */
+/* Writes b minus the wrenches of the pressing rays to `left`, and the matrix of
+   these rays to h. */
 static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
                          kern_real left[3], kern_real h[9])
 {
@@ -5674,17 +5694,18 @@ static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
     }
 }
 
-/* Finds the least change of the rays' forces after which they exert b, by
-   Newton's method with full steps. Returns KERN_STANDS; KERN_FALLS if the rays
-   cannot exert b; or KERN_UNDECIDED if the method does not end. */
+/* Finds the least change of the forces of the rays with which they exert the
+   wrench b, by Newton's method with full steps. Returns KERN_STANDS; KERN_FALLS
+   if the rays cannot exert b; or KERN_UNDECIDED if the method does not end. */
 static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
                                    kern_real tolerance)
 {
     kern_real left[3], h[9], step[3], u[3] = {0, 0, 0}, last = KERN_INFINITY;
     int k, round, same = 0; /* 1: the same rays press as in the last round */
     for (round = 0; round < KERN_ALONE_ROUNDS; round++) {
-        /* Writes the residual of the rays that press now. If they are those of
-           the last round the problem was linear: it is solved, or cannot be. */
+        /* Computes the residual of the rays that press now. If the same rays
+           pressed in the last round, that step solved a linear problem: if the
+           residual is still large, there is no solution. */
         const kern_real before = last / KERN_ALONE_PACE;
         int good, changed = 0;
         kern_ray_sum(c, n, b, left, h);
@@ -5694,8 +5715,8 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
         if (same && last > before)
             return KERN_FALLS;
 
-        /* Takes a full step. Other rays may press after it, except while a
-           solution is refined. */
+        /* Takes a full step. The set of pressing rays may change, except while
+           a solution is refined. */
         good = kern_pass_three(h, left, step);
         kern_add(u, 1, step, 3);
         for (k = 0; k < n; k++) {
@@ -5706,8 +5727,8 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
             }
         }
 
-        /* If there is nothing to refine, and the same rays press as before, it
-           is solved. */
+        /* Ends if the same rays press as before, and no pivot was small, so
+           that no refinement is needed. */
         if (good && !changed)
             return KERN_STANDS;
         same = !changed;
@@ -5715,8 +5736,9 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
     return KERN_UNDECIDED;
 }
 
-/* Balances group g alone. Returns KERN_FALLS if no forces of its contacts do,
-   KERN_UNDECIDED if it has too many contacts or the method does not end. */
+/* Balances group g alone. Returns KERN_FALLS if no forces of its contacts
+   balance it, KERN_UNDECIDED if it has too many contacts or the method does not
+   end. */
 static kern_status kern_pass_alone(kern_model *m, int g)
 {
     const kern_real tolerance = KERN_PASS_TOL * m->size[g];
@@ -5726,8 +5748,9 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     kern_status status;
     int e, k, n = 0;
 
-    /* The load is that of the group and of the contacts above it. Each contact
-       that carries the group gives two rays, with the forces that it has. */
+    /* Sums the loads of the group and of the contacts above it. Each contact
+       that carries the group gives two rays, which start from its present
+       force. */
     kern_copy(b, m->load + 3 * g, 3);
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
         const kern_row row = kern_model_row(m, e);
@@ -5773,7 +5796,8 @@ static void kern_pass_join(kern_model *m, int g, int h)
     } while (i != g);
 }
 
-/* Writes a mark for each group of g's cluster. Returns how many there are. */
+/* Writes `mark` to graph.local of each group of g's cluster. Returns the number
+   of these groups. */
 static int kern_pass_mark(kern_model *m, int g, int mark)
 {
     int i = g, n = 0;
@@ -5785,16 +5809,16 @@ static int kern_pass_mark(kern_model *m, int g, int mark)
     return n;
 }
 
-/* Joins the clusters that rest on that of `last`, which cannot be balanced, to
-   it, and leaves it open. Returns 0 if there are none, or if the cluster is now
-   too large. */
+/* Grows the cluster of `last`, which could not be balanced, by the clusters
+   that rest on it, and leaves it open. Returns 0 if no cluster rests on it, or
+   if it becomes too large. */
 static int kern_pass_grow(kern_model *m, int last)
 {
     const kern_clusters *c = &m->cluster;
     int g = last, after, e, grown = 0;
 
-    /* Joins the cluster of every group above. `after` is the next group before
-       the join: the groups of a joined cluster are not searched now. */
+    /* Joins the cluster of every group above. `after` is read before the join,
+       so that the groups of a joined cluster are not searched. */
     do {
         after = c->next[g];
         for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
@@ -5812,8 +5836,8 @@ static int kern_pass_grow(kern_model *m, int last)
 }
 
 /* Writes the minimum-norm forces of a part. A group that both rests on the part
-   and carries it joins the part on the second attempt. Otherwise the two would
-   be balanced in turns. */
+   and carries it joins the part on the second attempt. Otherwise the group and
+   the part would be balanced alternately without end. */
 static void kern_pass_keep(kern_part *p, kern_real tolerance)
 {
     kern_model *m = p->m;
@@ -5823,8 +5847,8 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
 
     open[last] |= KERN_TRIED;
 
-    /* Writes the force of each support. A group of the part is balanced now, so
-       only groups outside of it are to be balanced again. */
+    /* Writes the force of each support. The groups of the part are balanced, so
+       only groups outside of it must be balanced again. */
     for (k = 0; k < p->supports; k++) {
         const int i = p->contact[k], *ends = m->graph.ends + 2 * i;
         const kern_real *w = p->dual.way + 2 * k;
@@ -5842,9 +5866,9 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
     }
 }
 
-/* Returns 1 if u, the motion of a part that cannot be balanced, parts it from
+/* Returns 1 if the motion u of a part that cannot be balanced separates it from
    all groups that rest on it, and its loads do work. Then no force from above
-   can hold it. */
+   can hold the part. */
 static int kern_pass_parts(kern_part *p)
 {
     const kern_real most = KERN_PARTS_TOL
@@ -5852,11 +5876,12 @@ static int kern_pass_parts(kern_part *p)
     kern_real power = 0;
     int n, k;
 
-    /* The power of the loads. */
+    /* Sums the power of the loads. */
     for (n = 0; n < p->groups; n++)
         power += kern_dot(p->dual.u + 3 * n, p->m->load + 3 * p->group[n], 3);
 
-    /* No contact from above may close, not even along the edge of its cone. */
+    /* Checks that no contact from above closes, not even along an edge of its
+       cone. */
     for (k = p->supports; k < p->contacts; k++) {
         kern_real w[2] = {0, 0};
         kern_part_speed(p, k, p->dual.u, w);
@@ -5866,8 +5891,8 @@ static int kern_pass_parts(kern_part *p)
     return power > 0;
 }
 
-/* Opens the part of a cluster, and writes its minimum-norm forces if they
-   balance it. Returns KERN_FALLS if no forces would balance it with all other
+/* Opens the cluster of `last` as a part, and writes minimum-norm forces if
+   these balance it. Returns KERN_FALLS if no forces balance it with all other
    blocks held. */
 KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
                                               int last)
@@ -5877,8 +5902,8 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     kern_take take;
     int n;
 
-    /* Ends if there is no room for the part, or if the pass has too small a
-       budget left for a step. */
+    /* Ends if there is no room for the part, or if the rest of the budget is
+       too small for a step. */
     if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last))
         return KERN_NO_SPACE;
     take = p->rest;
@@ -5886,8 +5911,9 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
         || p->dual.cost > m->cluster.budget_end - m->task->work->units)
         return KERN_NO_SPACE;
 
-    /* The loads are those of the groups and of the contacts above them. `load`
-       is the sum of their magnitudes, and `least` sets the largest residual. */
+    /* Sums the loads of the groups and of the contacts above them. `load` is
+       the sum of the magnitudes of all loads. `least` is the smallest load of a
+       group, which sets the largest residual. */
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
@@ -5900,8 +5926,9 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.b[n]);
 
-    /* If the norm grows without limit no forces exist. The part falls only if
-       its motion parts it from all groups that rest on it. */
+    /* Finds the forces. If their norm exceeds its bound, no forces exist. Even
+       then the part falls only if its motion separates it from all groups that
+       rest on it. */
     status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_CLUSTER_NORM * load,
                             KERN_START_COLD, KERN_NORM_ROUNDS);
     if (status == KERN_STANDS)
@@ -5912,17 +5939,17 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     return status;
 }
 
-/* Balances the cluster of `last`. After KERN_FALLS a part that falls is
-   open. */
+/* Balances the cluster of `last`. After KERN_FALLS *p is the part that
+   falls. */
 static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
 {
     kern_status status = m->cluster.next[last] == last
                            ? kern_pass_alone(m, last)
                            : KERN_UNDECIDED;
 
-    /* A group that no forces hold falls as a part of its own if nothing rests
-       on it. Otherwise the groups above could hold it: then it is undecided,
-       and the cluster grows. */
+    /* A single group that no forces hold falls as a part of its own if nothing
+       rests on it. If groups rest on it, they could hold it: then the cluster
+       is undecided and grows. */
     if (status == KERN_FALLS) {
         if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last)
             || p->supports < p->contacts)
@@ -5936,8 +5963,8 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
 }
 
 /* Makes the next pass begin with the known forces, if there are any. If the
-   kerns are at least as large as those of the known forces, only the last block
-   is unbalanced. */
+   kerns are at least as large as when the known forces were found, the pass
+   must balance only the last block. */
 static void kern_known_begin(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
@@ -5952,9 +5979,9 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
         m->cluster.changed = m->graph.group[m->s->blocks - 1];
 }
 
-/* Begins a pass with the forces of the answer. All groups are open, or only the
-   one that known forces may not balance. A cluster may have one `share`-th of
-   all groups. */
+/* Begins a pass with the forces of the answer. Opens all groups, or only the
+   one that known forces may not balance. A cluster may have groups / share
+   groups. */
 static void kern_pass_begin(kern_model *m, int share)
 {
     kern_clusters *c = &m->cluster;
@@ -5971,16 +5998,16 @@ static void kern_pass_begin(kern_model *m, int share)
     }
 }
 
-/* Balances all open groups, alone or in clusters, which grow until they are
-   balanced or fall. */
+/* Balances all open groups, alone or in clusters. A cluster grows until it is
+   balanced or falls. */
 static kern_status kern_pass(kern_model *m, kern_part *p)
 {
     kern_clusters *c = &m->cluster;
     c->budget_end = m->task->work->units
                   + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
 
-    /* The front moves down, and back to a cluster that must be balanced again.
-       The budget ends a pass that does not settle. */
+    /* Moves the front down, and back up to a cluster that must be balanced
+       again. The budget ends a pass that does not converge. */
     while (c->front < m->graph.groups) {
         const int g = c->front++;
         kern_status status;
@@ -6001,9 +6028,9 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
 }
 
 /* ---- Interior point ---------------------------------------------- >>ipm */
-/* Gives the verdict on all groups at once, in about ten factorisations. The
-   first forces, x > 0, miss equilibrium by g. The program finds how much of g
-   can be removed:
+/* Finds the verdict on all groups at once, in about ten factorisations. The
+   first forces x > 0 have the residual g = A x - b. A program finds the share
+   of g that can be removed:
 
        max s,  A x + s g = b,  x >= 0,  s <= 0,
 
@@ -6011,30 +6038,30 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
 
        A x = b - s g,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray:
 
-   y is the mechanism by which it falls. A primal-dual method follows x z = mu >
-   0 to mu = 0. Its steps are Newton's,
+   If it does not, y is the mechanism. A primal-dual method follows x z = mu > 0
+   to mu = 0. Its steps are Newton's,
 
        M dy - g ds = A x~ + s g - b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
 
-   with x~ the forces for this mu. They are solved twice with one factor
-   (Mehrotra). The predictor, with mu = 0, tells how small mu may be and which
-   products dx dz the corrector has to include. Along a path the values x, y, z
-   and s of the last query are the start of the next. */
+   with x~ the forces for this mu. These equations are solved twice with one
+   factor (Mehrotra). The predictor, with mu = 0, gives the mu and the products
+   dx dz of the corrector. Along a path each query starts from x, y, z and s of
+   the last one. */
 
 typedef struct kern_ipm {
     kern_part *p; /* all groups; its x, y and eq.rhs are x, y, b  */
     kern_real s;
-    kern_real gap;     /* sum of x z: distance of s from the maximum   */
+    kern_real gap;     /* sum of x z: distance of s from its maximum   */
     kern_real *z;      /* of a ray: its opening speed                  */
     kern_real *dx;     /* of a ray: its step; z has its in dual.turn   */
     kern_real *d;      /* of a ray: D                                  */
     kern_real *excess; /* of a row: A x - b + s g                      */
-    kern_real *g;      /* of a row                                     */
+    kern_real *g;      /* of a row: residual of the first forces        */
     kern_real *gain;   /* of a row: M^-1 g                             */
 } kern_ipm;
 
 #ifndef KERN_NO_INTERIOR
-/* out := A'v, two rays a contact. */
+/* out := A'v: approaches of two rays for each contact. */
 static void kern_ipm_ways(const kern_part *p, const kern_real *v,
                           kern_real *out)
 {
@@ -6059,7 +6086,7 @@ static void kern_ipm_carry(const kern_part *p, const kern_real *x,
                         out);
 }
 
-/* Computes A x - b + s g, and the gap. */
+/* Computes in->excess = A x - b + s g, and the gap. */
 static void kern_ipm_excess(kern_ipm *in)
 {
     const kern_part *p = in->p;
@@ -6070,8 +6097,8 @@ static void kern_ipm_excess(kern_ipm *in)
     in->gap = kern_dot(p->x, in->z, 2 * p->contacts);
 }
 
-/* out := M^-1 b, with D = in->d. The diagonal of M is shifted by a share of its
-   mean. */
+/* Factors M with D = in->d and solves M out = b. The diagonal of M is shifted
+   by `shift` times its mean. */
 static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
                             kern_real *out)
 {
@@ -6093,7 +6120,7 @@ static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
     p->m->task->work->pivots++;
 }
 
-/* Returns the largest share of a step, at most 1, that keeps v above 0. */
+/* Returns the largest share of a step, at most 1, that keeps v non-negative. */
 static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
                                 int n)
 {
@@ -6105,7 +6132,7 @@ static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
     return share;
 }
 
-/* Raises products x z that are close to 0 to the mean of a gap. */
+/* Raises products x z below gap / rays to that value. */
 static void kern_ipm_centre(kern_ipm *in, kern_real gap)
 {
     const int rays = 2 * in->p->contacts;
@@ -6118,8 +6145,8 @@ static void kern_ipm_centre(kern_ipm *in, kern_real gap)
     kern_ipm_excess(in);
 }
 
-/* Solves Newton's equations once. in->dx holds x~ - x, and becomes the step of
-   x; writes dy to dual.step and dz to dual.turn. Returns ds. */
+/* Solves Newton's equations once. in->dx must hold x~ - x, and becomes dx.
+   Writes dy to dual.step and dz to dual.turn. Returns ds. */
 static kern_real kern_ipm_solve(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -6143,8 +6170,8 @@ static kern_real kern_ipm_solve(kern_ipm *in)
     return ds;
 }
 
-/* Takes one step: that of the predictor, then that of the corrector. Returns 0
-   if the limit of work or the digits are not enough for a step. */
+/* Takes one step with a predictor and a corrector. Returns 0 if no work is left
+   for a step, or if rounding spoils it. */
 static int kern_ipm_step(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -6158,8 +6185,8 @@ static int kern_ipm_step(kern_ipm *in)
         || !kern_model_spend(p->m, p->dual.cost))
         return 0;
 
-    /* Factors M = A D A', once for both solutions. If M is singular its
-       diagonal is shifted. */
+    /* Factors M = A D A', once for both solutions. Shifts its diagonal if M is
+       singular. */
     for (i = 0; i < rays; i++) {
         in->d[i] = p->x[i] / in->z[i];
         dx[i] = dz[i] = 0;
@@ -6169,8 +6196,9 @@ static int kern_ipm_step(kern_ipm *in)
         kern_ipm_factor(in, KERN_IPM_SHIFT, in->g, in->gain);
     kern_ipm_ways(p, p->y, p->dual.way);
 
-    /* The predictor aims at mu = 0. The corrector aims at the mu that the
-       predictor allows, and includes its products dx dz. */
+    /* Solves for the predictor, which aims at mu = 0, and then for the
+       corrector. The corrector aims at the mu that the predictor allows, and
+       includes the predictor's products dx dz. */
     for (corrects = 0;; corrects = 1) {
         for (i = 0; i < rays; i++)
             dx[i] = (mu - of_x * of_z * dx[i] * dz[i]) / in->z[i]
@@ -6187,14 +6215,14 @@ static int kern_ipm_step(kern_ipm *in)
         mu = in->gap * left * left * left / KERN_R(rays);
     }
 
-    /* Goes almost as far as x and z stay above 0. If the whole step keeps x
-       above 0, it takes all of it. */
+    /* Shortens the step so that x and z stay above 0. A whole step of x that
+       keeps x above 0 is taken in full. */
     left = kern_min(KERN_IPM_BACKOFF * left, KERN_IPM_BACKOFF);
     of_z -= of_z * left;
     if (of_x < 1)
         of_x -= of_x * left;
 
-    /* s is a rounded sum, which must not exceed 0. */
+    /* Takes the step. s must not exceed 0 by rounding. */
     in->s = kern_min(in->s + of_x * ds, 0);
     for (i = 0; i < rays; i++) {
         p->x[i] = kern_max(p->x[i] + of_x * dx[i], p->x[i] * KERN_IPM_KEEP);
@@ -6207,9 +6235,9 @@ static int kern_ipm_step(kern_ipm *in)
     return kern_is_finite(in->gap);
 }
 
-/* Removes A x - b by changing each force in proportion to itself, so that M is
-   far from singular although x / z has entries of all sizes. Returns 1 if the
-   forces then prove that the structure stands. */
+/* Removes the residual A x - b by a correction in which D = x, so that M is far
+   from singular, unlike with D = x / z. Returns 1 if the forces then prove that
+   the structure stands. */
 static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
 {
     kern_part *p = in->p;
@@ -6225,8 +6253,9 @@ static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
     return kern_part_stands(p, q);
 }
 
-/* Raises v above 0: by 1.5 times the magnitude of its least entry, if that is
-   negative, and by a small share of its largest. */
+/* Raises all entries of v above 0: by KERN_IPM_LIFT_LEAST times the magnitude
+   of the least entry if that is negative, and by a small share of the
+   largest. */
 static void kern_ipm_lift(kern_real *v, int n)
 {
     kern_real lift = 0;
@@ -6238,9 +6267,9 @@ static void kern_ipm_lift(kern_real *v, int n)
         v[i] += lift;
 }
 
-/* Writes a starting point: minimum-norm forces of both signs and a motion, both
-   raised above 0 (Mehrotra). Returns 0 if the forces are in equilibrium, or no
-   work is left. */
+/* Writes a starting point (Mehrotra): minimum-norm forces of both signs and the
+   opening speeds of a motion, both raised above 0. Returns 0 if the raised
+   forces are in equilibrium, or if no work is left. */
 static int kern_ipm_begin(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -6250,7 +6279,8 @@ static int kern_ipm_begin(kern_ipm *in)
     if (!kern_model_spend(p->m, p->dual.cost))
         return 0;
 
-    /* x: the least-norm solution of A x = b, all rays equally stiff, raised. */
+    /* Computes x: the least-norm solution of A x = b with equal stiffness of
+       all rays, raised above 0. */
     in->s = -1;
     for (i = 0; i < rays; i++) {
         in->z[i] = 0;
@@ -6261,11 +6291,12 @@ static int kern_ipm_begin(kern_ipm *in)
     kern_ipm_ways(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
 
-    /* g: the residual of these forces. */
+    /* Computes g: the residual of these forces. */
     kern_ipm_excess(in);
     kern_copy(in->g, in->excess, n);
 
-    /* y: the least motion with g.y = 1. z: its opening speeds, raised. */
+    /* Computes y, the least motion with g.y = 1, and z, its opening speeds
+       raised above 0. */
     kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
     power = kern_dot(in->g, in->gain, n);
     if (!(power > 0))
@@ -6279,14 +6310,15 @@ static int kern_ipm_begin(kern_ipm *in)
     return 1;
 }
 
-/* Opens all groups for queries like q. Returns 0 if there is no room. */
+/* Opens all groups as one part, for queries on the path of q. Returns 0 if
+   there is no room. */
 static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
                          const kern_query *q)
 {
     int rays, n;
 
-    /* Lists the contacts of all groups again if a program of all groups has
-       taken that memory. */
+    /* Groups the blocks again if a program of all groups has overwritten the
+       lists of their contacts. */
     if (m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
@@ -6301,9 +6333,9 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     if (!kern_take_fits(&p->rest))
         return 0;
 
-    /* The arrays lie one after the other: four of rays, then five of rows.
-       Those of rows have three more numbers for held blocks, except the
-       last. */
+    /* Divides the memory into arrays: four with a number for each ray, then
+       five with a number for each row. Each array of rows but the last has
+       three more numbers for held blocks. */
     in->z = p->x + rays;
     in->dx = in->z + rays;
     in->d = in->dx + rays;
@@ -6313,7 +6345,7 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     in->gain = in->g + n;
     p->eq.rhs = in->gain + n;
 
-    /* The search reads these of a program: no columns, and room for a rate. */
+    /* Sets the fields of p->eq that a search reads. */
     p->eq.rate = p->dual.grad;
     p->eq.shrink = KERN_INFINITY; /* there are no columns */
     kern_zero(p->y, 4 * n);       /* held blocks rest     */
@@ -6321,8 +6353,9 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     return 1;
 }
 
-/* Takes steps until forces with s = 0, or the motion, prove a verdict. Ends if
-   the gap is rounding, or if it falls more slowly than by KERN_IPM_PACE. */
+/* Takes steps until forces with s = 0, or the motion, prove a verdict. Ends
+   without one if the gap is rounding, or exceeds `pace`, which falls by
+   KERN_IPM_PACE with each step. */
 static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
                                 kern_real pace)
 {
@@ -6339,8 +6372,8 @@ static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
     return KERN_UNDECIDED;
 }
 
-/* Returns the verdict for a query. Starts with x, y, z and s of the last query,
-   and if that fails, from the beginning. */
+/* Returns the verdict for a query. Starts from x, y, z and s of the last query.
+   If that fails, starts again from kern_ipm_begin(). */
 static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
 {
     kern_part *p = in->p;
@@ -6353,8 +6386,8 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
     kern_model_arms(m, q);
     kern_part_load(p, q, p->eq.rhs);
 
-    /* Starts with the solution of the last query, which is close. Raising it a
-       little saves some rounds. */
+    /* Starts from the solution of the last query, raised a little above 0,
+       which saves some rounds. */
     if (in->gap <= KERN_IPM_GAP_MOST) {
         in->s = kern_min(in->s, -KERN_IPM_S);
         kern_ipm_centre(in, kern_max(in->gap, KERN_IPM_GAP));
@@ -6382,8 +6415,9 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 
 /* ---- Verdicts ------------------------------------------------- >>verdict */
 
-/* Lays out the linear program of a part, with as much room for factors as there
-   is. Returns 0 if there is not even the least room. */
+/* Takes the arrays for the linear program of a part, with as much room for
+   factors as the work memory has. Returns 0 if that is less than the least
+   room. */
 static int kern_part_lay(kern_part *p)
 {
     kern_equations *const eq = &p->eq;
@@ -6397,8 +6431,8 @@ static int kern_part_lay(kern_part *p)
     eq->lp = lp;
     eq->shrink = KERN_INFINITY; /* there are no columns */
 
-    /* Takes as much room for factors as the work memory has. With less room the
-       basis is factored again more often. */
+    /* Tries smaller and smaller rooms for factors. With less room the basis is
+       factored again more often. */
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
         eq->lp.a = eq->arc = kern_take_reals(&take,
@@ -6426,13 +6460,13 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     KERN_ASSERT(eq->lp.rows == 3 * p->groups);
     m->reduction = kern_reduction(q);
 
-    /* Units and loads depend on the whole query. */
+    /* Writes units and loads, which depend on the whole query. */
     for (k = 0; k < p->groups; k++)
         kern_model_unit(m, q, p->group[k]);
     kern_part_load(p, q, eq->rhs);
 
-    /* Columns depend on the shrinkage alone. If it has changed the basis must
-       be factored again. */
+    /* Writes the columns, which depend only on the shrinkage. If the shrinkage
+       has changed, the basis must be factored again. */
     if (eq->shrink >= q->shrink && eq->shrink <= q->shrink)
         return;
     eq->shrink = q->shrink;
@@ -6449,15 +6483,15 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     }
 }
 
-/* Returns 1 if the part has all groups: then forces on it prove that the
-   structure stands. */
+/* Returns 1 if the part has all groups. Only then do forces on the part prove
+   that the structure stands. */
 static int kern_part_is_whole(const kern_part *p)
 {
     return p->groups == p->m->graph.groups;
 }
 
-/* Returns the verdict if its proof holds, otherwise KERN_UNDECIDED. A part that
-   stands needs no proof, since it gives no verdict on the whole. */
+/* Returns `status` if its proof holds, and otherwise KERN_UNDECIDED.
+   KERN_STANDS of a part needs no proof, since it is no verdict on the whole. */
 static kern_status kern_part_prove(kern_part *p, const kern_query *q,
                                    kern_status status)
 {
@@ -6466,21 +6500,22 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     if (status < 0 || (status == KERN_STANDS && !whole))
         return status;
 
-    /* The motion proves a fall as it is, or after its prices have been refined
-       and lifted off the columns. */
+    /* Checks the motion y of a fall. If it proves nothing, refines y, lifts it
+       by KERN_LIFT and checks it once more. */
     for (again = 0; status == KERN_FALLS && again < 2; again++)
         if ((!again || kern_prices_mend(&p->eq.simplex, p->y, KERN_LIFT))
             && kern_part_falls(p, q))
             return status;
 
-    /* Forces may hold the structure within the tolerance even if the simplex
-       method found that none exist. */
+    /* Checks the forces x. They may hold the structure within the tolerance
+       even if the simplex method found that none exist. */
     return whole && kern_part_stands(p, q) ? KERN_STANDS : KERN_UNDECIDED;
 }
 
-/* Bounds the forces. If their sum exceeds KERN_BOUND, finds the forces of the
-   least sum, by costs of 1. If even that sum is too large, the prices are a
-   motion that proves it. Returns KERN_FALLS then, otherwise KERN_STANDS. */
+/* Bounds the sum of the forces. If it exceeds KERN_BOUND, finds the forces of
+   the least sum, by costs of 1. Returns KERN_FALLS if even that sum is too
+   large: the prices are then a motion that proves it. Otherwise returns
+   KERN_STANDS. */
 static kern_status kern_part_norm(kern_part *p, kern_solver solver)
 {
     kern_equations *const eq = &p->eq;
@@ -6500,7 +6535,8 @@ static kern_status kern_part_norm(kern_part *p, kern_solver solver)
                                                          : KERN_STANDS;
 }
 
-/* Returns how far rhs can move at the rate -eq.rate, or infinity. */
+/* Returns the largest distance by which rhs can move at the rate -eq.rate, or
+   infinity. */
 static kern_real kern_part_follow(kern_part *p)
 {
     kern_status status;
@@ -6529,8 +6565,8 @@ static kern_status kern_part_ask(kern_part *p, const kern_query *q,
 }
 
 /* Returns the verdict of the simplex method with its proof. If the first solve
-   ends without a proof, a second follows without a basis and without the
-   backend, since a long series of pivots may have lost digits. */
+   ends without a proof, solves again without a basis and without the backend,
+   since a long series of pivots may have lost digits. */
 static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
 {
     kern_status status = kern_part_prove(p, q,
@@ -6545,7 +6581,7 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
 
 /* Runs the top-down pass for a query that has been set, with clusters of at
    most one `share`-th of all groups. Returns KERN_STANDS with a proof;
-   KERN_FALLS with an open part that seems to fall; KERN_UNDECIDED; or
+   KERN_FALLS, where *p is an open part that seems to fall; KERN_UNDECIDED; or
    KERN_LIMIT. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
@@ -6562,17 +6598,17 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
             || (found == KERN_STANDS && kern_answer_holds(m, q)))
             return found;
 
-        /* Every group is balanced, but the forces prove nothing: the known
-           forces of groups that were not balanced again belong to other loads.
-           The pass is repeated without known forces. */
+        /* If every group is balanced but the forces prove nothing, repeats the
+           pass without known forces: in groups that were not balanced again,
+           these may belong to other loads. */
         if (found != KERN_STANDS || !m->answer.known)
             return KERN_UNDECIDED;
         kern_model_unload(m);
     }
 }
 
-/* Opens one linear program of all groups, which answers all later queries, each
-   beginning with the last basis. It overwrites the arrays of the pass. */
+/* Opens one linear program of all groups. It answers all later queries, each
+   time from the last basis. It overwrites the arrays of the pass. */
 static kern_status kern_model_whole(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
@@ -6585,7 +6621,7 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
     if (!kern_take_fits(&p->rest))
         return KERN_NO_SPACE;
 
-    /* The part has all groups and all contacts, in their order. */
+    /* Lists all groups and all contacts in their order. */
     for (g = 0; g < p->groups; g++)
         p->group[g] = g;
     for (k = 0; k < p->contacts; k++)
@@ -6594,9 +6630,9 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
     return m->whole ? KERN_OK : KERN_NO_SPACE;
 }
 
-/* Returns the verdict for a query with a proof, or KERN_UNDECIDED without one,
-   by the methods listed in >>method. After KERN_FALLS the falling part is
-   open. */
+/* Returns the verdict for a query if it has a proof, and otherwise
+   KERN_UNDECIDED. Tries the methods listed in >>method. After KERN_FALLS *p is
+   the falling part. */
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q)
 {
@@ -6606,20 +6642,20 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     if (!m->whole) {
         kern_model_set(m, q);
 
-        /* First the pass: if it balances every group the structure stands. */
+        /* Tries the pass: if it balances every group, the structure stands. */
         status = kern_model_pass(m, p, q, KERN_CLUSTER);
         if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
 
-        /* A part that seems to fall is small. Its own program gives the motion
-           that proves it. If that fails the part proves nothing. */
+        /* Solves a program of the part that seems to fall, which is small. If
+           its motion is no proof, the part is ignored. */
         if (status == KERN_FALLS && kern_part_lay(p)
             && kern_part_evaluate(p, q) == KERN_FALLS)
             return KERN_FALLS;
 
-        /* Then all groups at once. Many groups are solved by the interior
-           point. Few groups, or those that it leaves undecided, are solved by
-           one program, which is kept for later queries. */
+        /* Solves all groups at once. Many groups are solved by the interior
+           point. Few groups, and many that the interior point leaves undecided,
+           are solved by one program, which is kept for later queries. */
         status = m->graph.groups > KERN_SMALL ? kern_ipm_verdict(m, p, q)
                                               : KERN_UNDECIDED;
         if (status != KERN_UNDECIDED)
@@ -6630,9 +6666,9 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     }
     status = kern_part_evaluate(p, q);
 
-    /* The last resort, in double only: the interior point rounds differently
-       and needs other memory. In float its proofs are too coarse near the
-       critical value. */
+    /* Tries the interior point as a last resort: it rounds differently and
+       needs other memory. It is tried only in double, since in float its proofs
+       are too coarse near the critical value. */
     if (KERN_PICK(1, 0) > 0
         && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
             || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
