@@ -6687,8 +6687,9 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 
        P(s) = -y.rhs(s) > 0,   whose derivative is   P' = -y.(rhs' - A' x),
 
-   so it stops falling at s - P / P' (Newton's method). The steps converge
-   quadratically and from the falling side. */
+   so the mechanism stops falling at about s - P / P' (Newton's method). The
+   steps converge quadratically, and from the side on which the structure
+   falls. */
 
 typedef enum kern_path_kind {
     KERN_PATH_SHRINK,
@@ -6696,8 +6697,9 @@ typedef enum kern_path_kind {
     KERN_PATH_TILT
 } kern_path_kind;
 
-/* What a search evaluates: the whole; one part, with all other blocks held; or
-   the whole by its program, until the interior point takes over. */
+/* What a search evaluates. KERN_ASKED_WHOLE: the whole structure.
+   KERN_ASKED_PART: one part, with all other blocks held. KERN_ASKED_PROGRAM:
+   the whole by its linear program, until the interior point takes over. */
 typedef enum kern_asked {
     KERN_ASKED_WHOLE,
     KERN_ASKED_PART,
@@ -6712,19 +6714,23 @@ typedef struct kern_range {
 
 typedef struct kern_path {
     kern_path_kind kind;
-    kern_query q;            /* at s = 0; kern_path_at() changes it for s    */
+    kern_query q;            /* query at s = 0; kern_path_at() changes it for s
+                                                                             */
     kern_real unit;          /* of s: the mean block size, or 1              */
-    kern_real start, end;    /* of the search                                */
+    kern_real start, end;    /* first and last place of the search           */
     kern_real holds, fails;  /* the bracket: >>search                        */
-    kern_real critical;      /* value of the mechanism; <= holds: none       */
+    kern_real critical;      /* critical value of the last mechanism; <= holds:
+                                none                                         */
     kern_real predicted;     /* predicted value of the next mechanism        */
-    kern_range proven;       /* for the whole                                */
-    int never;               /* nonzero: it stands to the end                */
-    kern_part *part;         /* the part that fell last                      */
+    kern_range proven;       /* bracket that is proven for the whole         */
+    int never;               /* nonzero: the whole stands at all places to the
+                                end                                          */
+    kern_part *part;         /* the open part: the last one that fell        */
     const kern_known *known; /* of a similar structure, or NULL              */
     kern_asked asked;        /* what is evaluated                            */
     struct kern_ipm *ipm;    /* evaluates the whole, or NULL                 */
-    const kern_proof *proof; /* the caller's: last proof of each verdict     */
+    const kern_proof *proof; /* the caller's arrays: last proof of each verdict
+                                                                             */
 } kern_path;
 
 /* Returns the width to which a bracket is narrowed. */
@@ -6733,21 +6739,21 @@ KERN_SHARED static kern_real kern_width(const kern_path *path)
     return KERN_WIDTH * path->unit;
 }
 
-/* Returns the distance between the critical value and the proofs on both
-   sides. */
+/* Returns the distance from the critical value to the places beside it that are
+   to be proven. */
 KERN_SHARED static kern_real kern_half_width(const kern_path *path)
 {
     return kern_width(path) / 2;
 }
 
-/* Returns the largest distance between two proofs at which the search aims at
-   the value between them. */
+/* Returns the width of the widest bracket in which the search tries the
+   predicted critical value. */
 KERN_SHARED static kern_real kern_widest(const kern_path *path)
 {
     return kern_width(path) * KERN_WIDEST;
 }
 
-/* Returns the place at a distance before the critical value, but not before the
+/* Returns the place at `distance` below the critical value, but not below the
    start. */
 KERN_SHARED static kern_real kern_before(const kern_path *path,
                                          kern_real distance)
@@ -6782,8 +6788,9 @@ static kern_real kern_halved(kern_real t)
 }
 
 /* ---- Searching a path ------------------------------------------ >>search */
-/* The critical value of a path lies between a place that stands and one that
-   falls, the ends of a bracket, each with a proof:
+/* The critical value of a path lies between a place at which the structure
+   stands and a place at which it falls. They are the ends of a bracket, each
+   with a proof:
 
        start         holds     critical     fails                    end
          |-------------[-----------*-----------]----------------------|
@@ -6791,15 +6798,16 @@ static kern_real kern_halved(kern_real t)
                  prove that it          prove that it
                      stands                 falls
 
-   Each verdict moves an end. A mechanism predicts the value at which it stops
-   falling, so the next place lies just beyond that value. When nothing falls
-   there any more, the last place lies just before it. Four to eight verdicts
-   suffice.
+   Each verdict moves an end of the bracket. Each mechanism predicts the value
+   at which it stops falling, so the search tries the place just beyond that
+   value. Once the structure falls just beyond the value, the search tries the
+   place just before it. Four to eight verdicts suffice.
 
-   Two ends may lack a proof. If kerns are nested, the start of a search is
-   evaluated only if the critical value is close to it. A part that is evaluated
-   alone, with all other blocks held, proves that the whole falls, never that it
-   stands. Its lower end is discarded afterwards.
+   The lower end may lack a proof in two cases. If kerns are nested, the start
+   of a search is evaluated only if the critical value is close to it. A part
+   that is evaluated alone, with all other blocks held, can prove that the whole
+   falls, but not that it stands. So the lower end of a part's bracket is
+   discarded afterwards.
 
    A search tries the cheapest method first:
 
@@ -6808,15 +6816,16 @@ static kern_real kern_halved(kern_real t)
        parts       the pass just before that value: a part that it finds falls
        whole       one program, or the interior point, if the pass finds none
 
-   Each of them gives an upper bound, since fixing blocks never makes a
-   structure fall. Where kerns are not nested, verdicts may change many times. A
-   walk in even steps then finds the first place that falls. */
+   Each method gives an upper bound, since fixing blocks never makes a structure
+   fall. If kerns are not nested, the verdict may change many times along the
+   path. A walk in even steps then finds the first place at which the structure
+   falls. */
 
 /* ---- the value of a mechanism ---- */
 
-/* Returns the array that keeps the change of the forces of a basis from the
-   place where it fell to the predicted value. It is the memory of the answer's
-   forces, which only the verdict KERN_STANDS writes. */
+/* Returns an array for the change of the forces of a basis between the place
+   where it fell and the predicted value. The array uses the memory of
+   answer.force, which only the verdict KERN_STANDS writes. */
 static kern_real *kern_path_change(const kern_model *m)
 {
     return (kern_real *)(void *)m->answer.force;
@@ -6902,7 +6911,7 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     kern_real lo = path->holds, hi = q->shrink, at = hi, rate, step;
     int round;
 
-    /* Newton's method from kink to kink, kept in [lo, hi] */
+    /* Newton's method from kink to kink of the power, kept in [lo, hi] */
     for (round = 0;; round++) {
         const kern_real left = power + kern_shrink_power(p, q, at, p->x, &rate);
         step = left / rate;
@@ -6915,7 +6924,8 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     }
     at = round < KERN_BENDS ? at - step : path->holds;
 
-    /* the change of the forces takes power, which makes the step longer */
+    /* Halley's correction: the change of the forces lowers the power, so that
+       the step becomes longer */
     path->predicted = at;
     if (p->eq.shrink <= q->shrink
         && kern_simplex_along(&p->eq.simplex, p->eq.rate, change)) {
@@ -6928,8 +6938,8 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     return at;
 }
 
-/* Writes the rate at which rhs falls when the load grows, or the tangent of the
-   angle of gravity: to[0..3 groups). */
+/* Writes to to[0..3 groups) the rate at which rhs falls per unit of the load
+   factor, or of the tangent of the angle of gravity. */
 static void kern_path_rate(const kern_part *p, const kern_query *q,
                            kern_real *to)
 {
@@ -6956,8 +6966,8 @@ static kern_real kern_path_pushed(const kern_path *path, kern_real s,
 }
 
 /* Returns the place at which the mechanism p->y, which falls at s, stops
-   falling, by one step of Newton's method. It is exact except for kinks, and
-   for loads that stay when gravity turns. */
+   falling, by one step of Newton's method. The result is exact, except at kinks
+   and for loads that keep their direction when gravity turns. */
 static kern_real kern_path_newton(kern_path *path, const kern_query *q,
                                   kern_real s)
 {
@@ -6974,8 +6984,8 @@ static kern_real kern_path_newton(kern_path *path, const kern_query *q,
 /* ---- verdicts, which move the ends ---- */
 
 /* Returns 1 if the answer's motion proves that the whole falls at s. If the
-   path leaves out points that would stop the motion, it proves only a fall
-   without them. */
+   path leaves out points that travel, checks the motion again with these
+   points, which may stop it. */
 static int kern_path_falls_whole(const kern_model *m, const kern_path *path,
                                  kern_real s)
 {
@@ -6986,9 +6996,9 @@ static int kern_path_falls_whole(const kern_model *m, const kern_path *path,
     return kern_model_proven(m, kern_prove_motion(m->s, &q, m->answer.motion));
 }
 
-/* Records the verdict at s as an end of the bracket. If it is a verdict on the
-   whole its proof goes to the caller. The caller's motion is always that of the
-   closest place that falls. */
+/* Records the verdict at s as an end of the bracket. Copies the proof of a
+   verdict on the whole to the caller. The caller's motion is always that of the
+   lowest place that is proven to fall. */
 static void kern_path_note(const kern_model *m, kern_path *path,
                            kern_status status, kern_real s)
 {
@@ -7006,9 +7016,9 @@ static void kern_path_note(const kern_model *m, kern_path *path,
     kern_proof_out(m, path->proof, status);
 }
 
-/* Returns the verdict at s, and records it if it has a proof. The value of its
-   mechanism becomes the path's even without a proof, since rounding spoils
-   proofs near that value first. */
+/* Returns the verdict at s, and records it if it has a proof. Sets
+   path->critical to the value of a mechanism that falls, even if the mechanism
+   is no proof, since near that value rounding spoils proofs first. */
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s)
 {
@@ -7024,9 +7034,10 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Returns 1 if the forces of the basis that fell just beyond the critical value
-   prove that the structure stands at s, just before it. At s they differ by the
-   change that kern_shrink_critical() wrote, and kerns are larger. */
+/* Returns 1 if the last basis, which fell just beyond the critical value,
+   proves that the structure stands at s, just before the value. Its forces at s
+   differ by the change that kern_shrink_critical() wrote, and act on larger
+   kerns. */
 static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 {
     kern_part *p = path->part;
@@ -7048,10 +7059,10 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 
 /* ---- the bracket ---- */
 
-/* Returns the place at which a bracket is cut. The first place is close to the
-   lower end, where forces are small. Later places halve the wider of the two
-   ranges below and above the undecided places. Returns infinity if both are
-   narrow. */
+/* Returns the place at which the bracket is cut. The first cut is close to the
+   lower end, where forces are small. Later cuts halve the wider of the two
+   ranges below and above the undecided places. Returns infinity if both ranges
+   are narrow. */
 static kern_real kern_path_cut(const kern_path *path, const kern_range *dark)
 {
     const kern_real lo = path->holds, hi = path->fails;
@@ -7076,17 +7087,18 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     const kern_real critical = path->critical, predicted = path->predicted;
     kern_real aim;
 
-    /* 1. The start has no proof yet, and the critical value is close to it. */
+    /* 1. The start has no proof yet, and the critical value is close to it:
+       prove the start. */
     if (path->asked != KERN_ASKED_PART && path->proven.low < lo
         && kern_min(critical, hi) < lo + 2 * offset)
         return lo;
 
-    /* 2. The bracket is narrow. */
+    /* 2. The bracket is narrow: done. */
     if (hi - lo <= offset / 8)
         return KERN_INFINITY;
 
-    /* 3. The bracket has no value of a mechanism, or proofs fail too far around
-       it. */
+    /* 3. The bracket has no value of a mechanism, or places too far around that
+       value are undecided: cut the bracket. */
     if (!(critical > lo && critical <= hi) || 2 * offset > kern_widest(path))
         return kern_path_cut(path, dark);
 
@@ -7102,11 +7114,12 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     return KERN_INFINITY;
 }
 
-/* Narrows [holds, fails] to the tolerance around path->critical. Returns
-   KERN_STANDS then, or KERN_FALLS if the structure falls at the start, which
-   had no proof. In a jam there are no proofs close to the value. Each place
-   without a proof doubles the distance. From then on the least value is kept,
-   since mechanisms of places farther away predict it less well. */
+/* Narrows [holds, fails] to the tolerance around path->critical and returns
+   KERN_STANDS. Returns KERN_FALLS if the structure falls at the start, which
+   had no proof. In a jam there are no proofs close to the critical value, so
+   each place without a proof doubles the distance of the next place. From then
+   on the least value of a mechanism is kept, since places farther away predict
+   it less well. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
     kern_real offset = kern_half_width(path);
@@ -7119,19 +7132,21 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         if (!(at < KERN_INFINITY))
             break;
 
-        /* Just before the value the forces of the last basis may be a proof. */
+        /* Tries the forces of the last basis just before the value, then a
+           verdict. */
         if (!(at < value && kern_path_forces(m, path, at)))
             status = kern_path_evaluate(m, path, at);
         if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
             return status;
 
-        /* After a place without a proof the least value so far is kept. */
+        /* Keeps the least value so far after a place without a proof. */
         if (offset > kern_half_width(path) && value > path->holds)
             path->critical = kern_min(path->critical, value);
         if (path->asked == KERN_ASKED_PROGRAM && !m->whole)
             return KERN_UNDECIDED;
 
-        /* No proof here: go farther away, and record the undecided places. */
+        /* Without a proof, doubles the distance and records the undecided
+           place. */
         if (status == KERN_UNDECIDED) {
             offset *= 2;
             dark.low = kern_min(dark.low, at);
@@ -7139,8 +7154,8 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         }
     }
 
-    /* A bracket that stayed wide is no answer. The value lies inside of the
-       bracket. */
+    /* A bracket that is still wide is no answer. The value must lie inside of
+       the bracket. */
     if (path->fails - path->holds > KERN_ANSWER * kern_width(path)
         && path->asked != KERN_ASKED_PART)
         return KERN_UNDECIDED;
@@ -7160,9 +7175,10 @@ static kern_status kern_path_saturate(kern_path *path)
 }
 
 /* Returns 1 if the structure stands at every place from `at` to path->holds
-   while gravity turns under loads that stay. The gravities under which it
-   stands are a convex set. The arc lies in the triangle of its ends and of the
-   point where their tangents intersect. */
+   while gravity turns under fixed loads. It evaluates one more gravity vector,
+   where the tangents at the two ends of the arc of gravity intersect. The
+   vectors under which the structure stands are a convex set, and the arc lies
+   in the triangle of these three points. */
 static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
 {
     kern_query q = kern_path_at(path, path->holds);
@@ -7173,10 +7189,10 @@ static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
     return kern_model_evaluate(m, path->part, &q) == KERN_STANDS;
 }
 
-/* Climbs from a place that stands until the whole falls, and then finds the
-   critical value. The first step is `first`, later ones grow from `step`, and a
-   step without a proof is halved. even: the least step if verdicts may change
-   more than once, or 0. */
+/* Steps from a place at which the whole stands until the whole falls, and then
+   finds the critical value. The first step is `first`, and later ones grow from
+   `step`. A step without a proof is halved. `even` is the least step if the
+   verdict may change more than once along the path, otherwise 0. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step,
                                    kern_real even)
@@ -7191,7 +7207,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         if (path->asked == KERN_ASKED_PROGRAM && !m->whole)
             return KERN_UNDECIDED;
 
-        /* nothing between the two places falls */
+        /* the structure stands at all places between `at` and `next` */
         if (status == KERN_STANDS && (sure || kern_turn_holds(m, path, at))) {
             if (next >= path->end)
                 return kern_path_saturate(path);
@@ -7200,14 +7216,14 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
             continue;
         }
 
-        /* the verdict changes once between them */
+        /* the verdict changes once between `at` and `next` */
         if (status == KERN_FALLS && sure)
             return kern_path_critical(m, path);
         if (status < KERN_UNDECIDED || small)
             return status;
 
-        /* unknown: a smaller step from the same place, with the proof of that
-           place */
+        /* unknown between them: tries a smaller step from `at`, whose proof is
+           written again */
         step = first /= 2;
         path->holds = at;
         if (status == KERN_STANDS)
@@ -7217,14 +7233,14 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
 }
 
 /* ---- bodies ---- */
-/* A body is a block with all blocks that rest on it alone, moved as one. If a
-   single line carries it, it tips where its load leaves the kern, with all
-   other blocks held, and then the whole falls. Most structures have the
-   critical value of a body. */
+/* A body is a block with all blocks that rest on nothing else, moved as one. A
+   body that is carried by a single line tips where its load leaves the kern,
+   with all other blocks held. Then the whole falls. The critical value of most
+   structures is that of a body. */
 
-/* Returns the end at body g of the first contact of the line that carries it,
-   or KERN_OUT if other contacts carry it. Sets graph.carrier to the group that
-   alone carries the body. */
+/* Returns the end at body g of the first point of the line that carries the
+   body, or KERN_OUT if it is not carried by a single line. Sets graph.carrier
+   to the only group that carries the body, or to KERN_OUT. */
 KERN_SHARED static int kern_body_line(kern_model *m, int g)
 {
     int e, n = 0, first = KERN_OUT, on = KERN_OUT;
@@ -7242,10 +7258,10 @@ KERN_SHARED static int kern_body_line(kern_model *m, int g)
              : KERN_OUT;
 }
 
-/* Returns the place at which body g tips under load b on the line that begins
-   with end *e, and sets *e to the end about which it tips. Returns infinity if
-   the body is not pressed to the line, or still stands when its kern is
-   closed. */
+/* Returns the shrinkage at which body g tips under its load b on the line that
+   begins with the contact end *e. Sets *e to the end about which the body tips.
+   Returns infinity if the load does not press the body to the line, or if the
+   body stands even with its kern closed. */
 static kern_real kern_body_critical(const kern_model *m, int g, int *e,
                                     const kern_real *b, kern_real offset)
 {
@@ -7264,9 +7280,10 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
     if (!(normal > 0))
         return KERN_INFINITY;
 
-    /* Each end moves toward the load at its rate. The end that meets the load
-       first is the hinge. */
-    place = (b[2] - along * row.turn) / normal; /* of the load, as an arm */
+    /* The ends of the kern move toward the load. The end that meets it first is
+       the hinge. */
+    place = (b[2] - along * row.turn) / normal; /* arm at which the load meets
+                                                   the line               */
     crit = (place - row.n[2]) / rate;
     other = (last.n[2] - place) / rate;
     if (other < crit) {
@@ -7274,13 +7291,13 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
         *e += 2;
     }
 
-    /* The kern closes at `most`. If no end has met the load before, none
+    /* The kern closes at `most`. An end that has not met the load by then never
        does. */
     return crit + offset <= most ? crit : KERN_INFINITY;
 }
 
-/* Writes the motion of a body about end e of its line at s, scaled so that its
-   largest speed is 1. */
+/* Writes the motion of a body that tips about end e of its line at shrinkage s,
+   scaled so that its largest speed is 1. */
 static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
 {
     const kern_contact *c = m->s->contact + (e >> 1);
@@ -7305,8 +7322,8 @@ static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
     kern_motion_scale(m->s, m->answer.motion);
 }
 
-/* Adds the load of group g, in its units, to that of the group that carries
-   it. */
+/* Adds the load of group g to the load of group `on` that carries it. Each load
+   is in the units of its own group. */
 static void kern_body_load(const kern_model *m, int g, int on, kern_real *load)
 {
     const kern_real *from = load + 3 * g;
@@ -7319,22 +7336,22 @@ static void kern_body_load(const kern_model *m, int g, int on, kern_real *load)
            * m->unit[on];
 }
 
-/* Finds the body with the least critical value. Writes its value, the places
-   beside it, and its motion, which is the answer's. out->margin is infinity if
-   no body tips. */
+/* Finds the body with the least critical value. Writes this value, the places
+   beside it, and the motion of the body, which is in the answer's array.
+   out->margin is infinity if no body tips. */
 static void kern_body_first(kern_model *m, const kern_path *path,
                             kern_known *out)
 {
     const kern_real offset = kern_half_width(path);
-    kern_real *load = m->answer.sum; /* three a body, in its units */
+    kern_real *load = m->answer.sum; /* three numbers a body       */
     int g, first = KERN_OUT, about = 0;
     out->margin = KERN_INFINITY;
     out->motion = m->answer.motion;
     if (!kern_model_ask(m, 1))
         return;
 
-    /* The order is from top to bottom, so that the load of a body is complete
-       before it is added to the body that carries it. */
+    /* Visits the bodies from top to bottom, so that the load of a body is
+       complete before it is added to the body that carries it. */
     kern_copy(load, m->load, 3 * m->graph.groups);
     for (g = 0; g < m->graph.groups; g++) {
         int end = kern_body_line(m, g);
@@ -7352,7 +7369,7 @@ static void kern_body_first(kern_model *m, const kern_path *path,
             kern_body_load(m, g, on, load);
     }
 
-    /* The least value, the places beside it, and the motion at the upper
+    /* Writes the places beside the least value, and the motion at the upper
        one. */
     out->holds = out->margin - offset;
     out->fails = out->margin + offset;
@@ -7374,8 +7391,8 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
 }
 
 /* Returns 1 if the motion of `value` proves that the structure falls at
-   value->fails. Then that is the upper end, and value->margin the critical
-   value. */
+   value->fails. That place then becomes the upper end, and value->margin the
+   critical value. */
 static int kern_start_falls(kern_model *m, kern_path *path,
                             const kern_known *value)
 {
@@ -7388,9 +7405,9 @@ static int kern_start_falls(kern_model *m, kern_path *path,
 }
 
 /* Returns the verdict on the open part alone at s, with all other blocks held.
-   After KERN_FALLS path->critical is the critical value of the part. A part
-   that stands proves nothing about the whole: then it returns KERN_UNDECIDED.
-   `holds` is unchanged. */
+   After KERN_FALLS path->critical is the critical value of the part. Returns
+   KERN_UNDECIDED if the part stands, which proves nothing about the whole.
+   path->holds is unchanged. */
 static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_real holds = path->holds;
@@ -7411,8 +7428,8 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
 }
 
 /* Returns 1 if the blocks that moved in the known structure, together with the
-   last block, are a small part that falls at s. Its critical value becomes the
-   path's. */
+   last block, are a small part that falls at s. path->critical is then the
+   critical value of this part. */
 static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_motion *motion = m->answer.known->motion;
@@ -7439,8 +7456,8 @@ static int kern_known_fits(const kern_path *path)
         && known->holds <= known->margin && known->margin <= known->fails;
 }
 
-/* Returns the place where a search begins. Sets an upper end if there is
-   one. */
+/* Returns the place where a search begins. Sets the upper end of the bracket,
+   if one is known. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
@@ -7452,11 +7469,11 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     kern_model_weigh(m, &path->q); /* the same for all places */
     m->reduction = kern_reduction(&path->q);
 
-    /* 1. The known motion still falls: just before its value. */
+    /* 1. The known motion is still a fall: begin just before its value. */
     if (known && kern_start_falls(m, path, known))
         return at;
 
-    /* 2. A body tips: just before its value, but not before the start. */
+    /* 2. A body tips: begin just before its value, but not before the start. */
     kern_body_first(m, path, &body);
     if (body.margin < most) {
         if (body.holds > path->start)
@@ -7464,22 +7481,23 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
         return kern_max(path->start, body.holds);
     }
 
-    /* 3. The blocks that moved in the known structure fall with the new
-       block. */
+    /* 3. The blocks that moved in the known structure fall together with the
+       new block: begin just before the value of this part. */
     if (m->answer.known && kern_known_part(m, path, most))
         return kern_before(path, kern_half_width(path));
 
-    /* 4. Nothing is known to fall: where it stood, or a step from the start. */
+    /* 4. No fall is known: begin where the known structure stood, or a step
+       from the start. */
     path->fails = KERN_INFINITY;
     return at;
 }
 
 /* ---- the search: which method is asked when ---- */
 
-/* Finds the critical value of the whole where a load grows or gravity turns, by
-   one program: the largest place, or the largest tangent of an angle, that rhs
-   can reach. The prices are the mechanism. Returns KERN_UNDECIDED if the path
-   ends first. */
+/* Finds the critical value of the whole on a path of a load or a tilt, by one
+   program: the largest load, or the largest tangent of the angle, for which
+   forces exist. The prices are the mechanism. Returns KERN_UNDECIDED if the
+   path ends before that value. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path)
 {
     kern_part *p = path->part;
@@ -7501,8 +7519,8 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     return kern_path_critical(m, path);
 }
 
-/* Finds the critical value in the bracket, or by a climb if there is no
-   bracket. */
+/* Finds the critical value in the bracket, or by kern_path_climb() if there is
+   no bracket. */
 static kern_status kern_path_narrow(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
@@ -7515,7 +7533,7 @@ static kern_status kern_path_narrow(kern_model *m, kern_path *path,
     return kern_path_climb(m, path, first, step, KERN_R(0));
 }
 
-/* Makes a basis for the program of all groups from the known forces. */
+/* Makes a first basis for the program of all groups from the known forces. */
 static void kern_known_start(kern_model *m, kern_part *p)
 {
     int k;
@@ -7530,7 +7548,7 @@ static void kern_known_start(kern_model *m, kern_part *p)
 }
 
 /* Finds the critical value of the whole beyond path->holds by the interior
-   point. q is the query there. */
+   point. q is the query at path->holds. */
 static kern_status kern_path_interior(kern_model *m, kern_path *path,
                                       const kern_query *q, kern_real first,
                                       kern_real step)
@@ -7546,8 +7564,8 @@ static kern_status kern_path_interior(kern_model *m, kern_path *path,
 }
 
 /* Finds the critical value of the whole beyond path->holds by its linear
-   program. q is the query there. Returns KERN_UNDECIDED at the first place that
-   the program cannot decide if the interior point can continue from there. */
+   program. q is the query at path->holds. If the interior point can take over,
+   returns KERN_UNDECIDED at the first place that the program cannot decide. */
 static kern_status kern_path_program(kern_model *m, kern_path *path,
                                      const kern_query *q, kern_real first,
                                      kern_real step)
@@ -7556,7 +7574,7 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
                                   : kern_model_whole(m, path->part, q);
     if (status != KERN_OK)
         return status;
-    /* without the points that are left out the basis may lack columns */
+    /* the basis could lack columns if points were left out */
     if (m->answer.known && path->q.carry == KERN_CARRY_ALL)
         kern_known_start(m, path->part);
     if (path->kind != KERN_PATH_SHRINK)
@@ -7567,10 +7585,10 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
 }
 
 /* Finds the critical value of the whole beyond path->holds. Many groups are
-   solved by the interior point, which first shrinks kerns half as far, since
-   fewer mechanisms fall there. If it finds nothing the program follows. Few
-   groups are solved by the program. If it cannot decide a place, as in a jam,
-   the interior point narrows the remaining bracket. */
+   solved by the interior point, whose first step of shrinkage is half as long,
+   since fewer mechanisms fall there. If it finds no value, the program is
+   tried. Few groups are solved by the program. If the program cannot decide a
+   place, as in a jam, the interior point narrows the remaining bracket. */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
@@ -7586,8 +7604,8 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     if (status != KERN_UNDECIDED)
         return status;
 
-    /* The program. For few groups, in double, the interior point continues
-       where a place has no proof. */
+    /* Tries the program. For few groups, in double, the interior point
+       continues from a place without a proof. */
     if (!many && KERN_PICK(1, 0) > 0)
         path->asked = KERN_ASKED_PROGRAM;
     status = kern_path_program(m, path, &q, first, step);
@@ -7597,9 +7615,9 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
              : status;
 }
 
-/* Finds the critical value by the pass, beginning at a place `at`. Each part
-   that falls lowers the value, and the next pass is just before it, until no
-   part falls. Then the whole is solved. */
+/* Finds the critical value by the pass. Each part that falls gives a lower
+   value, and the next pass is just before that value, until no part falls. Then
+   the whole is solved. */
 static kern_status kern_path_parts(kern_model *m, kern_path *path,
                                    kern_real step)
 {
@@ -7618,7 +7636,7 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
         else if (status == KERN_FALLS)
             status = kern_path_part(m, path, at);
 
-        /* a part falls: the next pass is before its value */
+        /* a part falls: the next pass is just before its critical value */
         if (status == KERN_FALLS && path->fails > path->start) {
             at = kern_before(path, kern_half_width(path));
             kern_model_unload(m);
@@ -7627,12 +7645,12 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
             continue;
         }
 
-        /* it stands before the value, or the pass cannot decide, or it falls at
-           the start */
+        /* ends if the whole stands just before the value, if the pass cannot
+           decide, or if a part falls at the start */
         if (status != KERN_STANDS || path->fails < KERN_INFINITY)
             break;
 
-        /* it stands and nothing is known to fall: a step farther */
+        /* the whole stands and no fall is known: takes one more step */
         if (at >= path->end)
             return kern_path_saturate(path);
         at = kern_min(at + step, path->end);
@@ -7643,9 +7661,10 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
              : kern_path_whole(m, path, at - path->holds, step);
 }
 
-/* Finds the critical value of a path beyond path->holds. There the structure
-   stands, or is evaluated if kerns are nested. even: the width of a walk's
-   steps if verdicts may change more than once, or 0. */
+/* Finds the critical value of a path beyond path->holds. The structure must
+   stand at path->holds; if kerns are nested, the search itself evaluates that
+   place if necessary. `even` is the step of a walk if the verdict may change
+   more than once along the path, otherwise 0. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real even)
 {
@@ -7677,18 +7696,20 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 }
 
 /* ---- nested first ---- */
-/* Points that travel make kerns not nested, but few structures need them.
-   Without these points kerns are nested, and a search replaces the walk:
+/* If points travel, kerns are not nested. Few structures need these points to
+   stand. Without them kerns are nested, and a search replaces the walk. Its two
+   ends mean:
 
        forces without the points    also hold the whole, at every smaller place
                                     too: the whole stands up to there
        a motion without the points  may close one of them. If it is a proof with
                                     all points, the whole falls there
 
-   If it is not, a walk continues from the place that is proven. */
+   If that motion is no proof, a walk continues from the last place that is
+   proven to stand. */
 
-/* Leaves points that travel out of the path, or includes them again. Known
-   forces that load such a point are no use without it. */
+/* Leaves points that travel out of the queries of the path, or includes them
+   again. Discards known forces that load a point that is left out. */
 static void kern_path_carry(kern_model *m, kern_path *path, kern_carry carry)
 {
     int i;
@@ -7701,7 +7722,7 @@ static void kern_path_carry(kern_model *m, kern_path *path, kern_carry carry)
 }
 
 /* Finds the critical value if kerns are not nested, first without the points
-   that travel. even: width of the walk's steps, which begin at 0. */
+   that travel. `even` is the step of the walk, which begins at 0. */
 static kern_status kern_path_scan(kern_model *m, kern_path *path,
                                   kern_real even)
 {
@@ -7712,13 +7733,13 @@ static kern_status kern_path_scan(kern_model *m, kern_path *path,
         return status;
     kern_path_carry(m, path, KERN_CARRY_ALL);
 
-    /* both ends are proven for the whole, or it falls at 0 */
+    /* ends if both ends are proven for the whole, or if it falls at 0 */
     if ((status == KERN_STANDS
          && (path->never || path->proven.high <= path->fails))
         || (status == KERN_FALLS && path->proven.high <= 0))
         return status;
 
-    /* the walk has steps from 0 and begins with the last one that is proven */
+    /* begins the walk at its last step that is proven to stand */
     path->never = 0;
     path->holds = KERN_R(0);
     if (path->proven.low < 0)
@@ -7732,7 +7753,7 @@ static kern_status kern_path_scan(kern_model *m, kern_path *path,
 
 /* ---- The measures --------------------------------------------- >>measure */
 
-/* Makes the path one along which a load grows or gravity turns. */
+/* Sets the path to one along which a load grows or gravity turns. */
 KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
                                        const kern_wrench *pattern,
                                        kern_side side)
@@ -7743,15 +7764,15 @@ KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
     path->unit = 1;
 }
 
-/* The state of a call. */
+/* State of a call to a measure. */
 typedef struct kern_call {
     kern_model m;
     kern_part part;
     kern_path path;
 } kern_call;
 
-/* Checks the task, charges for that, and opens its path, on which kerns shrink.
-   `out` is the address of the result. */
+/* Checks the task, charges the check, and opens a path on which kerns shrink.
+   `out` is the address of the caller's result. */
 static kern_status kern_call_open(kern_call *c, const kern_task *task,
                                   kern_real shrink, const void *out)
 {
@@ -7760,7 +7781,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* Reading and checking the arrays is work, too. */
+    /* Charges the reading and checking of the arrays. */
     if (!kern_spend(task->work, task->options.limit,
                     1 + (task->s.blocks + task->s.contacts) / KERN_CALL_UNIT))
         return KERN_LIMIT;
@@ -7768,7 +7789,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* A path without a bracket, a proof or known forces. */
+    /* Sets a path without a bracket, a proof or known forces. */
     path->kind = KERN_PATH_SHRINK;
     path->part = &c->part;
     path->proof = NULL;
@@ -7784,8 +7805,8 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     return kern_model_open(&c->m, task, &path->q);
 }
 
-/* Opens a call whose result is a number. The number is -1 if the limit ends the
-   call before the task is read. */
+/* Opens a call whose result is a number. Sets the number to -1 if the limit
+   ends the call before it has read the task. */
 KERN_SHARED static kern_status kern_number_open(kern_call *c,
                                                 const kern_task *task,
                                                 kern_real shrink,
@@ -7805,16 +7826,17 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     if (status != KERN_OK)
         return status;
 
-    /* The path's first query is the task at `shrink`. */
+    /* Evaluates the path's first query, which is the task at `shrink`. */
     status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
     kern_proof_out(&c.m, proof, status);
     return kern_ended(task, status);
 }
 
-/* Finds the level by Algorithm 1 of the paper: the first k at which kerns
-   shrunk by k steps do not hold; last + 1 if there is none, -1 if a verdict is
-   undecided. All steps up to path->holds hold. If kerns are nested no step from
-   path->fails on does. */
+/* Finds the level by Algorithm 1 of the paper: the first k at which the
+   structure falls with kerns shrunk by k steps. The level is last + 1 if there
+   is no such k, and -1 if a verdict is undecided. The structure stands at all
+   steps up to path->holds. If kerns are nested, it falls at all steps from
+   path->fails on. */
 static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                             int last, kern_margin *out)
 {
@@ -7833,9 +7855,9 @@ static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                                        : -1;
 }
 
-/* Computes the margin of an open task, from what is known of a similar
-   structure. If kerns are not nested every level is at one of the even
-   steps. */
+/* Computes the margin of an open task, starting from the known results of a
+   similar structure. If kerns are not nested, every level falls on one of the
+   even steps. */
 static kern_status kern_measure_task(kern_call *c, const kern_known *known,
                                      kern_margin *out, const kern_proof *proof)
 {
@@ -7852,8 +7874,8 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     kern_model_know(&c->m, known);
     path->end = r.most;
 
-    /* The number of steps of the level. At the last step every kern is
-       closed. */
+    /* Computes the number of steps of Algorithm 1. At the last step every kern
+       is closed. */
     if (!(r.epsilon > 0))
         r.epsilon = path->q.relative ? KERN_LEVEL_SHARE
                                      : KERN_LEVEL_STEP * c->m.mean;
@@ -7864,9 +7886,8 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     last += KERN_R(last) < steps; /* rounded up */
     first = kern_min(r.epsilon, r.most);
 
-    /* If kerns are nested the search begins where a body falls, and evaluates
-       the start only if the value is close to it. Otherwise it may walk in even
-       steps, of which a whole number is a step of the level. */
+    /* Searches the margin. If kerns are not nested the search may walk in even
+       steps, of which a whole number is one step of Algorithm 1. */
     status = nested ? kern_path_search(&c->m, path, 0)
                     : kern_path_scan(
                         &c->m, path,
@@ -7881,8 +7902,8 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
         kern_level_scan(&c->m, path, nested, last, &r);
     }
 
-    /* If the limit ended the call, or nothing in between can be proven, the
-       result is what has a proof so far. */
+    /* If the limit ended the call, or the search is undecided, the result is
+       the bracket that is proven so far. */
     status = kern_ended(task, status);
     if (status == KERN_LIMIT || status == KERN_UNDECIDED) {
         r.fails = kern_min(path->proven.high, r.most);
@@ -7923,16 +7944,16 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     if (!task)
         return KERN_BAD_POINTER;
 
-    /* Without the two arrays nothing is remembered. */
+    /* Without both arrays of task->known there is no warm start. */
     known = task->known;
     if (!known.motion || !known.force) {
         known.fails = 0;
         return kern_measure_anew(task, &known, out, proof);
     }
 
-    /* The arrays of the known forces and motion take the new proof. The old
-       forces are overwritten before they could be used, so they do not begin
-       the search. The old motion, which is read first, does. */
+    /* Writes the new proof to the arrays of task->known. The search starts from
+       the old motion, which it reads before it writes a new one. It cannot use
+       the old forces, which are overwritten earlier. */
     kept.force = known.force;
     kept.motion = known.motion;
     known.force = NULL;
@@ -7941,13 +7962,13 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
         task->known.fails = 0;
 
-    /* The caller's proof is a copy. */
+    /* Copies the proof to the caller. */
     if (status >= 0 && proof && proof->force)
         kern_copy(proof->force, kept.force, 2 * task->s.contacts);
     if (status >= 0 && !out->saturated && proof && proof->motion)
         kern_copy(proof->motion, kept.motion, 3 * task->s.blocks);
 
-    /* Remembers the bracket. Its proof is in the arrays already. */
+    /* Keeps the bracket in task->known. Its proof is already there. */
     if (status == KERN_STANDS) {
         if (out->saturated)
             kern_zero(kept.motion, 3 * task->s.blocks);
@@ -7958,10 +7979,9 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     return status;
 }
 
-/* Grows the kerns of a structure that falls until it stands, up to the bound in
-   >>rules, and finds the critical value in between. Returns KERN_FALLS with
-   path->critical, which is -infinity if the structure falls even at the
-   bound. */
+/* Grows the kerns of a structure that falls until it stands, and finds the
+   critical value in between. Returns KERN_FALLS and sets path->critical, to
+   -infinity if the structure falls even at the largest growth (>>rules). */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     kern_real range[2], grown = path->unit * KERN_GROW_FIRST, limit;
@@ -7972,8 +7992,9 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     kern_status status;
     int i;
 
-    /* The bound is a multiple of the structure's extent, with relative kerns of
-       the extent over the shortest travel. */
+    /* Computes the largest growth: a multiple of the longest side of the free
+       blocks' box, or with relative kerns of that side divided by the shortest
+       travel. */
     for (i = 0; i < 2 * m->graph.groups; i++) {
         const kern_block *b = m->s->block + m->graph.block[i / 2];
         const kern_real way = kern_block_size(b) * KERN_R(i & 1 ? 0.5 : -0.5);
@@ -7987,8 +8008,8 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     if (path->q.relative)
         limit = range[0] < KERN_INFINITY ? limit / range[0] : 1;
 
-    /* Grows by a factor, which is small if a range that stands may be
-       narrow. */
+    /* Multiplies the growth by a factor from step to step. The factor is small
+       if the interval of standing may be narrow. */
     path->start = -limit;
     for (;; grown = kern_min(grown * growth, limit)) {
         status = kern_path_evaluate(m, path, -grown);
@@ -8022,8 +8043,8 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
     return status;
 }
 
-/* Returns the contact length between lo and hi that is next above their
-   logarithmic middle, or 0 if there is none. */
+/* Returns a length of a contact between lo and hi: the smallest one above the
+   logarithmic middle of all such lengths. Returns 0 if there is none. */
 static kern_real kern_length_between(const kern_structure *s, kern_real mean,
                                      kern_real lo, kern_real hi)
 {
@@ -8054,16 +8075,17 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
     if (status != KERN_OK)
         return status;
 
-    /* Round 0 has all contacts, round 1 only those without a length. Further
-       rounds halve the range of lengths in between, on a logarithmic scale. */
+    /* Evaluates the structure with all contacts in round 0, and only with
+       contacts without a length in round 1. Further rounds bisect the lengths
+       in between, on a logarithmic scale. */
     for (round = 0; round < 2 || at > 0; round++) {
         c.path.q.shortest = at;
         kern_model_group(&c.m, &c.path.q);
         status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
         kern_proof_out(&c.m, proof, status);
 
-        /* Each verdict is an end of [lo, hi). If the structure falls with all
-           contacts the search ends. */
+        /* Moves an end of [lo, hi). Ends if the structure falls with all
+           contacts. */
         if (status == KERN_STANDS)
             lo = at;
         else if (lo < 0 || status < KERN_UNDECIDED)
@@ -8071,7 +8093,7 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
         else
             hi = at;
 
-        /* An undecided verdict has no motion. */
+        /* Sets the motion of an undecided verdict to 0. */
         if (status == KERN_UNDECIDED && proof && proof->motion)
             kern_zero(proof->motion, 3 * task->s.blocks);
 
@@ -8094,7 +8116,7 @@ static int kern_has_side(const kern_structure *s, kern_side side)
 }
 
 /* Returns the angle whose tangent is s >= 0: halves the angle three times, then
-   sums its series. */
+   sums the series of the arctangent. */
 static kern_real kern_angle_of(kern_real s)
 {
     kern_real sum = 0, t2;
@@ -8106,7 +8128,7 @@ static kern_real kern_angle_of(kern_real s)
     return 8 * s * sum;
 }
 
-/* Opens a call whose result is the growth of a pattern or, if that is NULL, of
+/* Opens a call whose result is the factor of a pattern or, if that is NULL, of
    a horizontal load or a tilt to a side. */
 KERN_SHARED static kern_status kern_growth_open(kern_call *c,
                                                 const kern_task *task,
@@ -8143,7 +8165,7 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* under loads that stay a structure may stand again at a larger tilt */
+    /* under fixed loads a structure may stand again at a larger tilt */
     loaded = tilt && kern_model_loaded(&c->m);
     kern_path_push(path, kind, pattern, side);
     path->proof = proof;
@@ -8188,8 +8210,8 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                    : KERN_BAD_POINTER;
 }
 
-/* Returns the factor of the pattern below which the answer's motion makes the
-   structure fall, or infinity if the pattern does not resist the motion. */
+/* Returns the factor of the pattern below which the answer's motion is a fall,
+   or infinity if the pattern does not resist the motion. */
 static kern_real kern_least_of(const kern_model *m, const kern_query *q)
 {
     kern_query unloaded = *q;
@@ -8209,8 +8231,9 @@ static kern_real kern_least_of(const kern_model *m, const kern_query *q)
     return held > 0 ? power / held : KERN_INFINITY;
 }
 
-/* Uses Newton's method from below: each mechanism gives the load that holds it.
-   Just beyond that load another mechanism falls, or the structure stands. */
+/* Uses Newton's method from below: each mechanism gives the factor that just
+   stops it. Just above that factor another mechanism falls, or the structure
+   stands. */
 KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         const kern_wrench *pattern,
                                         kern_real *factor,
@@ -8226,7 +8249,8 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
     if (status != KERN_OK)
         return status;
 
-    /* After a place without a proof the next lies twice as far beyond. */
+    /* Evaluates factors just above the value of each mechanism. After a factor
+       without a proof the next one lies twice as far above. */
     kern_path_push(&c.path, KERN_PATH_LOAD, pattern, KERN_SHRINK);
     for (round = 0; round < KERN_LEAST_ROUNDS && falls < KERN_FACTOR_MOST;
          round++) {
@@ -8241,7 +8265,7 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
         q->factor = falls + beyond * (1 + falls);
     }
 
-    /* It falls at every factor only if that is proven up to the largest. */
+    /* KERN_FALLS requires that a fall is proven up to the largest factor. */
     if (status == KERN_FALLS && falls < KERN_FACTOR_MOST)
         status = KERN_UNDECIDED;
     status = kern_ended(task, status);
@@ -8287,23 +8311,22 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
 }
 
 /* ---- The profile --------------------------------------------- >>profile */
-/* Progressive collapse: the path continues past its critical value, without the
-   blocks that move there. Without blocks the model has fewer groups and is
-   otherwise the same. */
+/* Progressive collapse: blocks that move at the critical value are removed from
+   the model, and the path continues with the other blocks. */
 
 typedef struct kern_fall {
-    int weak;         /* values of the weaker half that are missing   */
-    kern_real sum;    /* of the values of that half                   */
-    kern_real *value; /* of a block, -1 while it stands               */
+    int weak;         /* number of missing values in the weaker half  */
+    kern_real sum;    /* sum of the values of the weaker half         */
+    kern_real *value; /* of a block: its value, or -1 while it stands */
 } kern_fall;
 
-/* The blocks that fall, among those that are left. */
+/* The remaining blocks that fall. */
 typedef enum kern_fall_which {
-    KERN_FALL_MOVING, /* those that move in the mechanism                 */
+    KERN_FALL_MOVING, /* all that move in the mechanism                   */
     KERN_FALL_ALL
 } kern_fall_which;
 
-/* Records `at` as the value of every remaining block that falls there. */
+/* Records `at` as the value of every remaining block that falls. */
 static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
                           kern_fall_which which)
 {
@@ -8320,8 +8343,8 @@ static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
         }
 }
 
-/* Evaluates the place where the structure fell last, then places beyond it
-   while the verdict is undecided. */
+/* Returns the verdict at path->fails, where the structure fell last. While the
+   verdict is undecided, evaluates places beyond it. */
 static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 {
     kern_real beyond = path->fails;
@@ -8334,11 +8357,11 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
     return status;
 }
 
-/* Follows the whole collapse along a path: from one critical value to the
-   mechanism there, and on to the next value. The mechanism needs a verdict of
-   its own, since the last verdict of a search may be at another place. Rounds
-   that remove no block are bounded; they occur if both verdicts have a proof at
-   one place. */
+/* Follows the whole collapse along a path: from one critical value to its
+   mechanism, and on to the next value. The mechanism needs a verdict of its
+   own, since the last verdict of a search may be at another place. The number
+   of rounds that remove no block is bounded. Such rounds occur if both verdicts
+   have a proof at one place. */
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
@@ -8350,8 +8373,8 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
         if (rounds-- == 0)
             return KERN_UNDECIDED;
 
-        /* Removes the blocks that move in the mechanism. The verdict on the
-           others is just beyond the proof. */
+        /* Removes the blocks that move in the mechanism. Then evaluates the
+           other blocks just beyond the place of its proof. */
         if (status == KERN_FALLS) {
             kern_fall_add(m, fall, at, KERN_FALL_MOVING);
             kern_model_group(m, &path->q);
@@ -8359,7 +8382,7 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                 status = kern_fall_beyond(m, path);
 
         } else if (status == KERN_STANDS) {
-            /* They stand: the search continues to their critical value, and to
+            /* The remaining blocks stand: searches their critical value, and
                the mechanism just beyond it. */
             status = kern_path_search(m, path,
                                       path->kind != KERN_PATH_SHRINK
@@ -8373,14 +8396,14 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
             return status;
     }
 
-    /* The blocks that are left stand to the end. */
+    /* The remaining blocks stand to the end of the path. */
     kern_fall_add(m, fall, path->end, KERN_FALL_ALL);
     return KERN_OK;
 }
 
-/* Returns e^-x for x >= 0, by the first terms of the series of e^t, t = x /
-   1024, squared ten times, since libm differs between machines. The error is
-   within 2e-4 of the value for x up to 10. */
+/* Returns e^-x for x >= 0. It computes e^(x / 1024) by its series and squares
+   it ten times, since libm differs between machines. The relative error is at
+   most 2e-4 for x up to 10. */
 static kern_real kern_decay(kern_real x)
 {
     const kern_real t = x / KERN_R(1024);
@@ -8391,8 +8414,8 @@ static kern_real kern_decay(kern_real x)
     return 1 / y;
 }
 
-/* Returns the sum over free blocks of the chance to fall times the height above
-   the lowest block. */
+/* Returns the sum over all free blocks of their chance of falling times their
+   height above the lowest block. */
 static kern_real kern_expected_drop(const kern_model *m, const kern_real *value)
 {
     const kern_structure *s = m->s;
@@ -8423,7 +8446,8 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     int i, free_blocks, half;
     kern_status status = kern_call_open(&c, task, 0, value ? out : NULL);
 
-    /* Every value is -1 until its block falls, also if the call ends early. */
+    /* Sets every value to -1 until its block falls, also if the call ends
+       early. */
     for (i = 0;
          (status == KERN_OK || status == KERN_LIMIT) && i < task->s.blocks; i++)
         value[i] = -1;
@@ -8439,7 +8463,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
         kern_path_push(&c.path, KERN_PATH_LOAD, NULL, side);
     c.path.end = side ? KERN_PROFILE_MOST : range[1];
 
-    /* The query reads the values: a block that has one counts as gone. */
+    /* Queries leave out every block that has a value. */
     c.path.q.fallen = value;
     free_blocks = c.m.graph.groups;
     fall.weak = half = (free_blocks + 1) / 2;
@@ -8468,8 +8492,9 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 
 /* ---- What is critical ---------------------------------------- >>critical */
 
-/* Returns what a contact does in a motion: it opens, slides, hinges or
-   rests. */
+/* Returns how a contact moves in a mechanism: it opens, slides, hinges or
+   rests. u is the velocity of block b relative to block a at the contact, and
+   `turn` the relative spin times the mean size. */
 static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
                                     kern_vec u, kern_real turn)
 {
@@ -8481,19 +8506,20 @@ static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
     return kern_abs(turn) > KERN_REST ? KERN_HINGES : KERN_RESTS;
 }
 
-/* Writes what contacts do in the mechanism and how much each limits, and finds
-   the first that limits most. The measure of limiting is the first of these
-   that is above 0 for any contact: (0) the power f w that moving the force f
-   inward costs while the blocks turn at w, unless the kern is closed; (1) the
-   rate at which a hinge turns; (2) the speed at which a contact slides. */
+/* Writes how each contact moves in the mechanism and how much it limits, and
+   finds the first contact with the largest limit. The limit is the first of
+   these measures that is above 0 for any contact. (0): the power f w that the
+   mechanism gains per length by which the force f moves inward, where w is the
+   relative spin; 0 if the kern is closed. (1): the relative spin at a hinge.
+   (2): the speed at which a contact slides. */
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
     kern_real most = 0, narrow = kern_reduction(q), rate;
     int measure, i;
 
-    /* Without forces measure 0 is left out. Measures 1 and 2 are used only if
-       no contact has been found before. */
+    /* Tries the measures in order until one gives a contact. Measure 0 needs
+       forces. */
     for (measure = !proof->force; measure < 3 && out->contact < 0; measure++)
         for (i = 0; i < s->contacts; i++) {
             const kern_contact *c = s->contact + i;
@@ -8540,8 +8566,8 @@ static int kern_as_one(const kern_structure *s, const kern_motion *motion,
     return kern_block_speed(s->block + j, &apart) < KERN_REST;
 }
 
-/* Numbers the groups of blocks that move as one. Each group begins with the
-   fastest block that is not yet in a group. Blocks that rest have -1. */
+/* Numbers the groups of blocks that move as one rigid body. Each group begins
+   with the fastest block that is not yet in a group. Blocks at rest get -1. */
 static void kern_critical_blocks(const kern_structure *s,
                                  const kern_motion *motion, kern_critical *out)
 {
@@ -8593,11 +8619,11 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 
 /* ---- Sensitivity ------------------------------------------- >>sensitivity */
 /* At the margin d* the power G of forces and loads on the mechanism is 0. It
-   stays 0 when a datum q changes, so d*' = -G_q / G_d, with the forces and the
-   motion of the proof. */
+   stays 0 when an input q changes, so the derivative of d* is -G_q / G_d.
+   Forces and motion are those of the proof. */
 
-/* Writes G_q for the data of contact i. Returns the contact's term of G_d. Both
-   are 0 without a force or a motion. */
+/* Writes G_q for all data q of contact i. Returns the contact's term of G_d.
+   Both are 0 without a force or a motion. */
 static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
                                    int i, const kern_proof *proof,
                                    kern_contact_rate *out)
