@@ -8651,11 +8651,12 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
     return -rate * spin * f;
 }
 
-/* Adds the effect on contact i of the poses of its blocks, as the contact
-   search would find it, to the rates of the blocks. `pair` is the other end of
-   its line, or i. In a line, a corner moves its end along, the ends stay midway
-   between the edges, and normal and middle change by half as much as an end. In
-   a point, a corner moves the point and an edge turns the normal. */
+/* Adds to the rates of the two blocks of contact i the effect of their poses on
+   that contact, as the contact search would find it. `pair` is the other end of
+   its line, or i. For a line, a corner moves its end along the line, the ends
+   stay midway between the edges, and the normal and the middle change by half
+   as much as an end. For a point, the block of the corner moves the point and
+   the block of the edge turns the normal. */
 KERN_SHARED static void kern_pose_gain(const kern_task *task,
                                        const kern_contact_rate *rate, int i,
                                        int pair, kern_block_rate *out)
@@ -8671,8 +8672,9 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
     if (!(kern_abs(along) + kern_abs(across) + kern_abs(rate[i].turn) > 0))
         return;
 
-    /* Finds whose corner is the end of the contact: the distance along the
-       contact to the nearest vertex that is close to its line. */
+    /* Finds for each block the distance along the contact to its nearest vertex
+       that is close to the line of the contact. The nearer vertex is the corner
+       at this end. */
     for (end = 0; end < 2; end++) {
         const kern_block *b = task->s.block + (end ? c->b : c->a);
         off[end] = KERN_INFINITY;
@@ -8687,9 +8689,10 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
         }
     }
 
-    /* The block of the corner moves the end along the contact. Across it each
-       block of a line moves it by half, and of a point only that block. The
-       turn of the normal is left to the remaining share. */
+    /* The block of the corner moves the end along the contact. Across the
+       contact, each block of a line moves the end by half, and for a point only
+       the block of the corner moves it. The remaining share turns the
+       normal. */
     for (end = 0; end < 2; end++) {
         const int on = end ? c->b : c->a;
         const kern_block *b = task->s.block + on;
@@ -8727,8 +8730,7 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* Writes the rates of the contacts' own data, and sums their terms of
-       G_d. */
+    /* Writes G_q for the data of the contacts, and sums their terms of G_d. */
     for (i = 0; i < task->s.contacts; i++) {
         const kern_real g = kern_contact_gain(&task->s, &q, i, proof,
                                               contact + i);
@@ -8736,12 +8738,12 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         most += kern_abs(g);
     }
 
-    /* If the power does not change along the path the margin does not
-       either. */
+    /* There is no derivative if the power does not change along the path. */
     if (margin->saturated || !(kern_abs(gain) > KERN_RATE_LEAST * most))
         return KERN_UNDECIDED;
 
-    /* Rates of loads, masses and centres of mass: the power of the loads. */
+    /* Writes G_q for loads, masses and centres of mass: the change of the power
+       of the loads. */
     for (i = 0; i < task->s.blocks; i++) {
         const kern_block *b = task->s.block + i;
         const kern_real mass = b->fixed ? 0 : b->mass;
@@ -8754,86 +8756,88 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         block[i].mass = g.x * v->vx + g.y * v->vy;
     }
 
-    /* Rates of the poses of blocks, from those of contacts. The two ends of a
-       line are treated together. */
+    /* Adds G_q for the poses of blocks, from the rates of contacts. The two
+       ends of a line are treated together. */
     for (i = 0; i < task->s.contacts; i += 1 + line) {
         line = kern_line_begins(task->s.contact, task->s.contacts, i);
         for (end = 0; end <= line; end++)
             kern_pose_gain(task, contact, i + end, i + line - end, block);
     }
 
-    /* So far all rates are G_q; those of the margin are -G_q / G_d. */
+    /* Turns G_q into the rates of the margin, -G_q / G_d. */
     kern_scale(contact, 5 * task->s.contacts, -1 / gain);
     kern_scale(block, 9 * task->s.blocks, -1 / gain);
     return KERN_OK;
 }
 
 /* ---- Raised ----------------------------------------------------- >>raised */
-/* Finds forces that a load raises on unstressed contacts of some stiffness. The
-   displacement u of the groups is caused by loads b. Let wn be the approach of
-   a contact along n and wt its shear along t, w = A' u. Coulomb's law with a
-   stiffness k along n and c mu k along t (k = dual.stiff_n, c = dual.stiff) is
+/* Finds forces that a load raises on unstressed contacts with a finite
+   stiffness. The loads b cause a displacement u of the groups. Let wn be the
+   approach of a contact along n and wt its shear along t, w = A' u. Coulomb's
+   law with a stiffness k along n and c mu k along t (k = dual.stiff_n, c =
+   dual.stiff) is
 
        f = k max(0, wn),   r = c mu k wt, cut off at -mu f and mu f      (law)
        A (f, r) = b                                                  (balance)
 
-   No linear or convex program has this law: in the law of limit analysis
-   sliding blocks also part. A price p on a contact removes this parting. For
-   given prices >>norm finds the u at which the forces of limit analysis, with
-   wn - p instead of wn, balance b. A contact that slides by s beyond its
-   elastic shear then parts by mu s, so (law) and (balance) hold where
+   This law has no linear or convex program: in limit analysis, blocks that
+   slide also part. A price p on a contact removes the parting. For given prices
+   >>norm finds the u at which the forces of limit analysis, with wn - p instead
+   of wn, balance b. A contact that slides by s beyond its elastic shear then
+   parts by mu s, so (law) and (balance) hold where
 
        p = F(p) = max(0, mu s(p))                               (fixed point)
 
-   (Acary, Cadoux, Lemarechal and Malick). A search repeats rounds: forces that
-   balance for the present prices, then new prices. Once few contacts change
-   between sticking, sliding and open, Newton's method on (law) and (balance)
-   finishes it. Prices need not be exact, since the proof is a check of forces
-   and u (kern_prove_raised()).
+   (Acary, Cadoux, Lemarechal and Malick). Each round of a search finds the
+   forces that balance b for the present prices, and then new prices. Once few
+   contacts change between sticking, sliding and open, Newton's method on (law)
+   and (balance) finishes the search. Prices need not be exact, since the proof
+   checks only the forces and u (kern_prove_raised()).
 
-   A search is given up if u runs away, or if prices no longer settle
+   A search is lost if u grows too far, or if prices no longer converge
    (kern_settling). */
 
 typedef struct kern_raise {
-    kern_part *p;            /* all groups, or those around a block          */
+    kern_part *p;            /* all groups, or those near block `around`     */
     int around;              /* the block of kern_stays(), or KERN_OUT       */
-    const kern_proof *proof; /* where each shown step writes it, or NULL     */
-    kern_end end;            /* why the last search ended                    */
-    int size;                /* count of u and prices together               */
-    kern_real *held;         /* u and prices of the last load that was shown */
-    kern_real *earlier; /* u and prices of a load shown before that          */
+    const kern_proof *proof; /* arrays for the proof of each load step; or NULL
+                                                                             */
+    kern_end end;            /* reason why the last search ended             */
+    int size;                /* length of u and prices in one array          */
+    kern_real *held;         /* u and prices of the last load with a proof   */
+    kern_real *earlier; /* u and prices of the load with a proof before it   */
     kern_real *last;    /* two a contact: last F(p), and its change          */
-    kern_real *kept;    /* u before Newton's method                          */
+    kern_real *kept;    /* u at the start of Newton's method                 */
     kern_skyline up;    /* columns of Newton's matrix; dual.matrix: rows    */
     int *state;         /* of a contact: 0 open, 1 sticks, 2 and 3 slides    */
 } kern_raise;
 
-/* How a search begins: unloaded, or with the present u and prices. */
+/* Start of a search: at u = 0, or at the present u and prices. */
 typedef enum kern_begin { KERN_BEGIN_UNLOADED, KERN_BEGIN_HERE } kern_begin;
 
-/* A search, and the numbers that tell when to give it up. */
+/* State of a search, with the numbers that decide when it is lost. */
 typedef struct kern_settling {
-    kern_real tolerance; /* residual of equilibrium that is allowed          */
-    int warm;            /* nonzero: u and prices are close already          */
+    kern_real tolerance; /* largest residual of equilibrium                  */
+    int warm;            /* nonzero: it starts at the present u and prices   */
     int round;
-    int units;       /* of work, before the search                           */
+    int units;       /* value of work->units before the search               */
     kern_real first; /* largest displacement of a group in the first round   */
-    kern_real held;  /* the same in the last load that was shown; 0: none    */
+    kern_real held;  /* the same at the last load with a proof; 0: none      */
     kern_real least; /* least change of prices in a round, squared           */
-    int since;       /* rounds since that one                                */
+    int since;       /* number of rounds since that change                   */
 } kern_settling;
 
 /* Marks the groups that are held: all but the n groups within KERN_STAYS_NEAR
-   contacts of block i. These stay unmarked, for kern_norm_open(). The mark is
-   n, also for the ground. */
+   contacts of block i. Those n groups stay unmarked, so that kern_norm_open()
+   opens them. The mark is n, also for the ground. */
 static void kern_raise_near(kern_model *m, int i)
 {
     const int *ends = m->graph.ends, groups = m->graph.groups;
     int *local = m->graph.local, g, e, at, n = 1;
 
-    /* Numbers the groups by their distance from the block, from 1 on; 0: not
-       reached so far. Paths do not lead through the ground, which counts as
-       reached. */
+    /* Numbers the groups by their distance from the block, beginning with 1.
+       The number 0 means that a group has not been reached. The ground counts
+       as reached, so that no path leads through it. */
     for (g = 0; g < groups; g++)
         local[g] = 0;
     local[groups] = local[m->graph.group[i]] = 1;
@@ -8846,16 +8850,16 @@ static void kern_raise_near(kern_model *m, int i)
                     n++;
                 }
 
-    /* Turns the numbers into marks. */
+    /* Replaces the numbers by marks. */
     for (g = 0; g < groups; g++)
         local[g] = local[g] > 0 ? KERN_OUT : n;
     local[groups] = n;
 }
 
 /* Opens the groups as one part, with prices of 0. Returns 0 if there is no
-   room. The stiffness of a contact point is a tenth plus, at the end of a line,
-   its travel in mean sizes. Of the laws that were tried this is the closest to
-   a simulator. */
+   room. The stiffness of a contact point is 0.1 plus, at the end of a line, its
+   travel in mean sizes. Of several laws this one came closest to a
+   simulator. */
 static int kern_raise_open(kern_raise *r, kern_model *m)
 {
     kern_part *p = r->p;
@@ -8865,15 +8869,15 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     if (!kern_norm_open(p, m))
         return 0;
 
-    /* A proof requires that contacts stick within KERN_STICKS. kern_stays()
-       needs no proof. */
+    /* Sets the stiffness along t. A proof requires that contacts stick within
+       KERN_STICKS, but kern_stays() needs no proof. */
     p->y = p->dual.step; /* no program is open: y is the room for a motion */
     p->dual.stiff = r->around < 0 ? KERN_R(1.1) / KERN_STICKS
                                   : KERN_STAYS_STIFF;
 
-    /* Newton's matrix is not symmetric, so its upper half has memory of its
-       own. The vectors of a search follow. Prices come after u in one array, so
-       that both are copied at once. */
+    /* Takes the arrays. Newton's matrix is not symmetric, so its upper half has
+       memory of its own. Prices follow u in one array, so that both are copied
+       at once. */
     for (g = 0; g < p->groups; g++)
         entries += 9 * (g - p->dual.matrix.first[g] + 1);
     r->up = p->dual.matrix;
@@ -8891,7 +8895,7 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     if (!kern_take_fits(&p->rest))
         return 0;
 
-    /* no prices yet; the ends of longer lines are stiffer */
+    /* sets the prices to 0; the ends of longer lines are stiffer */
     kern_zero(p->dual.price, p->contacts);
     for (k = 0; k < p->contacts; k++) {
         const kern_contact *c = m->s->contact + p->contact[k];
@@ -8905,21 +8909,22 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
 
 /* ---- a round of prices ---- */
 
-/* Returns how far contact k slides beyond its elastic shear. A negative value
-   means that it sticks or does not press. */
+/* Returns the distance by which contact k slides beyond its elastic shear. If
+   the result is negative, the contact sticks or does not press. */
 static kern_real kern_raise_slip(const kern_part *p, int k, kern_real approach)
 {
     return kern_abs(p->dual.way[2 * k + 1])
          - kern_max(approach, 0) / p->dual.stiff;
 }
 
-/* Writes the forces, and F(p) and its change to dual.turn. Returns 1 if the
-   forces may be a proof: every loaded contact approaches, and none slides as
-   far as a stone that falls into a jam. Prices fall slowly, since prices of
-   joints that lean on each other alternate. `found` means that the forces
-   balance. Then a contact that parts keeps its price, and one that should part
-   but presses gets twice the missing price. Otherwise a joint that no longer
-   presses would stay loaded. */
+/* Writes the forces at u. Writes for each contact the new price F(p) and its
+   change to dual.turn. Returns 1 if the forces may be a proof: every loaded
+   contact approaches, and none slides as far as a stone that falls into a jam.
+   Prices fall slowly, since prices of joints that lean on each other would
+   alternate. `found` means that the forces balance the loads. Then a contact
+   that parts keeps its price, and a contact that should part but presses gets
+   twice the missing price. Without this rule a joint that has stopped pressing
+   would stay loaded. */
 static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
 {
     kern_part *p = r->p;
@@ -8933,16 +8938,17 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
         const kern_real slip = kern_raise_slip(p, k, approach);
         kern_real to = kern_model_mu(p->m, p->contact[k]) * kern_max(slip, 0);
 
-        /* A loaded contact must approach. The longest slide is compared with
-           the largest approach. */
+        /* Checks that a loaded contact approaches. Finds the longest slide and
+           the largest approach, to compare them. */
         if (p->m->answer.force[p->contact[k]].normal > least) {
             pressed &= approach > 0;
             slid = kern_max(slid, slip);
             most = kern_max(most, approach);
         }
 
-        /* A contact that does not close keeps its price, or gets a higher one
-           where its force presses. Other prices fall by a share of the way. */
+        /* Computes the new price. A contact that parts keeps its price, or gets
+           a higher one if its force presses. A price that falls changes by the
+           share KERN_PRICE_FALL of the difference. */
         if (found && !(approach > 0))
             to = kern_max(to, price)
                + 2 * kern_max(wn + kern_max(to, price), 0);
@@ -8954,11 +8960,11 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
     return pressed && slid <= KERN_SLIDE_MOST * most;
 }
 
-/* Computes new prices from the last two rounds. If F is linear, the change is
-   least if a share `back` of the last difference is taken back (Anderson's
-   method). If a change grows and keeps its direction a slide has only begun:
-   then prices are extrapolated forward. Returns the square of the change of
-   prices. */
+/* Computes new prices from the last two rounds. Subtracts the share `back` of
+   the difference between these rounds, with which the change of prices is least
+   if F is linear (Anderson's method). If the change keeps its direction and
+   grows, a slide has only begun, and prices are extrapolated forward. Returns
+   the square of the change of prices. */
 static kern_real kern_raise_extrapolate(kern_raise *r, int round)
 {
     const kern_part *p = r->p;
@@ -8985,8 +8991,8 @@ static kern_real kern_raise_extrapolate(kern_raise *r, int round)
     return is;
 }
 
-/* Returns how many contacts have changed their state since the last call: open,
-   sticking, or sliding one way or the other. */
+/* Returns the number of contacts that have changed their state since the last
+   call. The states are open, sticking, and sliding in either direction. */
 static int kern_raise_changes(kern_raise *r)
 {
     const kern_part *p = r->p;
@@ -9005,9 +9011,9 @@ static int kern_raise_changes(kern_raise *r)
 
 /* ---- Newton's method ---- */
 
-/* Subtracts the wrenches of contact k by Coulomb's law from grad, and adds
-   their derivatives by u to the matrix, whose columns are in `up`. Returns the
-   normal force. */
+/* Subtracts the wrenches of contact k by Coulomb's law from dual.grad. Adds
+   their derivatives with respect to u to the rows (dual.matrix) and columns
+   (r->up) of Newton's matrix. Returns the normal force. */
 static kern_real kern_raise_contact(kern_raise *r, int k)
 {
     static const kern_real approach[2] = {1, 0}, shear[2] = {0, 1};
@@ -9035,8 +9041,9 @@ static kern_real kern_raise_contact(kern_raise *r, int k)
     return stiff * w[0];
 }
 
-/* grad := b less the wrenches of the contacts by Coulomb's law. The matrix and
-   `up` := its derivative by u. Returns the largest normal force. */
+/* Writes to dual.grad the loads b minus the wrenches of the contacts by
+   Coulomb's law, and Newton's matrix to dual.matrix and r->up. Returns the
+   largest normal force. */
 static kern_real kern_raise_linearise(kern_raise *r)
 {
     kern_part *p = r->p;
@@ -9055,8 +9062,8 @@ static kern_real kern_raise_linearise(kern_raise *r)
 }
 
 /* Runs Newton's method on (law) and (balance) from u, in whole steps, as long
-   as they come closer to balance. Returns 1 if they reach it, with the prices
-   of the slips. Otherwise u is as it was. */
+   as the residual of (balance) falls. If the loads are balanced, sets prices by
+   the slips and returns 1. Otherwise restores u. */
 static int kern_raise_newton(kern_raise *r, kern_real tolerance)
 {
     kern_part *p = r->p;
@@ -9064,7 +9071,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
     kern_real *way = p->dual.way, last = KERN_INFINITY;
     int k, round;
 
-    /* Coulomb's law has no prices: approaches are those of u alone. */
+    /* Removes the prices from the approaches, since Coulomb's law has none. */
     kern_copy(r->kept, p->dual.u, n + 3);
     for (k = 0; k < p->contacts; k++)
         way[2 * k] += p->dual.price[k];
@@ -9072,7 +9079,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
         const kern_real most = kern_raise_linearise(r);
         const kern_real left = kern_dot(p->dual.grad, p->dual.grad, n);
 
-        /* Balance is reached: the slips give the prices of the fixed point. */
+        /* Ends in balance. The slips give the prices of the fixed point. */
         if (kern_largest(p->dual.grad, n) <= tolerance + 4 * KERN_EPS * most) {
             for (k = 0; k < p->contacts; k++) {
                 const kern_real slip = kern_raise_slip(p, k, way[2 * k]);
@@ -9083,7 +9090,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
             return 1;
         }
 
-        /* Takes a whole step, unless the last one led away from balance. */
+        /* Takes a whole step, unless the last one raised the residual. */
         if (!(left < last) || !kern_model_spend(p->m, 3 * p->dual.cost))
             break;
         last = left;
@@ -9104,7 +9111,8 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
 /* ---- a search ---- */
 
 /* Returns the largest displacement of a group from its place in `from`, or from
-   its unloaded place (NULL). A turn counts by half the size. */
+   its unloaded place if `from` is NULL. A turn counts as turn times half the
+   size of its block. */
 static kern_real kern_raise_far(const kern_raise *r, const kern_real *u,
                                 const kern_real *from)
 {
@@ -9121,9 +9129,9 @@ static kern_real kern_raise_far(const kern_raise *r, const kern_real *u,
     return KERN_SQRT(reach);
 }
 
-/* Returns 1 if u runs away: it is much larger than in the first round, or its
-   distance from the last load that was shown is more than KERN_JUMPS times the
-   displacement there. */
+/* Returns 1 if u has grown too far. Its size must not exceed a multiple of that
+   in the first round. Its distance from the u of the last load with a proof
+   must not exceed KERN_JUMPS times the size of that u. */
 static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
 {
     const kern_real *u = r->p->dual.u, groups = KERN_R(r->p->groups);
@@ -9135,9 +9143,9 @@ static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
             && kern_raise_far(r, u, r->held) > KERN_JUMPS * settling->held);
 }
 
-/* Returns 1 if prices have stopped settling: their change has not become
-   smaller for many rounds. A slide at one end of a row takes as many rounds to
-   reach the other end as there are groups between them. */
+/* Returns 1 if prices no longer converge: their change has not become smaller
+   for many rounds. A slide at one end of a row takes one round for each group
+   to reach the other end. */
 static int kern_raise_stalls(const kern_raise *r, kern_settling *settling,
                              kern_real change)
 {
@@ -9148,7 +9156,8 @@ static int kern_raise_stalls(const kern_raise *r, kern_settling *settling,
     return settling->since++ > KERN_PATIENCE + r->p->groups / 2;
 }
 
-/* Returns 1 if forces and u are a proof. For kern_stays() none is needed. */
+/* Returns 1 if forces and u are a proof, and copies them to r->proof. Returns 1
+   without a proof for kern_stays(), which needs none. */
 static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 {
     kern_part *p = r->p;
@@ -9168,8 +9177,8 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
     return 1;
 }
 
-/* Makes one round of a search. Returns how the search ends, or KERN_END_NONE if
-   it continues. */
+/* Makes one round of a search. Returns the reason for which the search ends, or
+   KERN_END_NONE if it continues. */
 static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                                  kern_settling *settling)
 {
@@ -9182,7 +9191,7 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
     kern_real change;
     int pressed;
 
-    /* Ends the search if its work is used up, or if blocks run away. */
+    /* Ends the search if its work is used up, or if u has grown too far. */
     if (found == KERN_LIMIT || !kern_model_spend(p->m, 1 + p->contacts / 10)
         || p->m->task->work->units - settling->units
                > KERN_SEARCH_COSTS * p->dual.cost)
@@ -9190,8 +9199,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
     if (found == KERN_FALLS || kern_raise_runs_away(r, settling))
         return KERN_END_LOST;
 
-    /* If few contacts change between sticking, sliding and open, Newton's
-       method on Coulomb's law may end the search at once. */
+    /* Tries Newton's method if few contacts change between sticking, sliding
+       and open. It may end the search at once. */
     if (kern_raise_changes(r) <= KERN_FEW_CHANGES
         && kern_raise_newton(r, settling->tolerance))
         return kern_raise_price(r, settling->tolerance, 1)
@@ -9199,8 +9208,7 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                  ? KERN_END_SHOWN
                  : KERN_END_LOST;
 
-    /* Otherwise computes new prices, extrapolated in the direction of their
-       change. */
+    /* Computes new prices, extrapolated in the direction of their change. */
     pressed = kern_raise_price(r, settling->tolerance, found == KERN_STANDS);
     change = kern_raise_extrapolate(r, settling->round);
     if (pressed && kern_raise_proves(r, q))
@@ -9209,8 +9217,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                                                   : KERN_END_NONE;
 }
 
-/* Searches for the fixed point under the loads of q. Returns 1 if it is shown.
-   r->end tells why the search ended. */
+/* Searches for the fixed point under the loads of q. Returns 1 if it has a
+   proof. Sets r->end to the reason for which the search ended. */
 static int kern_raise_settle(kern_raise *r, const kern_query *q,
                              kern_begin begin)
 {
@@ -9230,13 +9238,13 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q,
 
 /* ---- questions ---- */
 
-/* Returns the largest share of gravity, of a fixed list, such that a push of
-   that share to either side leaves the structure raised while kerns shrink by
-   the same share of the mean size. If kerns are not nested, it must also be
-   raised under the push without the shrinkage. This is the worst effect of
-   errors of places, and of angles times that size. No share above `most` is
-   tried, unless most is 0. Each search begins with the last load that was
-   shown. */
+/* Returns the reserve: the largest share of gravity from a fixed list at which
+   the structure stays raised under a push of that share to either side, with
+   kerns shrunk by the same share of the mean size. Push and shrinkage are the
+   worst effect of errors of angle, and of errors of place as a share of the
+   size. If kerns are not nested, the structure must also stay raised under the
+   push alone. Shares above `most` are not tried, unless `most` is 0. Each
+   search begins at the last load with a proof. */
 KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
                                                 const kern_query *asked,
                                                 kern_real most)
@@ -9250,15 +9258,15 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     kern_query q = *asked;
     int low = (int)(sizeof share / sizeof share[0]) - 1, at, high;
 
-    /* Finds the largest share to the right. Only shares up to that one are
-       tried to the left. */
+    /* Finds the largest share to the right. Then tries only shares up to that
+       one to the left. */
     while (most > 0 && KERN_R(share[low]) / 10000 > most)
         low--;
     kern_copy(r->earlier, r->p->dual.u, r->size);
     for (q.side = 1; q.side >= -1; q.side -= 2) {
         kern_copy(r->held, r->earlier, r->size);
 
-        /* Bisects the list, beginning at its end. */
+        /* Bisects the list, beginning with its last share. */
         for (at = low, high = low + 1, low = 0; high - low > 1;
              at = (low + high) / 2) {
             int k, good = 1;
@@ -9280,9 +9288,9 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     return KERN_R(share[low]) / 10000;
 }
 
-/* Opens the question. *out becomes KERN_HANGS, with a proof, if some blocks
-   hang that nothing holds up and the others stand without them. Otherwise it is
-   KERN_NOT_SHOWN, and the part of all groups is open for prices. */
+/* Begins a query. Sets *out to KERN_HANGS, with a proof, if nothing holds up
+   some of the blocks and the others stand without them. Otherwise sets *out to
+   KERN_NOT_SHOWN, and opens all groups as one part for a search. */
 static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
                                     kern_raising *out)
 {
@@ -9294,12 +9302,13 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     r->p = &c->part;
     *out = KERN_NOT_SHOWN;
     value = kern_take_last(&m->rest, m->s->blocks);
-    kern_take_last(&m->common, m->s->blocks); /* both have the same end */
+    kern_take_last(&m->common, m->s->blocks); /* both takes end at the same
+                                                 address                */
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
 
-    /* Finds the blocks that hang. A verdict is needed only if there are any, or
-       for kern_stays(). */
+    /* Finds the blocks that may hang. A verdict is needed only if there are
+       any, or for kern_stays(). */
     for (i = 0; i < m->s->blocks; i++)
         value[i] = KERN_R(1);
     left = kern_unsupported(m->s, value);
@@ -9308,8 +9317,8 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
         status = kern_model_evaluate(m, r->p, q);
     }
 
-    /* They hang if the others stand without them. Their motion is a free
-       fall. */
+    /* The blocks hang if the others stand without them. Writes their motion, a
+       free fall. */
     if (left > 0 && status == KERN_STANDS && kern_model_ask(m, 1)) {
         const kern_vec way = kern_vec_unit(m->s->gravity);
         q->fallen = value;
@@ -9325,17 +9334,18 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
 
-    /* all groups again, and no program that may be open */
+    /* opens the model of all groups again, without a linear program */
     if (left > 0 || m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
     return kern_raise_open(r, m) ? KERN_STANDS : KERN_NO_SPACE;
 }
 
-/* Raises the load of q, by *share, from 0 to `most` in steps. Each step begins
-   in the direction of the last two. A step that fails is made finer, down to a
-   share of the load that was shown. If `most` is not known the end doubles.
-   Returns the largest share proven, or a negative number if there is none. */
+/* Raises the load of q in steps, with *share as its factor from 0 to `most`.
+   The u of each step is extrapolated from the last two. A step that fails is
+   repeated with a smaller one, down to a share of the largest load with a
+   proof. If `most` is unknown, the end of the steps doubles. Returns the
+   largest factor with a proof, or a negative number if there is none. */
 static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                                   kern_real *share, kern_real most)
 {
@@ -9344,7 +9354,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     kern_real step = end / KERN_LOAD_STEPS;
     int i, good = 1;
 
-    /* at rest, without the load */
+    /* finds u without the load */
     if (!kern_raise_settle(r, q, KERN_BEGIN_UNLOADED))
         return KERN_R(-1);
     kern_copy(r->held, u, r->size);
@@ -9364,9 +9374,9 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                 u[i] = kern_max(u[i], 0);
         }
 
-        /* a step that fails is repeated with a smaller one */
+        /* repeats a step that fails with a smaller one */
         good = kern_raise_settle(r, q, KERN_BEGIN_HERE)
-            || (!(stood > 0) /* only 0 to begin with */
+            || (!(stood > 0) /* only u at 0 is known */
                 && kern_raise_settle(r, q, KERN_BEGIN_UNLOADED));
         if (good) {
             taken = *share - stood;
@@ -9374,7 +9384,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
         } else
             step /= KERN_LOAD_FINER;
 
-        /* an end that was only a guess */
+        /* doubles an end that was only a guess */
         if (!(stood < end) && end < most) {
             end = kern_min(2 * end, most);
             step = end / KERN_LOAD_STEPS;
@@ -9383,10 +9393,10 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     return stood;
 }
 
-/* Writes to *out whether the load raises forces: at once, or as the blocks'
-   loads grow from 0. If sag is not NULL, writes the block's displacement to it,
-   for a stiffness of 1 and a mean weight of 1. A turn counts by half the
-   size. */
+/* Sets *out to KERN_RAISED if the load raises forces, either at once or while
+   the loads of the blocks grow from 0. If `sag` is not NULL, writes to it the
+   displacement of block r->around for a stiffness of 1 and a mean weight of 1.
+   A turn counts as turn times half the size of the block. */
 static kern_status kern_raise_show(kern_raise *r, kern_call *c,
                                    kern_raising *out, kern_real *sag)
 {
@@ -9411,8 +9421,8 @@ static kern_status kern_raise_show(kern_raise *r, kern_call *c,
              : kern_model_evaluate(&c->m, r->p, &c->path.q);
 }
 
-/* Answers kern_raised(). With a sag it answers kern_stays(), for the blocks
-   around block i. */
+/* Computes kern_raised(). If `sag` is not NULL, computes kern_stays(), in which
+   only the blocks near block i are free. */
 static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
                                    kern_raising *out, kern_real *reserve,
                                    const kern_proof *proof, int i,
@@ -9431,8 +9441,8 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         && ((unsigned)i >= (unsigned)task->s.blocks || task->s.block[i].fixed))
         return KERN_BAD_BLOCK;
 
-    /* runs the search, and writes its proof: forces, and a motion if it is
-       shown */
+    /* runs the search, and writes its proof: forces, and the motion if there is
+       one */
     r.around = i;
     r.proof = NULL;
     r.end = KERN_END_NONE;
@@ -9507,10 +9517,10 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
     kern_status status = kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
                                   side, factor ? &most : NULL, proof);
 
-    /* The load factor is an upper bound. Its proof in the caller's arrays is
-       overwritten by that of the raised load. Then the load grows from 0, in a
-       model that is opened again, since the search left a part open. That
-       cannot fail, since the memory is the same. */
+    /* Grows the load from 0 to the load factor, which is an upper bound. The
+       proof of the raised load overwrites that of the load factor in the
+       caller's arrays. The model is opened again, since the search left a part
+       open. This cannot fail, since the memory is the same. */
     if (status == KERN_STANDS) {
         kern_query *q = &c.path.q;
         kern_raising hung;
@@ -9522,7 +9532,8 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
         if (hung == KERN_HANGS)
             status = KERN_UNDECIDED;
         q->factor = most = kern_min(most, KERN_FACTOR_MOST);
-        kern_model_set(&c.m, q); /* the unit of force is the load at the end */
+        kern_model_set(&c.m, q); /* the unit of force includes the largest load
+                                                                             */
         if (status == KERN_STANDS)
             stood = kern_raise_climb(&r, q, &q->factor, most);
         task->work->end = r.end;
