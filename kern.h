@@ -9548,118 +9548,126 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* ==== Part VI: Geometry and planning ===================================== */
 
 /* ---- Tolerances of the geometry ----------------------------------- >>tol */
-/* Shares of a length of the caller's: a gap, a block's size, a coordinate. */
+/* Lengths are shares of a length of the caller's, such as a gap, a block's size
+   or a coordinate. */
 
-/* Most runs of an outline (kern_outline). A run has at least half as many
-   edges. More runs take stack, fewer runs take time. */
+/* Most runs of an outline (kern_outline). Each run has at least KERN_RUNS / 2
+   edges. More runs take more stack, fewer runs more time. */
 #define KERN_RUNS 16
-/* The default gap, as a share of the size of a pair's smaller free block. */
+/* Default of options.gap, as a share of the size of a pair's smaller free
+   block. */
 #define KERN_GAP_SHARE KERN_R(1e-3)
-/* Length of the shortest line, as a share of that size. */
+/* Length of the shortest line, as a share of the size of a pair's smaller free
+   block. */
 #define KERN_LINE_LEAST KERN_R(1e-3)
-/* Largest change of a block's area, as a share, that rounding at large
-   coordinates may cause. With more, its vertices have moved. */
+/* Largest change of a block's area, as a share, that counts as rounding at
+   large coordinates. After a larger change the vertices have moved. */
 #define KERN_AREA_TOL KERN_R(1e-3)
-/* Least turn of a corner [rad]. A vertex that turns by half a circle, within
-   this angle, is a spike. With a much larger value round stones would lose
-   their shape. */
+/* Least turn of a vertex that is a corner [rad]. A vertex that turns by half a
+   circle, give or take this angle, is a spike. With a much larger value round
+   stones would lose their shape. */
 #define KERN_TURN_LEAST KERN_R(1e-6)
-/* Least distance of a foot from the ends of its edge, as a share of the size:
-   rounding then makes no contacts between diagonal neighbours. */
+/* Least distance of a corner's foot from the ends of the edge that it touches,
+   as a share of the size. So rounding makes no contacts between diagonal
+   neighbours. */
 #define KERN_FOOT_INSET KERN_R(1e-6)
-/* A single point whose normal has a smaller slope against gravity carries
-   nothing. */
+/* Least slope of a normal against gravity. A single point with a smaller slope
+   carries nothing. */
 #define KERN_LEVEL_LEAST KERN_R(1e-6)
-/* The default angle [rad]. */
+/* Default of options.angle [rad]. */
 #define KERN_ANGLE KERN_R(0.0174533)
-/* Least denominator of the friction of a widened cone, which keeps it
-   finite. */
+/* Least denominator in the formula for the friction of a widened cone, so that
+   it stays finite. */
 #define KERN_CONE_LEAST KERN_R(0.0174533)
-/* Gap, as a share of the mean size, and angle [rad] of contacts that a little
-   rocking closes. Values of 0.03 to 0.1 and of 0.1 to 0.2 predict shaking tests
-   equally well. */
+/* kern_near(): gap, as a share of the mean size, and angle [rad] of contacts
+   that a slight rocking motion closes. Gaps of 0.03 to 0.1 and angles of 0.1 to
+   0.2 predict shaking tests equally well. */
 #define KERN_NEAR_GAP KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
-/* Number of standard errors of place and angle that a contact of a measured
-   structure may be off. With 3.5, none of 30 contacts is missed in 98 % of the
-   cases. */
+/* Number of standard errors of place and angle within which a contact of a
+   measured structure is found. With 3.5, all of 30 contacts are found in 98 %
+   of the cases. */
 #define KERN_ERRORS KERN_R(3.5)
-/* The gap, in errors of place times KERN_ERRORS. The gap between a corner and
-   an edge has a variance of 2 e^2 for the places of two stones and 3/8 e^2 for
-   their vertices: a standard error of 1.5 e. */
+/* Gap of measured structures, in errors of place times KERN_ERRORS. The gap
+   between a corner and an edge has a variance of 2 e^2 from the places of two
+   stones and 3/8 e^2 from their vertices. So its standard error is 1.5 e. */
 #define KERN_ERROR_GAP KERN_R(1.5)
-/* The angle, in errors of angle times KERN_ERRORS. The angle between two edges,
-   0.7 sizes long, has a variance of 2 theta^2, and as much for their ends: a
-   standard error of 2 theta. */
+/* Angle of measured structures, in errors of angle times KERN_ERRORS. The angle
+   between two edges of 0.7 sizes has a variance of 2 theta^2 from the angles of
+   two stones and 2 theta^2 from the ends of the edges. So its standard error is
+   2 theta. */
 #define KERN_ERROR_ANGLE KERN_R(2)
-/* Deepest overlap, in errors of place. */
+/* Deepest overlap of measured structures, in errors of place. */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
-/* Largest distance of a corner beyond the end of an edge, in errors of
-   place. */
+/* Measured structures: largest distance of a corner beyond the end of an edge
+   that it touches, in errors of place. */
 #define KERN_ERROR_EDGE KERN_R(3.0)
-/* kern_certain(): least length of a line, and least distance of a foot from the
-   ends of its edge, that no error along the edge takes away, in errors of
-   place. */
+/* kern_certain(): least length of a line that counts as certain, and least
+   distance of a certain point from the ends of its edge, in errors of place. */
 #define KERN_ERROR_SURE KERN_R(5.0)
-/* kern_certain(): errors of angle by which it narrows or widens cones. */
+/* kern_certain(): angle by which it narrows or widens cones, in errors of
+   angle. */
 #define KERN_ERROR_CONE KERN_R(3.0)
-/* A settling. FALL: fall of an unsupported block in a step, in errors of place.
-   STEPS: most steps. SWEEPS: most sweeps over all contacts in a step. They end
-   when no contact moves by more than the share STILL of the fall, and are
-   over-relaxed by RELAX. REST: a motion of less than this share of the fall is
-   rest. */
+/* Settling. FALL: fall of an unsupported block in one step, in errors of place.
+   STEPS: most steps. SWEEPS: most sweeps over all contacts in one step. STILL:
+   sweeps end when no contact moves by more than this share of the fall. RELAX:
+   factor of over-relaxation of a sweep. REST: blocks rest if they move by less
+   than this share of the fall. */
 #define KERN_SETTLE_FALL KERN_R(10.0)
 #define KERN_SETTLE_STEPS 120
 #define KERN_SETTLE_SWEEPS 60
 #define KERN_SETTLE_STILL KERN_R(0.015)
 #define KERN_SETTLE_RELAX KERN_R(1.5)
 #define KERN_SETTLE_REST KERN_R(0.03)
-/* Contact points that are corrected in one unit of work. */
+/* Settling: contact points that are corrected in one unit of work. */
 #define KERN_SETTLE_UNIT 20
-/* Area of a square over the square of its radius of gyration. */
+/* Settling: area of a square divided by the square of its radius of
+   gyration. */
 #define KERN_SETTLE_SPIN KERN_R(6.0)
-/* Contact points of equal height are ordered by their arms, then from side to
-   side: the share of each that is added to the height. */
+/* Settling: contact points of equal height are ordered by their arms, then from
+   side to side. This share of arm and place is added to the height. */
 #define KERN_SETTLE_TIE KERN_PICK(1e-7, 1e-5)
-/* The lower end: every PARTS-th stretch is open by OPEN errors of place at a
-   time. A contact is closed if its gap is at most CLOSED errors, in a settling
-   of doubts too. */
+/* kern_certain(), lower end. PARTS: every PARTS-th stretch is open at a time.
+   OPEN: gap of these stretches, in errors of place. CLOSED: largest gap of a
+   closed contact, in errors of place, also for KERN_DOUBT_*. */
 #define KERN_LOW_PARTS 2
 #define KERN_LOW_OPEN KERN_R(3.0)
 #define KERN_LOW_CLOSED KERN_R(1.0)
-/* The lower end is divided by 1 + LOSS e / mean size. For errors e below WIDE
-   mean sizes LOSS is smaller in proportion to e. */
+/* kern_certain(): its lower end is divided by 1 + LOSS e / mean size. For
+   errors e below WIDE mean sizes, LOSS is smaller in proportion to e. */
 #define KERN_LOW_LOSS KERN_R(200.0)
 #define KERN_LOW_WIDE KERN_R(0.005)
-/* Doubt: every PARTS-th stretch is open at a time. Blocks may settle by TELLS
-   times the motion that was found, at most by the share MOST of their mean
-   size. */
+/* kern_certain(), test of settling. PARTS: every PARTS-th stretch is open at a
+   time. TELLS: blocks may settle by this multiple of the largest motion found.
+   MOST: largest such distance, as a share of the mean size. */
 #define KERN_DOUBT_PARTS 3
 #define KERN_DOUBT_TELLS KERN_R(1.5)
 #define KERN_DOUBT_MOST KERN_R(0.45)
-/* Least depth of the middle of an overlap, as a share of the overlap: half
-   of it where both blocks are thick. */
+/* Least depth of the middle of an overlap inside both blocks, as a share of the
+   overlap. It is half of the overlap if both blocks are thick. */
 #define KERN_THIN KERN_R(0.25)
-/* Share of KERN_ANGLE_MOST up to which a measured angle is raised. */
+/* Largest angle that kern_measured_options() sets, as a share of
+   KERN_ANGLE_MOST. */
 #define KERN_ANGLE_SHARE KERN_R(0.99)
-/* Sine of 10 degrees: the normals of a line contact and of a vertex that
-   belongs to it differ by less, those at a corner by more. */
+/* Sine of the largest angle between the normals of a line contact and of a
+   point that belongs to it: 10 degrees. At a corner normals differ by more. */
 #define KERN_SAME_FACE KERN_R(0.17364817766693036)
-/* The search for overlap takes strides of a gap over STRIDES, each longer than
-   the last by one STRIDES-th. The depth that it finds may be too small by a
-   stride. More strides take more time. */
+/* The search for overlaps moves along an edge in strides. The first stride is
+   the gap divided by STRIDES, and each is longer than the last by one
+   STRIDES-th. The depth that it finds may be too small by one stride. Shorter
+   strides take more time. */
 #define KERN_STRIDES 32
 /* Most triangles of one size that are tried to find an inner point of a
    block. */
 #define KERN_TRIANGLES 32
-/* Steps of a search for contacts in a unit of work. A step is at most 80
+/* Steps of a search for contacts in one unit of work. A step is at most 80
    instructions. */
 #define KERN_SEARCH_UNIT 24
-/* Steps for two edges that are close to each other. */
+/* Steps of that search for two edges that are close to each other. */
 #define KERN_SEARCH_NEAR 8
-/* Two vertices are equally far from an edge if their squared distances differ
-   by less than this share. On a grid of pixels many are, except for
-   rounding. */
+/* Two vertices count as equally far from an edge if their squared distances
+   differ by less than this share. On a grid of pixels many vertices are equally
+   far except for rounding. */
 #define KERN_EQUALLY_FAR KERN_PICK(1e-6, 1e-5)
 /* Most halvings of the tolerance of a simplified outline while its edges cross.
    After them the tolerance is 0. */
@@ -9667,35 +9675,38 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 
 /* ---- coming to rest ---- */
 
-/* Most motions of a stone, and most touches that are kept. Only stones that
-   roll take more than 64 motions. */
+/* Most motions of a stone on its way to rest, and most touches that are stored
+   at a time. Only stones that roll take more than 64 motions. */
 #define KERN_REST_MOTIONS 64
 #define KERN_REST_TOUCHES 24
-/* Distance within which outlines touch, as a share of the stone's size; and the
-   length by which an edge is extended at its ends, as a share of that
+/* Largest distance between outlines that touch, as a share of the stone's size.
+   Length by which an edge is extended at its ends, as a share of that
    distance. */
 #define KERN_REST_TOUCH KERN_PICK(1e-7, 1e-4)
 #define KERN_REST_END KERN_R(0.01)
-/* Sine of an angle below which an edge is parallel to a motion, a motion does
-   not press a touch, and a way is level. */
+/* Sine of the angle that counts as 0: between an edge and a motion along it,
+   between a motion and a touch that it does not press, and between a level
+   motion and the horizontal. */
 #define KERN_REST_LEVEL KERN_PICK(1e-10, 1e-5)
-/* Tangent of half the largest turn of one motion. With shorter turns the stone
-   finds better places, and a motion meets fewer edges. */
+/* Tangent of half the largest turn of one motion. With smaller turns the stone
+   finds better places, and one motion meets fewer edges. */
 #define KERN_REST_TURN KERN_R(0.25)
-/* Least friction for a turn on which the stone slides at two touches. Without
-   friction both would only be grazed, and rounding would block the turn. With
-   less the stone creeps: a turn ends when both are open by that share. */
+/* Least friction for a turn on which the stone slides at two touches. With no
+   friction the stone would only graze both touches, and rounding could block
+   the turn. With little friction the stone creeps: a turn ends when both
+   touches are open by that share. */
 #define KERN_REST_SLIP KERN_R(0.01)
-/* Chance from which a stone counts as staying; share by which margins may
-   differ and still count as equal; and factor that leaves 13 bits of a number
-   in a sum (Dekker's split), since rounding must not rank places. */
+/* kern_place_compare(): chance at and above which a stone counts as staying;
+   largest difference of equal margins, as a share; and factor that rounds a
+   number to 13 bits (Dekker's split), so that rounding does not rank places. */
 #define KERN_PLACE_STAYS KERN_R(0.9)
 #define KERN_PLACE_SAME KERN_PICK(1e-4, 1e-3)
 #define KERN_PLACE_SPLIT KERN_PICK(1099511627777.0, 2049)
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
-/* The order of vertices is the caller's. It may be clockwise, and the area is
-   then negative. Vertices that hardly turn are no corners. */
+/* Vertices are in the caller's order. The order may be clockwise, and the area
+   is then negative. A vertex that turns by less than KERN_TURN_LEAST is no
+   corner. */
 
 /* Returns the vertex after i in the caller's order. */
 static int kern_polygon_next(const kern_block *block, int i)
@@ -9709,8 +9720,8 @@ static int kern_polygon_before(const kern_block *block, int i)
     return (i > 0 ? i : block->vertices) - 1;
 }
 
-/* Returns how vertex i turns: 1 to the inner side (convex), -1 to the outer
-   side (reflex), 0 hardly at all, -2 back (a spike or a repeated vertex). */
+/* Returns the kind of vertex i: 1 convex, -1 reflex, 0 hardly turning, -2 a
+   spike or a repeated vertex. */
 static inline int kern_polygon_turn(const kern_block *block, int i)
 {
     const kern_vec *v = block->vertex;
@@ -9725,15 +9736,15 @@ static inline int kern_polygon_turn(const kern_block *block, int i)
     return (turn > 0) == (block->area >= 0) ? 1 : -1;
 }
 
-/* Returns 1 if two boxes are no farther apart than the gap. A negative gap is
-   an overlap that they must have. */
+/* Returns 1 if two boxes are no farther apart than the gap. If the gap is
+   negative, they must overlap by its magnitude. */
 static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
 {
     return b->low.y - gap <= a->high.y && a->low.y - gap <= b->high.y
         && b->low.x - gap <= a->high.x && a->low.x - gap <= b->high.x;
 }
 
-/* Returns the largest coordinate of a box without its sign. */
+/* Returns the largest magnitude of the coordinates of a box. */
 static kern_real kern_box_largest(const kern_box *box)
 {
     return kern_max(kern_vec_largest(box->low), kern_vec_largest(box->high));
@@ -9741,13 +9752,14 @@ static kern_real kern_box_largest(const kern_box *box)
 
 /* ---- outlines ---- */
 
-/* A block's outline in runs of `each` vertices. Each run has a box around the
-   edges that start in it, from corner to corner. A short outline is one run. */
+/* A block's outline, divided into runs of `each` vertices. Each run has a box
+   around the edges that start in it, from corner to corner. A short outline is
+   a single run. */
 typedef struct kern_outline {
     const kern_block *block;
-    int straight, reflex; /* nonzero: it has such vertices, or spikes   */
-    int each;             /* vertices of a run                          */
-    int looks;            /* at vertices and runs, not counted yet      */
+    int straight, reflex; /* nonzero: it has vertices of turn 0 or < 0   */
+    int each;             /* number of vertices of a run                */
+    int looks;            /* vertices and runs read, not charged yet    */
     kern_box box[KERN_RUNS];
 } kern_outline;
 
@@ -9792,11 +9804,11 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
 /* The segment from one corner to another, counter-clockwise: an edge or a
    chord. */
 typedef struct kern_edge {
-    int at;           /* first corner in the caller's order    */
-    int start, end;   /* its corners, counter-clockwise        */
-    kern_vec p, q, d; /* their places; unit direction          */
+    int at;           /* index of first corner, caller's order           */
+    int start, end;   /* indices of corners, counter-clockwise     */
+    kern_vec p, q, d; /* places of start, end; unit direction    */
     kern_real length;
-    kern_box box; /* of an edge                            */
+    kern_box box; /* of an edge; of a chord it is not set  */
 } kern_edge;
 
 /* Makes an edge from `at` to `to`, which follows in the caller's order. */
@@ -9813,15 +9825,16 @@ static inline void kern_edge_set(kern_edge *e, const kern_block *block, int at,
     e->d = kern_vec_scale(e->d, 1 / e->length);
 }
 
-/* Returns the distance from the start of e to the foot of p on the line of
-   e. */
+/* Returns the distance along the line of e from the start of e to the foot of
+   p. */
 static kern_real kern_edge_foot(const kern_edge *e, kern_vec p)
 {
     return kern_vec_dot(kern_vec_sub(p, e->p), e->d);
 }
 
-/* Finds the next edge within the gap of the box, among those that start after
-   vertex e->at, which is -1 at first. Returns 0 if there is none. */
+/* Finds the next edge of the outline within the gap of the box, beginning after
+   vertex e->at. Set e->at to -1 for the first call. Returns 0 if there is no
+   such edge. */
 static int kern_edge_next(kern_edge *e, kern_outline *o, const kern_box *box,
                           kern_real gap)
 {
@@ -9846,7 +9859,7 @@ static int kern_edge_next(kern_edge *e, kern_outline *o, const kern_box *box,
 
 /* ---- places ---- */
 
-/* Returns the squared distance of the origin from the edge u, v. It may be a
+/* Returns the squared distance of the origin from the edge u v, which may be a
    point. */
 static kern_real kern_edge_square(kern_vec u, kern_vec v)
 {
@@ -9860,8 +9873,8 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
 }
 
 /* Returns the distance of p from the boundary, negative if p is outside. Writes
-   the first vertex of the nearest edge to *nearest. The old value of *nearest
-   is a guess, which saves time. */
+   the first vertex of the nearest edge to *nearest. Its old value serves as a
+   guess of the nearest edge, which saves time. */
 static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
 {
     const kern_block *block = o->block;
@@ -9874,13 +9887,13 @@ static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
 
     u = kern_vec_sub(vertex[0], p);
     for (start = 0; start < n; start = end) {
-        /* a run farther away than the nearest edge so far is not searched: it
-           crosses the level of p if its ends do, on one side of p */
+        /* skips a run farther away than the nearest edge so far: only its two
+           ends decide whether it crosses the level of p */
         const kern_box *box = &o->box[start / o->each];
         const kern_real x = kern_min(kern_max(p.x, box->low.x), box->high.x);
         const kern_real y = kern_min(kern_max(p.y, box->low.y), box->high.y);
         const kern_vec way = kern_vec_sub(p, kern_vec_make(x, y));
-        const int skip = /* beyond all rounding */
+        const int skip = /* farther despite rounding */
             KERN_R(0.999) * kern_vec_dot(way, way) > least;
         end = n - start > o->each ? start + o->each : n;
         o->looks += 1 + (skip ? 0 : end - start);
@@ -9906,8 +9919,8 @@ static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
     return inside ? least : -least;
 }
 
-/* Returns 1 if f lies on one side of the line of e. It does not use the unit
-   direction of e, which is rounded. */
+/* Returns 1 if f lies on one side of the line of e. Does not use e->d, since
+   rounding changes its direction. */
 static int kern_one_side(const kern_edge *e, const kern_edge *f)
 {
     const kern_vec d = kern_vec_sub(e->q, e->p);
@@ -9918,10 +9931,10 @@ static int kern_one_side(const kern_edge *e, const kern_edge *f)
 
 /* ---- what a polygon must be ---- */
 
-/* Returns the first edge that turns back or touches an edge that is no
-   neighbour, or -1 if there is none. A convex polygon has none: it turns one
-   way only and has one lowest place. Edges whose boxes meet touch unless one of
-   them lies on one side of the line of the other. */
+/* Returns the first edge that turns back or touches an edge that is not its
+   neighbour, or -1 if there is none. A convex polygon, which turns only one way
+   and has one lowest vertex, needs no search. Edges whose boxes meet touch
+   unless one of them lies on one side of the line of the other. */
 static int kern_polygon_crossing(const kern_block *block)
 {
     const kern_vec *v = block->vertex;
@@ -9934,7 +9947,7 @@ static int kern_polygon_crossing(const kern_block *block)
     kern_outline_set(&o, block);
     if (!o.reflex && lowest < 2)
         return -1;
-    o.straight = 0; /* edges from vertex to vertex cost less */
+    o.straight = 0; /* edges from vertex to vertex, which cost less */
     e.at = -1;
     while (kern_edge_next(&e, &o, &block->box, 0)) {
         int touch = kern_polygon_turn(block, e.at) == -2;
@@ -9948,9 +9961,9 @@ static int kern_polygon_crossing(const kern_block *block)
     return -1;
 }
 
-/* Writes area, centre and box of a block. The sums are over the triangles
-   between vertex 0 and the edges, so that no digits are lost far from the
-   origin. Returns the sum of the triangles' unsigned areas. */
+/* Writes area, centre and box of a block. Sums over the triangles between
+   vertex 0 and the edges, so that no digits are lost far from the origin.
+   Returns the sum of the unsigned areas of the triangles. */
 static inline kern_real kern_polygon_area(kern_block *block)
 {
     const kern_vec o = block->vertex[0];
@@ -9973,7 +9986,8 @@ static inline kern_real kern_polygon_area(kern_block *block)
     return spread;
 }
 
-/* Writes area, centre and box. Returns KERN_OK or the fault of the polygon. */
+/* Writes area, centre and box of a block. Returns KERN_OK or the fault of the
+   polygon. */
 static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 {
     kern_real spread, least;
@@ -9984,15 +9998,15 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     least = 2 * KERN_ROUNDING * kern_box_largest(&block->box)
           * kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
     least = kern_max(least, 1 / (KERN_FAR * KERN_FAR));
-    /* otherwise all vertices are on one line */
+    /* with a smaller spread all vertices are on one line */
     fault->index = spread > least ? kern_polygon_crossing(block) : -1;
     return fault->index >= 0             ? KERN_CROSSING
          : kern_abs(block->area) > least ? KERN_OK
                                          : KERN_NO_AREA;
 }
 
-/* Returns KERN_OK or the fault of an array of n vertices, except for the
-   vertices. */
+/* Checks an array of n vertices, except for its contents. Returns KERN_OK or
+   its fault. */
 KERN_SHARED static kern_status kern_vertices_check(const kern_vec *v, int n)
 {
     return n < 0 || n > KERN_POINTS_MOST ? KERN_BAD_COUNT
@@ -10001,7 +10015,8 @@ KERN_SHARED static kern_status kern_vertices_check(const kern_vec *v, int n)
                                          : KERN_BAD_POINTER;
 }
 
-/* Returns a fixed block of these vertices that is not measured yet. */
+/* Returns a fixed block with these vertices. Area, centre and box are not
+   set. */
 static kern_block kern_ground_of(const kern_vec *vertex, int vertices)
 {
     const kern_block made = {vertex,           vertices, 1,      0,
@@ -10009,7 +10024,7 @@ static kern_block kern_ground_of(const kern_vec *vertex, int vertices)
     return made;
 }
 
-/* Leaves a block that every call refuses if the polygon has a fault. */
+/* Marks the block so that every call refuses it if the polygon has a fault. */
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
                                       int vertices, kern_fault *fault)
 {
@@ -10066,11 +10081,11 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
 
 /* ---- simplified outlines ---- */
 
-/* Returns the vertex after start and up to end that is farthest from the
-   segment p q, or -1 if none is farther away than the tolerance. If start is
-   end all vertices count. Of vertices that are equally far it is the lowest,
-   and of these the leftmost, so that it does not depend on where the outline
-   begins. */
+/* Returns the vertex farthest from the segment p q, of those after `start` and
+   up to `end`, or -1 if none is farther away than the tolerance. If start
+   equals end, searches all vertices. Of vertices that are equally far it
+   returns the lowest, and of these the leftmost, so that the result does not
+   depend on where the outline begins. */
 KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
                                              int end, kern_vec p, kern_vec q,
                                              kern_real tolerance)
@@ -10096,10 +10111,10 @@ KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
 }
 
 /* Writes the vertices that stay to out[0..room) and their indices to kept.
-   Returns how many there are; KERN_NO_SPACE; or KERN_NO_AREA if all vertices
-   are at one place. Vertices that stay but come after `end` wait at the end of
-   kept, the next one first. There is room for them, since all of them will be
-   written. */
+   Returns the number of these vertices, KERN_NO_SPACE, or KERN_NO_AREA if all
+   vertices are at one place. Vertices that stay but come after `end` are stored
+   at the end of `kept`, the next one first, until they are written. There is
+   room for all of them, since each needs an entry of `kept` anyway. */
 static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
                                kern_vec *out, int *kept, int room)
 {
@@ -10114,13 +10129,14 @@ static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
         const int split = kern_outline_farthest(block, at, end, v[at], v[end],
                                                 tolerance);
 
-        /* an edge to `end` would leave out a vertex that is too far away */
+        /* an edge from `at` to `end` would leave out a vertex that is too far
+           away */
         if (split >= 0) {
             kept[--waiting] = split;
             continue;
         }
 
-        /* it would not: vertex `at` stays, and the next edge begins at `end` */
+        /* otherwise vertex `at` stays, and the next edge begins at `end` */
         kept[count] = at;
         out[count++] = v[at];
         if (waiting++ == room)
@@ -10149,8 +10165,7 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
         || kern_box_largest(&raw.box) > KERN_FAR)
         return (int)KERN_BAD_NUMBER;
 
-    /* while the remaining edges cross, or have no area, leaves out fewer
-       vertices */
+    /* halves the tolerance while the edges cross or enclose no area */
     for (tries = KERN_HALVINGS; tries >= 0; tries--, tolerance /= 2) {
         count = kern_outline_reduce(&raw, tries ? tolerance : KERN_R(0), out,
                                     kept, room);
@@ -10170,8 +10185,8 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
     ___o___________o___      _____\ /_____        a  |  two normals
        |     a         |       a   o              ___|  at one place
 
-   Steps for each pair of blocks whose boxes are within the gap, by >>rules (see
-   kern_search_pair()):
+   kern_search_pair() takes these steps for each pair of blocks whose boxes are
+   within the gap, by >>rules:
    1. Overlap: the search fails (kern_overlap_depth()).
    2. Edges make lines (kern_pair_line()) and points (kern_pair_point()).
    3. Faces: contacts on one line are merged (kern_pair_face()).
@@ -10180,33 +10195,33 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
 
 /* ---- the pair ---- */
 
-/* Two blocks, and the contacts of all pairs so far in the caller's array. In
-   that array a line is one contact: p is its middle and travel half its
-   length. */
+/* Two blocks, their tolerances, and the contacts of all pairs so far in the
+   caller's array. In that array a line is still one contact, whose p is its
+   middle and whose travel is half its length. */
 typedef struct kern_pair {
     int a, b;        /* indices of the blocks, a before b             */
     kern_real gap;   /* widest gap [m], without errors of angle       */
-    kern_real swing; /* gap per distance that errors of angle add     */
-    kern_real deep;  /* deepest overlap [m]                           */
-    kern_real reach; /* no gap or overlap is wider [m]                */
+    kern_real swing; /* gap per distance from errors of angle [1]       */
+    kern_real deep;  /* deepest overlap that is a contact [m]         */
+    kern_real reach; /* bound of all gaps and overlaps [m]            */
     kern_real least; /* least length of a line [m]                    */
     kern_real foot;  /* least distance of a foot from an edge's ends [m] */
     kern_real sure;  /* that distance for measured structures, and least
                               length of a line; below 0: beyond the ends */
     kern_real apart; /* widest hollow of a face [m]                   */
-    kern_real sine;  /* of the angle of the options                   */
+    kern_real sine;  /* sine of options->angle                        */
     const kern_options *options;
     kern_work *work;
-    int steps; /* since the last unit of work                         */
+    int steps; /* steps since the last unit of work                   */
     kern_contact *out;
-    int room, count;         /* count may exceed room: no more is stored    */
+    int room, count;         /* if count exceeds room, no more is stored    */
     int first;               /* first contact of this pair                  */
     kern_outline outline[2]; /* a and b                                     */
 } kern_pair;
 
-/* Counts steps that a search is about to take, and the looks at its
-   outlines. Returns 0 from the unit of work on that exceeds the limit: there
-   every loop of the search ends. */
+/* Charges steps before a search takes them, and the vertices that it has read.
+   Returns 0 once the work exceeds the limit, and then every loop of the search
+   ends. */
 static int kern_pair_spend(kern_pair *pair, int steps)
 {
     pair->steps += steps + pair->outline[0].looks + pair->outline[1].looks;
@@ -10219,12 +10234,13 @@ static int kern_pair_spend(kern_pair *pair, int steps)
 }
 
 /* ---- overlap ---- */
-/* The search goes along the edges of one block. The depth in the other block
-   changes by no more than the distance covered, so each depth gives a safe
-   step. */
+/* The search moves along the edges of one block. A step changes the depth
+   inside the other block by at most the length of the step, so each depth gives
+   a safe step. */
 
-/* Returns how far b reaches to a side of an edge, its left where side is 1, its
-   right where it is -1; or, beyond `most`, how far a vertex does. */
+/* Returns the largest distance of the vertices of b from the line of edge e, to
+   its left (side 1) or right (side -1). Stops at the first vertex farther away
+   than `most`, and returns the distance of that vertex. */
 static kern_real kern_overlap_side(kern_pair *pair, const kern_edge *e,
                                    const kern_block *b, kern_real side,
                                    kern_real most)
@@ -10239,8 +10255,8 @@ static kern_real kern_overlap_side(kern_pair *pair, const kern_edge *e,
     return reach;
 }
 
-/* Returns how far both ends of f are from the line of e, below 0 unless they
-   are on both sides of it. */
+/* Returns the distance of the nearer end of f from the line of e. Returns a
+   negative number if both ends are on the same side of that line. */
 static kern_real kern_edge_across(const kern_edge *e, const kern_edge *f)
 {
     const kern_real p = kern_vec_cross(e->d, kern_vec_sub(f->p, e->p));
@@ -10248,10 +10264,11 @@ static kern_real kern_edge_across(const kern_edge *e, const kern_edge *f)
     return kern_max(kern_min(p, -q), kern_min(-p, q));
 }
 
-/* Raises *deep to the depth of the boundary of block a (on 0) or b (1) in the
-   other, or where edges cross, as in thin blocks, to the shortest way after
-   which they do not. An overlap may be a stride deeper. Stops at one beyond
-   `enough`. Strides grow, since a gap of few roundings would take too many. */
+/* Raises *deep to the largest depth of the boundary of block a (on = 0) or
+   block b (on = 1) inside the other block. Where edges cross, as in thin
+   blocks, raises *deep to the shortest motion after which they do not. The true
+   depth may be larger by a stride. Stops at a depth above `enough`. Strides
+   grow from step to step, since a gap close to rounding would take too many. */
 static void kern_overlap_boundary(kern_pair *pair, int on, kern_real enough,
                                   kern_real *deep)
 {
@@ -10272,7 +10289,7 @@ static void kern_overlap_boundary(kern_pair *pair, int on, kern_real enough,
             *deep = kern_max(*deep, depth);
             if (*deep > enough)
                 return;
-            /* goes on while the depth under the nearest edge stays below
+            /* steps as far as the depth under the nearest edge stays below
                *deep */
             kern_edge_set(&f, b->block, nearest,
                           kern_polygon_next(b->block, nearest));
@@ -10288,10 +10305,10 @@ static void kern_overlap_boundary(kern_pair *pair, int on, kern_real enough,
     }
 }
 
-/* Raises *deep to the depth of inner points of block a (on 0) or b (1) in the
-   other. The points are the middles of triangles of vertices, first of vertices
-   far apart. They lie inside where the outline turns left. If no boundary is
-   deep, one inner point decides for all points around it. */
+/* Raises *deep to the depth of inner points of block a (on = 0) or block b (on
+   = 1) inside the other block. The points are centroids of triangles of
+   vertices, first of vertices far apart. If no boundary is deep, one inner
+   point is enough: all points around it have the same result. */
 static void kern_overlap_middles(kern_pair *pair, int on, kern_real *deep)
 {
     kern_outline *a = &pair->outline[on], *b = &pair->outline[!on];
@@ -10314,9 +10331,9 @@ static void kern_overlap_middles(kern_pair *pair, int on, kern_real *deep)
         }
 }
 
-/* Returns the shortest way that parts a convex pair: the least reach of a block
-   beyond an edge of the other. It is at most half of the deepest overlap where
-   the line of an edge parts the pair, convex or not. */
+/* Returns the shortest motion that separates a convex pair: the least distance
+   that one block reaches beyond an edge of the other. If the line of an edge
+   separates the pair, convex or not, the result is at most pair->deep / 2. */
 static kern_real kern_overlap_least(kern_pair *pair)
 {
     const kern_real some = pair->deep / 2;
@@ -10341,10 +10358,11 @@ static kern_real kern_overlap_least(kern_pair *pair)
     return least;
 }
 
-/* Returns the depth of the pair's overlap, or a depth beyond `enough`, or 0 if
-   none is deeper than a contact may be. A stride of depth may be missed. Where
-   convex blocks are too thin to be that deep, it is the shortest way that parts
-   them. Two blocks at one place have no deep boundary. */
+/* Returns the depth of the pair's overlap, or 0 if it is no deeper than a
+   contact may be. May stop at any depth above `enough`. The result may be too
+   small by one stride. For convex blocks that are too thin to be so deep, it is
+   the shortest motion that separates them. Inner points are searched since two
+   equal blocks at one place have no boundary inside each other. */
 KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
                                                 kern_real enough)
 {
@@ -10358,7 +10376,7 @@ KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
     if (least <= gap / 2 || !kern_pair_spend(pair, 0))
         return KERN_R(0);
 
-    /* the depth of points, or how far convex blocks must go to part */
+    /* finds the depth of points, or the motion that separates convex blocks */
     for (i = 0; i < 2 && !(deep > enough); i++)
         kern_overlap_boundary(pair, i, enough, &deep);
     for (i = 0; i < 2 && !(deep > gap); i++)
@@ -10377,8 +10395,8 @@ static kern_vec kern_line_end(const kern_contact *line, kern_real side)
     return kern_vec_step(line->p, side * line->travel, kern_vec_turn(line->n));
 }
 
-/* Adds a contact after those that are as long or longer. If there is no room it
-   is only counted. */
+/* Inserts a contact after those that are at least as long. If there is no room,
+   only counts it. */
 static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
                           kern_real half)
 {
@@ -10417,9 +10435,9 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
                                * (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
 }
 
-/* Returns 1 if p, the middle of a gap or of an overlap, is inside both blocks
-   that overlap, but for `slack`. It is not where one has passed through a part
-   that is thinner. `gap` is below 0 for an overlap. */
+/* Returns 1 if the middle p of an overlap is inside both blocks, give or take
+   `slack`. p is outside if one block has passed through a thin part of the
+   other. `gap` is negative for an overlap. Returns 1 for any other gap. */
 static int kern_pair_inside(kern_pair *pair, kern_vec p, kern_real gap,
                             kern_real slack)
 {
@@ -10430,10 +10448,10 @@ static int kern_pair_inside(kern_pair *pair, kern_vec p, kern_real gap,
                >= -KERN_THIN * gap - slack;
 }
 
-/* Adds the line contact of an edge of each block, where they run against each
-   other and are near. In the frame of their mean tangent t and normal n both
-   are heights over s: e rises as f falls, and the gap opens at twice that
-   slope. */
+/* Adds the line contact of two edges, one of each block, where they are
+   antiparallel and close to each other. In the frame of their mean tangent t
+   and normal n both edges are heights over the coordinate s. e rises at the
+   slope at which f falls, so the gap changes at twice that slope. */
 static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 {
     const kern_edge *e = edge, *f = edge + 1;
@@ -10443,21 +10461,22 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     if (!kern_pair_opposed(pair, e, f))
         return;
 
-    /* the stretch where both edges are, as s from the start of e */
+    /* finds the range of s that both edges cover; s is 0 at the start of e */
     t = kern_vec_unit(kern_vec_sub(e->d, f->d));
     n = kern_vec_scale(kern_vec_turn(t), -1); /* outward */
-    cosine = kern_vec_dot(e->d, t);           /* and of f the opposite */
+    cosine = kern_vec_dot(e->d, t);           /* that of f is the opposite */
     slope = kern_vec_dot(e->d, n) / cosine;
     at = kern_vec_dot(r, t);
     low = kern_max(KERN_R(0), at);
     high = kern_min(e->length * cosine, at + f->length * cosine);
 
-    /* the part of it where the gap is small enough */
+    /* clips it to the range in which the gap is small enough */
     gap = kern_vec_dot(r, n) + slope * at; /* at s = 0 */
     wide = kern_pair_gap(pair, kern_vec_step(e->p, (low + high) / 2, t));
     kern_clip(&low, &high, gap, -2 * slope, -kern_max(wide, pair->deep), wide);
 
-    /* short edges that match are a contact, too; it lies midway */
+    /* adds the contact midway between the edges; short edges that match are a
+       contact, too */
     least = kern_min(pair->least, kern_max(e->length, f->length) / 2);
     if (!(high - low > kern_max(least, kern_max(pair->foot, pair->sure))))
         return;
@@ -10467,10 +10486,10 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
         kern_pair_put(pair, p, n, (high - low) / 2);
 }
 
-/* Returns 1 if the foot of the corner at p is inside edge e, or e ends there in
-   a reflex corner, into which this one fits: its edges, which lead away along
-   `back` and `out`, lead away from both edges of the other. e is of block a (on
-   0) or b (1). */
+/* Returns 1 if the foot of the corner at p is inside edge e. Also returns 1 if
+   e ends there in a reflex corner into which the corner fits: its edges, with
+   directions `back` and `out`, lead away from both edges of the reflex corner.
+   e belongs to block a (on = 0) or block b (on = 1). */
 static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
                            kern_vec p, kern_vec back, kern_vec out)
 {
@@ -10483,7 +10502,7 @@ static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
         bears = inside > pair->foot + pair->sure;
         if (inside <= pair->gap && kern_polygon_turn(block, at) < 0) {
             const int from = at == e->at ? kern_polygon_before(block, at) : at;
-            kern_edge wall; /* the other edge there */
+            kern_edge wall; /* other edge of the reflex corner */
             kern_edge_set(&wall, block, from, kern_polygon_next(block, from));
             bears = inside >= -pair->gap
                  && kern_vec_cross(end ? back : out, wall.d) >= -pair->sine;
@@ -10492,10 +10511,11 @@ static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
     return bears;
 }
 
-/* Adds the point contact of edge e, of block a (on = 0) or b (1), with the
-   corner of the other block at which its edge f starts. f leads away from e.
-   The corner must be convex and within the gap, its foot must be on e, and its
-   other edge must lead away from e. */
+/* Adds the point contact of edge e with a corner of the other block. e is
+   edge[on], of block a (on = 0) or block b (on = 1). The corner is the start of
+   the other edge f, which leads away from e. The corner must be convex and
+   within the gap, its foot must be on e, and its other edge must lead away from
+   e. */
 static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
 {
     const kern_edge *e = &edge[on], *f = &edge[!on];
@@ -10503,7 +10523,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
     const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
     const kern_block *own = pair->outline[!on].block;
     kern_vec back, p = f->p;
-    int last; /* the corner before f */
+    int last; /* index of the corner before f */
     if (high > wide || high < -kern_max(wide, pair->deep))
         return;
     last = own->area > 0 ? kern_polygon_before(own, f->start)
@@ -10521,7 +10541,8 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
                       0);
 }
 
-/* Finds lines and points of each pair of edges that are close to each other. */
+/* Finds the lines and points of all pairs of edges that are close to each
+   other. */
 static void kern_pair_edges(kern_pair *pair)
 {
     kern_outline *a = &pair->outline[0], *b = &pair->outline[1];
@@ -10543,26 +10564,28 @@ static void kern_pair_edges(kern_pair *pair)
 }
 
 /* ---- faces ---- */
-/* Contacts of a pair are in order of length, points last. The first one leads a
-   face, and all others with its normal and on its line join it. A point is left
-   out if its normal is about that of the face and it lies within the gap of the
-   contacts that have joined. The first of the remaining contacts leads the next
-   face. A stretch is a face without a hollow wider than the gap. */
+/* Contacts of a pair are in order of length, points last. The first contact
+   leads a face, and all contacts with its normal and on its line join the face.
+   A point is removed if its normal is about that of the face and it lies within
+   the gap of the contacts that have joined. The first of the remaining contacts
+   leads the next face. A stretch is a face without a hollow wider than the
+   gap. */
 
 /* Makes a face of contact i and all contacts that join it. */
 KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 {
     kern_contact *at = pair->out;
     const kern_contact *const lead = &at[i];
-    kern_vec low = lead->p, high = lead->p; /* outermost points            */
-    kern_real least = KERN_R(0), most = KERN_R(0);      /* their places */
+    kern_vec low = lead->p, high = lead->p; /* outermost points of face     */
+    kern_real least = KERN_R(0), most = KERN_R(0);      /* their places along it
+                                                                        */
     kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* of normals   */
     kern_real half;
     int k, rest = i + 1;
     KERN_ASSERT(i >= pair->first && i < pair->count);
 
-    for (k = i; k < pair->count; k++) { /* itself first */
-        /* the place of the contact relative to the lead */
+    for (k = i; k < pair->count; k++) { /* the lead itself comes first */
+        /* computes the place of the contact relative to the lead */
         const kern_contact *c = &at[k];
         const kern_vec r = kern_vec_sub(c->p, lead->p);
         const kern_real cosine = kern_vec_dot(lead->n, c->n);
@@ -10588,7 +10611,7 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
             continue;
         }
 
-        /* it joins: the outermost points are the ends of the face */
+        /* it joins the face, whose ends are the outermost points */
         if (along - half < least) {
             least = along - half;
             low = kern_line_end(c, -1);
@@ -10610,8 +10633,8 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 }
 
 /* Makes faces of the contacts from the first one of the pair on. A contact that
-   joins a stretch may close a hollow for others, so each face is repeated until
-   it does not change. */
+   joins a stretch may close the hollow to other contacts, so each stretch is
+   merged again until it does not change. */
 static void kern_pair_faces(kern_pair *pair)
 {
     int i, count;
@@ -10626,7 +10649,7 @@ static void kern_pair_faces(kern_pair *pair)
 /* ---- travels ---- */
 
 /* Returns the block that a contact carries if `down` is the direction of
-   gravity, or KERN_OUT if the normal is horizontal within rounding. */
+   gravity. Returns KERN_OUT if the normal is horizontal within rounding. */
 KERN_SHARED static int kern_carried_block(const kern_contact *c, kern_vec down)
 {
     const kern_real push = kern_vec_dot(c->n, down);
@@ -10634,8 +10657,8 @@ KERN_SHARED static int kern_carried_block(const kern_contact *c, kern_vec down)
     return push < -least ? c->b : push > least ? c->a : KERN_OUT;
 }
 
-/* Returns 1 if c and d belong to one interface, or with `down`, carry the same
-   block. */
+/* Returns 1 if contacts c and d belong to one interface. If `down` is not NULL,
+   returns 1 if they carry the same block. */
 static int kern_same_group(const kern_contact *c, const kern_contact *d,
                            const kern_vec *down)
 {
@@ -10643,8 +10666,9 @@ static int kern_same_group(const kern_contact *c, const kern_contact *d,
                 : kern_same_interface(c, d);
 }
 
-/* Returns the middle of the two points farthest apart in the group of *of. Of
-   pairs that are equally far apart it takes the first by index. */
+/* Returns the middle of the two points that are farthest apart, among the
+   contacts in the same group as *of (kern_same_group()). Of pairs that are
+   equally far apart it takes the first by index. */
 static kern_vec kern_middle(const kern_contact *contact, int contacts,
                             const kern_contact *of, const kern_vec *down,
                             kern_pair *pair)
@@ -10666,9 +10690,10 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
     return middle;
 }
 
-/* Sets the travel of points to the foot of the middle of their group. Sets all
-   points, or with `down` those that are alone in their interface and carry a
-   block. Successive points usually have the same middle. */
+/* Sets the travel of points: to the foot of the middle of their group. If
+   `down` is NULL, sets all points. Otherwise sets only points that are alone in
+   their interface and carry a block. Keeps the last middle, since successive
+   points usually share it. */
 static void kern_point_travels(kern_contact *contact, int contacts,
                                const kern_vec *down, kern_pair *pair)
 {
@@ -10700,20 +10725,20 @@ static void kern_point_travels(kern_contact *contact, int contacts,
 typedef enum kern_search_kind {
     KERN_SEARCH_CONTACTS,
     KERN_SEARCH_OVERLAPS,
-    KERN_SEARCH_EDGES,     /* contacts of edges and corners, no faces       */
+    KERN_SEARCH_EDGES,     /* contacts of edges and corners, not merged     */
     KERN_SEARCH_STRETCHES, /* faces end at hollows wider than the gap       */
-    KERN_SEARCH_SURE       /* stretches of lines at least KERN_ERROR_SURE
-                              long and points as far inside of their edge   */
+    KERN_SEARCH_SURE       /* stretches of lines at least KERN_ERROR_SURE long,
+                              and of points as far inside their edge        */
 } kern_search_kind;
 
 typedef struct kern_search {
     const kern_block *block;
     int blocks;
-    int from; /* the first block that is paired with earlier ones */
+    int from; /* first block that is paired with earlier ones     */
     kern_fault *fault;
-    kern_real floor;       /* closer places are the same [m]              */
+    kern_real floor;       /* places closer than this are the same [m]    */
     kern_real reach;       /* widest gap of any pair [m]                  */
-    kern_search_kind kind; /* pair.count counts overlaps or contacts      */
+    kern_search_kind kind; /* decides whether pair.count counts overlaps  */
     kern_overlap *overlap;
     kern_pair pair;
 } kern_search;
@@ -10724,8 +10749,8 @@ static kern_real kern_box_half(const kern_block *block)
     return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2;
 }
 
-/* Returns the widest gap of blocks of a size. The gap of measured options is
-   added to that of exact places. */
+/* Returns the widest gap for blocks of this size. For measured options it is
+   options->gap plus the gap for exact places. */
 static kern_real kern_search_gap(const kern_search *s, kern_real size)
 {
     const kern_options *o = s->pair.options;
@@ -10768,8 +10793,9 @@ static int kern_block_is_stale(const kern_block *block)
 }
 
 /* Returns 1 if two blocks cannot touch: they are far apart, both are fixed, or
-   the first has no vertices. Blocks that share one array of vertices are not
-   apart: the first has lost its own vertices. */
+   the first has no vertices. Returns 0 for blocks that share one array of
+   vertices, since the vertices of the first have been overwritten:
+   kern_search_pair() then finds it stale. */
 static int kern_search_is_apart(const kern_search *s, const kern_block *a,
                                 const kern_block *b)
 {
@@ -10794,7 +10820,7 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
         return KERN_STALE;
     }
 
-    /* an overlap ends a search for contacts; a search for overlaps lists it */
+    /* finds an overlap, which ends a search for contacts */
     kern_outline_set(&pair->outline[0], a);
     kern_pair_tolerances(pair, s);
     if (!kern_pair_spend(pair, 1))
@@ -10815,8 +10841,8 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
         return KERN_OK;
     }
 
-    /* contacts of edges are merged to faces; then the travels of points are
-       known */
+    /* finds contacts of edges, merges them to faces, and sets the travels of
+       points */
     pair->a = i;
     pair->b = j;
     pair->first = pair->count;
@@ -10831,10 +10857,10 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     return KERN_OK;
 }
 
-/* Makes one ground of all fixed blocks, so that a fixed block that is cut in
-   two carries as before. Contacts with fixed blocks become contacts with the
-   first of these. Stretches that continue each other become one. Sets the
-   travels of points again. */
+/* Makes one ground of all fixed blocks, so that cutting a fixed block in two
+   changes nothing. Contacts with any fixed block become contacts with the first
+   of these. Stretches that continue each other are merged. Sets the travels of
+   points again. */
 static void kern_search_ground(kern_search *s)
 {
     kern_pair *pair = &s->pair;
@@ -10861,8 +10887,8 @@ static void kern_search_ground(kern_search *s)
     kern_point_travels(out, pair->count, NULL, pair);
 }
 
-/* Makes two points of every line, from the last line to the first. Returns how
-   many points there are. */
+/* Replaces every line by two points, from the last line to the first. Returns
+   the number of points, or KERN_NO_SPACE. */
 static int kern_search_close(const kern_search *s)
 {
     kern_contact *out = s->pair.out;
@@ -10893,7 +10919,7 @@ static int kern_search_close(const kern_search *s)
 KERN_SHARED static kern_status kern_search_survey(kern_search *s)
 {
     kern_real most = KERN_R(0); /* largest coordinate                 */
-    kern_real area = KERN_R(0); /* largest of a free block            */
+    kern_real area = KERN_R(0); /* largest area of a free block       */
     kern_real arm = KERN_R(0);  /* twice the longest diagonal of a box */
     int i;
     s->pair.swing = KERN_ERRORS * s->pair.options->pose_turn;
@@ -10909,10 +10935,11 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
         if (!block->vertices)
             continue;
 
-        /* its box and area must be those of kern_block_init() */
+        /* checks that box and area are those of kern_block_init() */
         if (status == KERN_OK)
             status = !kern_is_finite(block->area)
-                          || !kern_box_near(box, box, 0) /* low above high */
+                          || !kern_box_near(box, box, 0) /* 0 if low is above
+                                                            high           */
                           || kern_box_largest(box) > KERN_FAR
                        ? KERN_BAD_NUMBER
                    : !(kern_abs(block->area) > 0)               ? KERN_NO_AREA
@@ -10923,7 +10950,7 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
             return status;
         }
 
-        /* the largest coordinate, arm and free block */
+        /* finds the largest coordinate, arm and free block */
         most = kern_max(most, kern_box_largest(box));
         if (s->pair.swing > 0) /* saves square roots */
             arm = kern_max(arm, 4 * kern_box_half(block));
@@ -10931,14 +10958,14 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
             area = kern_max(area, kern_abs(block->area));
     }
 
-    /* no tolerance is below rounding, and no pair reaches farther than this */
+    /* bounds the tolerances of all pairs, from below by rounding */
     s->floor = 2 * KERN_ROUNDING * most;
     s->reach = kern_search_gap(s, KERN_SQRT(area)) + s->pair.swing * arm;
     return KERN_OK;
 }
 
-/* Returns KERN_OK or the fault of the arguments of a search, except the blocks,
-   or KERN_LIMIT if these are too many to read. */
+/* Checks the arguments of a search, except the contents of the blocks. Returns
+   KERN_OK or the fault, or KERN_LIMIT if the blocks are too many to read. */
 static kern_status kern_search_asked(kern_search *s)
 {
     const kern_options *o = s->pair.options;
@@ -10953,8 +10980,9 @@ static kern_status kern_search_asked(kern_search *s)
                                                               : KERN_LIMIT;
 }
 
-/* Finds contacts of the blocks from index `from` on with earlier blocks, or
-   overlaps. Returns how many there are, or a negative status. */
+/* Finds the contacts or overlaps of each block from index `from` on with the
+   blocks of lower index. Returns the number of contact points or overlaps, or a
+   negative status. */
 static int kern_search_run(const kern_block *block, int blocks,
                            const kern_options *options, void *out, int room,
                            kern_work *work, int from, kern_search_kind kind)
@@ -10965,14 +10993,14 @@ static int kern_search_run(const kern_block *block, int blocks,
     if (!work)
         return (int)KERN_BAD_POINTER;
 
-    /* the search and its pair, which later steps complete */
+    /* sets the fields of the search that do not depend on a pair */
     kern_work_begin(work);
     s.block = block;
     s.blocks = blocks;
     s.from = from;
     s.pair.options = options;
     s.pair.work = work;
-    s.pair.steps = KERN_SEARCH_UNIT - 1; /* of the first unit */
+    s.pair.steps = KERN_SEARCH_UNIT - 1; /* so that the first step is charged */
     s.pair.outline[0].looks = s.pair.outline[1].looks = 0;
     s.fault = &work->fault;
     s.kind = kind;
@@ -10981,7 +11009,7 @@ static int kern_search_run(const kern_block *block, int blocks,
     s.pair.room = room;
     s.pair.count = 0;
 
-    /* every pair of a new block and an earlier one */
+    /* searches every pair of a new block and an earlier one */
     status = kern_search_asked(&s);
     if (status == KERN_OK)
         status = kern_search_survey(&s);
@@ -10995,9 +11023,9 @@ static int kern_search_run(const kern_block *block, int blocks,
     if (status != KERN_OK)
         return (int)status;
 
-    /* Turns each line into two points. The travel of single points
-       (options.lone) is set last, since it depends on all contacts that carry
-       the block. */
+    /* Replaces each line by two points. Sets the travel of single points
+       (options.lone) last, since it depends on all contacts that carry the
+       block. */
     if (kind >= KERN_SEARCH_STRETCHES)
         kern_search_ground(&s);
     room = kind == KERN_SEARCH_OVERLAPS ? s.pair.count : kern_search_close(&s);
@@ -11067,7 +11095,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     /* scales the normal to about 1 first, since its square may overflow */
     normal = kern_vec_unit(kern_vec_scale(out->n, 1 / longest));
 
-    /* two points that differ by more than rounding are a line along t */
+    /* p and q are a line if they differ by more than rounding; it must run
+       along t */
     d = kern_vec_sub(q, out->p);
     length = kern_vec_length(d);
     line = length
@@ -11078,7 +11107,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
                > kern_sine(options->angle) * length)
         return (int)KERN_BAD_LINE;
 
-    /* each end travels to the middle */
+    /* writes one or two contact points; each end of a line travels to its
+       middle */
     out->n = normal;
     out->line = line;
     if (line) {
