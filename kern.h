@@ -11389,26 +11389,26 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
 }
 
 /* ---- Coming to rest ---------------------------------------------- >>rest */
-/* A stone goes down to the first touch, and then from touch to touch. Of all
-   motions that are free (a turn about a touch, a slide along an edge too
-   steep for friction, a turn on which it slides at two touches) it takes the
-   one on which its centre goes down most steeply, until there is none. A
-   motion ends where a vertex of one outline meets an edge of the other,
-   along a line or on an arc: so nothing overlaps. The way is always down, so
-   no pose comes twice. */
+/* A stone moves straight down to its first touch, and then from touch to touch.
+   There are three kinds of motion: a turn about a touch, a slide along an edge
+   that is too steep for friction, and a turn while the stone slides at two
+   touches. Of those that no touch blocks it takes the one that lowers its
+   centre most steeply, until none is left. A motion ends where a vertex of one
+   outline meets an edge of the other, on a line or an arc, so nothing overlaps.
+   Each motion lowers the centre, so no pose occurs twice. */
 
 /* A point where the stone touches a block. */
 typedef struct kern_footing {
-    kern_vec p, n;  /* place; unit normal into the stone            */
+    kern_vec p, n;  /* place of touch; unit normal into the stone     */
     kern_vec other; /* normal of another edge where two corners meet,
                        otherwise n                                   */
     kern_vec way;   /* unit direction of a slide down the edge       */
-    kern_real run;  /* how long that slide is, to the edge's end     */
+    kern_real run;  /* length of that slide, to the end of the edge  */
 } kern_footing;
 
-/* What is sought along a way. */
+/* Kinds of a course: a search for touches, or a motion. */
 typedef enum kern_course_kind {
-    KERN_COURSE_TOUCHES, /* what the stone touches: it stays              */
+    KERN_COURSE_TOUCHES, /* the stone stays; finds its touches            */
     KERN_COURSE_SLIDE,
     KERN_COURSE_TURN
 } kern_course_kind;
@@ -11416,29 +11416,29 @@ typedef enum kern_course_kind {
 /* A motion of the stone, or its search for touches. */
 typedef struct kern_course {
     kern_course_kind kind;
-    kern_vec way;    /* unit direction of a slide, centre of a turn        */
-    kern_real spin;  /* of a turn: 1 counter-clockwise, -1 clockwise       */
-    kern_real end;   /* length, or tangent of half the angle               */
-    kern_real steep; /* how steeply the stone's centre begins to go down   */
+    kern_vec way;    /* slide: unit direction; turn: its centre            */
+    kern_real spin;  /* turn: 1 counter-clockwise, -1 clockwise            */
+    kern_real end;   /* slide: length; turn: tangent of half its angle     */
+    kern_real steep; /* rate at which the centre first moves down          */
     kern_real low,
-        high; /* what the stone covers across a slide               */
+        high; /* range that the stone covers across a slide         */
 } kern_course;
 
-/* A stone on its way. */
+/* State of a descent. */
 typedef struct kern_descent {
     const kern_task *task;
-    const kern_block *shape; /* the stone as it was given            */
-    kern_pose *pose;         /* where it is now                      */
-    kern_vec *vertex;        /* its vertices                         */
+    const kern_block *shape; /* the caller's stone                   */
+    kern_pose *pose;         /* present pose of the stone            */
+    kern_vec *vertex;        /* its present vertices                 */
     kern_vec down;           /* unit direction of gravity            */
-    kern_real touch;         /* distance that touches                */
-    kern_real graze;         /* beyond its ends an edge is met as far */
-    kern_real bottom;        /* how far down the stone has missed all */
-    kern_box swept;          /* what it covers at most on its course */
-    int side;                /* whose edges are met, as of a footing */
+    kern_real touch;         /* largest distance of a touch          */
+    kern_real graze;         /* edges are longer by this at both ends   */
+    kern_real bottom;        /* place along `down` below all blocks         */
+    kern_box swept;          /* box around its whole course          */
+    int side;                /* 1: edges of blocks; -1: of the stone        */
     kern_footing footing[KERN_REST_TOUCHES];
     int footings;
-    int before; /* how many are of blocks before the one that is met */
+    int before; /* number of footings on the blocks visited before      */
 } kern_descent;
 
 /* Returns a turned by the angle whose cosine and sine are q. */
@@ -11447,7 +11447,7 @@ static kern_vec kern_vec_turned(kern_vec a, kern_vec q)
     return kern_vec_make(q.x * a.x - q.y * a.y, q.y * a.x + q.x * a.y);
 }
 
-/* Moves the stone to a place of its centre, turned as the pose says. */
+/* Moves the stone's centre to `centre`, with the turn of its pose. */
 static void kern_descent_put(kern_descent *r, kern_vec centre)
 {
     kern_block *b = &r->pose->block;
@@ -11464,10 +11464,11 @@ static void kern_descent_put(kern_descent *r, kern_vec centre)
     }
 }
 
-/* Returns a box around the way of a point: of the stone where r->side is 1, of
-   a block as the stone sees it where it is -1. An arc is in the triangle of its
-   start, of where the tangents at its ends meet, and of a point on its chord
-   beyond its end. */
+/* Returns a box around the path of a point. If r->side is 1 the point is on the
+   stone. If it is -1 the point is on a block, and its path is relative to the
+   stone. An arc lies in a triangle: its corners are the start, the point where
+   the tangents at both ends intersect, and a point on the chord beyond the
+   end. */
 static kern_box kern_descent_way(const kern_descent *r, const kern_course *c,
                                  kern_vec p)
 {
@@ -11488,30 +11489,32 @@ static kern_box kern_descent_way(const kern_descent *r, const kern_course *c,
     return box;
 }
 
-/* Returns how far from the line of e p is, on the outer side. */
+/* Returns the distance of p from the line of e, positive on the outer side. */
 static kern_real kern_edge_out(const kern_edge *e, kern_vec p)
 {
     return kern_vec_cross(kern_vec_sub(p, e->p), e->d);
 }
 
-/* Returns how far out the line from p, which touches, to q is where it has run
-   as far as the edge is long: q may be far away. */
+/* Returns the distance from the line of e, positive outside, of a point on the
+   line from p to q. p touches e. The point is about as far from p as e is long,
+   since q may be far away. */
 static kern_real kern_edge_leaves(const kern_edge *e, kern_vec p, kern_vec q)
 {
     return kern_edge_out(e, q) * e->length
          / (e->length + kern_vec_largest(kern_vec_sub(q, p)));
 }
 
-/* Returns 1 if a point `s` along an edge from its start is on it, or no farther
-   than `beyond` its ends. */
+/* Returns 1 if a point at the distance s from the start of an edge is on the
+   edge, or at most `beyond` past its ends. */
 static int kern_edge_holds(const kern_edge *e, kern_real s, kern_real beyond)
 {
     return s >= -beyond && s <= e->length + beyond;
 }
 
-/* Ends a slide where a point meets the edge from outside. What the stone's
-   flanks only graze it passes by: it fits where it just fits. Where the point
-   begins at an end of the edge, kern_descent_prefer() has decided. */
+/* Ends a slide where a point meets the edge from outside. The stone passes
+   edges that its flanks only graze, so that it fits into a gap of its own
+   width. If the point begins at an end of the edge, kern_descent_prefer() has
+   already decided whether it blocks the slide. */
 static void kern_descent_slide(const kern_descent *r, kern_course *c,
                                const kern_edge *e, kern_vec p)
 {
@@ -11528,9 +11531,10 @@ static void kern_descent_slide(const kern_descent *r, kern_course *c,
         c->end = kern_max(way, KERN_R(0));
 }
 
-/* Ends a turn where a point meets the edge from outside. Places are measured
-   along the edge and out of it. Where the point begins at an end of the edge
-   and does not move along it, kern_descent_prefer() has decided. */
+/* Ends a turn where a point meets the edge from outside. Places have two
+   coordinates: along the edge and outward. If the point begins at an end of the
+   edge and does not move along it, kern_descent_prefer() has already decided
+   whether it blocks the turn. */
 static void kern_descent_arc(const kern_descent *r, kern_course *c,
                              const kern_edge *e, kern_vec p)
 {
@@ -11546,8 +11550,8 @@ static void kern_descent_arc(const kern_descent *r, kern_course *c,
     if (side < 2 * r->graze * off || square < least)
         return;
 
-    /* of the two places on the line the one where the arc goes in; no turn is
-       as large as a right angle */
+    /* takes the place on the line at which the arc crosses it inward; a turn is
+       smaller than a right angle */
     to = sense * KERN_SQRT(kern_max(side, KERN_R(0)));
     cosine = along * to - out * off;
     q = sense * (along * off + out * to) / (square + cosine);
@@ -11560,10 +11564,10 @@ static void kern_descent_arc(const kern_descent *r, kern_course *c,
         c->end = kern_max(q, KERN_R(0));
 }
 
-/* Keeps the place where vertex k of b touches an edge of a, if it does and
-   both edges of the vertex are on the outer side. Of two convex corners that
-   meet two edges pass, which bound all that the corners' edges span: the
-   stone must move to the outer side of one of them. */
+/* Stores a footing where vertex k of b touches edge e of a, if both edges of
+   the vertex lie on the outer side of e. Where two convex corners meet, two
+   edges pass this test. Then each footing has the normal of the other edge in
+   `other`: a motion must be outward for only one of them. */
 static void kern_descent_keep(kern_descent *r, const kern_edge *e,
                               const kern_block *a, const kern_block *b, int k)
 {
@@ -11592,8 +11596,8 @@ static void kern_descent_keep(kern_descent *r, const kern_edge *e,
             }
 }
 
-/* Looks at each vertex of b and each edge of a, one of which is the stone. Does
-   not where the call has no work left. */
+/* Tests each vertex of b against each edge of a, where a or b is the stone.
+   Returns early if the limit of work is reached. */
 static void kern_descent_pair(kern_descent *r, kern_course *c,
                               const kern_block *a, const kern_block *b)
 {
@@ -11607,7 +11611,7 @@ static void kern_descent_pair(kern_descent *r, kern_course *c,
                         1 + a->vertices / KERN_UNIT))
             return;
 
-        /* an edge that the vertex may meet ends the motion, or is a touch */
+        /* ends the motion at an edge, or stores a touch */
         for (i = 0; i < a->vertices; i++) {
             const int next = kern_polygon_next(a, i);
             kern_edge e;
@@ -11626,7 +11630,8 @@ static void kern_descent_pair(kern_descent *r, kern_course *c,
     }
 }
 
-/* Sets what the stone covers at most on its course, and across it. */
+/* Sets the box around the stone's whole course, and the range that it covers
+   across a slide. */
 static void kern_descent_sweep(kern_descent *r, kern_course *c)
 {
     int i;
@@ -11644,7 +11649,7 @@ static void kern_descent_sweep(kern_descent *r, kern_course *c)
     }
 }
 
-/* Finds where a motion ends, or the touches. */
+/* Finds the end of a motion, or the touches of the stone. */
 static void kern_descent_look(kern_descent *r, kern_course *c)
 {
     const kern_structure *s = &r->task->s;
@@ -11652,7 +11657,8 @@ static void kern_descent_look(kern_descent *r, kern_course *c)
     kern_real end = c->end;
     int i;
     kern_descent_sweep(r, c);
-    /* the last are often the highest, and shorten the way */
+    /* begins with the last blocks, which are often the highest and shorten the
+       course */
     for (i = s->blocks - 1; i >= 0; i--) {
         const kern_block *b = &s->block[i];
         if (!b->vertices || !kern_box_near(&r->swept, &b->box, KERN_R(0)))
@@ -11669,8 +11675,8 @@ static void kern_descent_look(kern_descent *r, kern_course *c)
     }
 }
 
-/* Moves the stone to the end of its course and finds what it touches there.
-   Returns 1 if it moved or touches more. */
+/* Moves the stone to the end of its course and finds its touches there. Returns
+   1 if the stone moved or has more touches than before. */
 static int kern_descent_go(kern_descent *r, kern_course *c)
 {
     const kern_vec centre = r->pose->block.centre;
@@ -11698,9 +11704,9 @@ static int kern_descent_go(kern_descent *r, kern_course *c)
     return moved || r->footings > before;
 }
 
-/* Makes *best the motion c if that is steeper, or as steep and a turn, not a
-   slide, or as steep and shorter, and presses no footing. The stone's centre
-   begins to move by m, whose speed is 1. */
+/* Replaces *best by motion c if c presses no footing and is better: steeper; if
+   equally steep, a turn instead of a slide; if of the same kind, shorter. m is
+   the first velocity of the stone, and its centre has the speed 1. */
 static void kern_descent_prefer(const kern_descent *r, kern_course *best,
                                 kern_course *c, kern_motion m)
 {
@@ -11722,8 +11728,9 @@ static void kern_descent_prefer(const kern_descent *r, kern_course *best,
     *best = *c;
 }
 
-/* Prefers a slide down the edge of a footing. It ends where a vertex runs off
-   that edge, far enough for a point contact at its end. */
+/* Tries a slide down the edge of a footing as *best. The slide ends where a
+   vertex runs off that edge, far enough for a point contact at the end of the
+   edge. */
 static void kern_descent_slope(const kern_descent *r, const kern_footing *f,
                                kern_course *best)
 {
@@ -11735,8 +11742,8 @@ static void kern_descent_slope(const kern_descent *r, const kern_footing *f,
     kern_descent_prefer(r, best, &c, m);
 }
 
-/* Prefers a turn about p, the way the weight turns the stone, until its centre
-   is lowest. */
+/* Tries a turn about p as *best. The weight turns the stone until its centre is
+   lowest. */
 static void kern_descent_tip(const kern_descent *r, kern_vec p,
                              kern_course *best)
 {
@@ -11755,7 +11762,8 @@ static void kern_descent_tip(const kern_descent *r, kern_vec p,
     kern_descent_prefer(r, best, &c, m);
 }
 
-/* Moves the stone to its next touch. Returns 1 if it moved or touches more. */
+/* Moves the stone to its next touch. Returns 1 if it moved or has more touches
+   than before. */
 static int kern_descent_move(kern_descent *r)
 {
     const kern_real mu = r->task->options.mu;
@@ -11774,8 +11782,8 @@ static int kern_descent_move(kern_descent *r)
         if (up * KERN_SQRT(1 + mu * mu) < 1 - KERN_REST_LEVEL)
             kern_descent_slope(r, f, &best);
 
-        /* or about where forces at two touches cross, each as far off its
-           normal as friction holds: so both slide, and open */
+        /* tries a turn about the point where two contact forces on the edges of
+           their friction cones intersect: both touches then slide and open */
         for (k = 0; k < 4 * i; k++) {
             const kern_footing *g = &r->footing[k / 4];
             const kern_vec u = kern_vec_step(f->n, k & 1 ? slip : -slip,
@@ -11794,7 +11802,8 @@ static int kern_descent_move(kern_descent *r)
         && kern_descent_go(r, &best);
 }
 
-/* Checks what kern_rest() is given, and sets what depends on it. */
+/* Checks the arguments of kern_rest(), and places the stone above all
+   blocks. */
 static kern_status kern_descent_begin(kern_descent *r, kern_real x)
 {
     const kern_structure *s = &r->task->s;
@@ -11821,7 +11830,7 @@ static kern_status kern_descent_begin(kern_descent *r, kern_real x)
     if (status != KERN_OK)
         return status;
 
-    /* all blocks are within `floor` / (2 KERN_ROUNDING) of the origin */
+    /* no coordinate of a block exceeds `floor` / (2 KERN_ROUNDING) */
     r->down = kern_vec_scale(s->gravity, 1 / weight);
     r->touch = kern_max(KERN_REST_TOUCH * kern_block_size(r->shape), of.floor);
     r->graze = kern_max(KERN_REST_END * r->touch, of.floor / 2);
@@ -11854,7 +11863,7 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
     r.pose = out;
     status = kern_descent_begin(&r, x);
 
-    /* from touch to touch; below all blocks the stone falls past */
+    /* moves from touch to touch; a stone below all blocks has no support */
     while (status == KERN_NO_REST && out->motions < KERN_REST_MOTIONS)
         if (!kern_descent_move(&r))
             status = KERN_OK;
@@ -11865,8 +11874,8 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
 
 /* ---- which place is best ---- */
 
-/* Returns number i of those that rank a place; the larger is better, and what
-   is not a number is worst. All but the place itself is rounded. */
+/* Returns the i-th of the numbers that rank a place. A larger number is better,
+   and NaN becomes the worst. All but x and turn are rounded. */
 static kern_real kern_place_number(const kern_place *place, int i,
                                    kern_real alone)
 {
@@ -11881,7 +11890,7 @@ static kern_real kern_place_number(const kern_place *place, int i,
                                  -place->turn};
     const kern_real value = kern_max(number[i], -KERN_INFINITY);
     const kern_real more = KERN_PLACE_SPLIT * value;
-    const kern_real rounded = more - (more - value); /* none of infinity */
+    const kern_real rounded = more - (more - value); /* NaN for infinity */
     return i < 4 && kern_is_finite(rounded) ? rounded : value;
 }
 
