@@ -1,7 +1,7 @@
 /* kern.h 0.2.0: how safely does a dry-stacked structure stand?
 
    A header-only C library for robots that build with found stones and no
-   mortar. It finds the contacts between polygons and contact forces that hold
+   mortar. It finds the contacts between polygons, and contact forces that hold
    every stone. It measures stability: how far every contact can shrink before
    no such forces exist. Every verdict comes with a proof, which kern checks
    before it returns.
@@ -35,13 +35,14 @@
      ==================             d             |======|     what is left: the
                                     d*              |==|       kern of a contact
 
-   "Kern" is the paper's word for this, not the middle third of a section.
-   Beyond the margin d* no forces are in equilibrium.
+   "Kern" is the paper's word for the shrunk contact, not the middle third of a
+   section. If contacts shrink by more than the margin d*, no contact forces
+   hold every stone.
 
    HOW TO USE IT                                                        >>use
 
    Define KERN_IMPLEMENTATION in exactly one C or C++ file before including
-   kern.h; include it alone everywhere else. Only sqrt() is needed (-lm).
+   kern.h. All other files only include kern.h. Only sqrt() is needed (-lm).
 
        kern_vec ground[4] = {{-5, -1}, {5, -1}, {5, 0}, {-5, 0}};
        kern_vec stone[4]  = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
@@ -61,73 +62,75 @@
        if (kern_measure(&task, &m, NULL) == KERN_STANDS)
            printf("level %d, margin %g m\n", m.level, m.margin);
 
-   Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. A negative
-   count of contacts is a status, which the next call returns.
-   examples/copy/one_block.c is this program with all checks. If the linker
-   reports "multiple definition", KERN_IMPLEMENTATION is in two files. If it
-   reports "undefined reference", it is in none, or in a file of the other
-   precision.
+   Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too.
+   kern_contacts() returns a status if it fails, which is negative; the next
+   call returns it again. examples/copy/one_block.c is this program with all
+   checks. If the linker reports "multiple definition", KERN_IMPLEMENTATION is
+   in two files. If it reports "undefined reference", it is in none, or in a
+   file of the other precision.
 
    CONVENTIONS                                                  >>conventions
 
-   Units of length, mass and time are your choice; comments say m, kg, s. Angles
-   are in radians, counter-clockwise positive. Blocks are polygons in world
-   coordinates of a plane. Think of one unit of depth, and of a density per
-   area. kern_touch() finds the contacts of a new stone, to be appended to the
-   others. To take the last stone back, reduce `blocks` and `contacts`.
+   You may use any consistent units of length, mass and time; comments use m, kg
+   and s. Angles are in radians, counter-clockwise positive. Blocks are polygons
+   in world coordinates of a plane, with a depth of one unit and a density per
+   area. To add a stone, append the contacts that kern_touch() finds. To remove
+   the last stone, reduce `blocks` and `contacts`.
 
    MEMORY                                                            >>memory
 
    The library allocates nothing, has no globals and no recursion, and keeps
    nothing between calls. Threads need no locks if each has its own work memory.
    Work memory is two arrays, of KERN_REALS(blocks, contacts) and of
-   KERN_INTS(blocks, contacts) numbers (kern_work_need() at run time). Contacts
-   are counted as points: a running bond has seven a block, and twelve with
-   joints between neighbours. KERN_CONTACTS(blocks) has room for these. Stones
-   with many short edges may need twice as many (KERN_NO_SPACE). Bytes in double
-   (float: about half):
+   KERN_INTS(blocks, contacts) numbers (kern_work_need() at run time).
+   `contacts` counts contact points. A running bond has seven for each block, or
+   twelve with joints between neighbours, for which KERN_CONTACTS(blocks) is
+   enough. Stones with many short edges may need twice as many; kern_contacts()
+   then returns KERN_NO_SPACE. Bytes in double (float: about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
        KERN_REALS and KERN_INTS     9,124    21,496    66,296   359,616
        both KERN_LEAN_ sizes        9,124    12,364    20,204    64,404
 
    KERN_LEAN_REALS and KERN_LEAN_INTS are smaller from 10 blocks on. They
-   suffice where few blocks move at the margin, as in most walls: 0.7 MB instead
-   of 11 MB for 1000 blocks and 7000 points. Where many blocks move, as in
-   arches, a call returns KERN_NO_SPACE.
+   suffice if few blocks move at the margin, as in most walls: 0.7 MB instead of
+   11 MB for 1000 blocks and 7000 points. If many blocks move, as in arches, a
+   call with this memory returns KERN_NO_SPACE.
 
    VERDICTS AND PROOFS                                             >>verdicts
 
-   KERN_STANDS: kern found forces that pass kern_check_forces(). KERN_FALLS: it
-   found a motion that passes kern_check_motion(). These checks use nothing of
-   the solver. KERN_UNDECIDED: it found neither (>>limits). It never guesses.
+   KERN_STANDS: kern found forces that pass kern_check_forces(). KERN_FALLS:
+   kern found a motion that passes kern_check_motion(). These checks are
+   independent of the solver. KERN_UNDECIDED: kern found neither (>>limits). It
+   never guesses.
 
    options.limit bounds the work of one call, reading the input included. Work
    that would exceed the limit is not begun: the call returns KERN_LIMIT and
-   writes what is proven by then. An answer below the limit is the same, to the
-   last bit, as without a limit. On x86-64 a call takes at most 3,000
-   instructions plus 2,000 for each unit of its limit, unless most blocks have a
-   single contact, as in a fill that is pushed: then up to 3,100 a unit. A call
-   that completes takes 550 to 2,000 (then up to 2,230) for each unit in
-   work->units, which is 0.1 to 0.6 microseconds on a desktop computer
-   (tests/work.sh limits). A Cortex-M4F took up to 2,520.
+   writes the results that are proven by then. A call that ends below the limit
+   gives the same bits as without a limit. On x86-64 a call takes at most 3,000
+   instructions plus 2,000 for each unit of its limit. A call that completes
+   takes 550 to 2,000 instructions for each unit in work->units, or 0.1 to 0.6
+   microseconds on a desktop computer (tests/work.sh limits). If most blocks
+   have a single contact, as in a fill that is pushed, a unit takes up to 3,100
+   and 2,230 instructions instead. A Cortex-M4F took up to 2,520.
 
    CONFIGURATION                                                     >>config
 
-   KERN_STATIC          every function is static: a copy of the library that
-                        only this file uses
+   KERN_STATIC          makes every function static: this file has its own copy
+                        of the library
    KERN_API             linkage of public functions; default: extern
-   KERN_SINGLE          kern_real is float, also in the implementation
+   KERN_SINGLE          makes kern_real a float; define it in every file
    KERN_SQRT(x)         replaces sqrt or sqrtf; <math.h> is not included
-   KERN_NO_INTERIOR     leaves out >>ipm, for firmware: above 64 free blocks the
-                        simplex method decides, which may take minutes
+   KERN_NO_INTERIOR     leaves out the interior-point method (>>ipm), for
+                        firmware. Above 64 free blocks the simplex method is
+                        used, which may take minutes
    KERN_USE_GLPK        GLPK (under the GPL) solves large programs (kern_lp.h)
-   KERN_GLPK_ROWS       programs of more rows are large; default: 96. A free
+   KERN_GLPK_ROWS       programs with more rows are large; default: 96. A free
                         block has three rows
 
-   Without a C library, compile with -Os -fno-tree-loop-distribute-patterns, or
-   gcc calls memcpy and memset. With -fno-math-errno the square root is one
-   instruction.
+   Without a C library, compile with -Os -fno-tree-loop-distribute-patterns;
+   otherwise gcc inserts calls of memcpy and memset. With -fno-math-errno the
+   square root is one instruction.
 
    METHOD                                                            >>method
 
@@ -137,13 +140,13 @@
        sum f n + r t + weight = 0,     sum (p - c) x (f n + r t) = 0,
        f >= 0,  |r| <= mu f.
 
-   Along the two edges of the friction cone, n + mu t and n - mu t, this is Eq.
-   (5): find x >= 0 with A x = -w (A_eq of the paper, >>statics). If there is
-   none, Farkas' lemma gives a y with y.A >= 0 and y.w > 0. This y is a
-   mechanism: velocities and spins such that no contact closes and the weights
-   do work. It proves that the structure falls.
+   With forces x along the two edges of each friction cone, n + mu t and n - mu
+   t, this becomes Eq. (5): find x >= 0 with A x = -w (A_eq of the paper,
+   >>statics). If no x exists, Farkas' lemma gives a y with y.A >= 0 and y.w >
+   0. This y is a mechanism: velocities and spins such that no contact closes
+   and the weights do work. It proves that the structure falls.
 
-   A verdict tries these methods in this order, until one gives a proof:
+   A verdict tries these methods in order until one gives a proof:
 
        top-down     >>pass    forces are passed on from top to bottom, a block
          |                    by three equations, a cluster where it cannot
@@ -163,10 +166,10 @@
    there. If a part falls, the search continues at the critical value of that
    part, until no part falls. If the pass gives no proof, the search solves the
    whole structure. Load factor and tilt of up to 64 free blocks are one linear
-   program with the value as a column. Where this cannot decide, as in jams, the
-   interior-point method narrows the bracket: one proof on each side of the
-   critical value. tests/DESIGN.md says why each step is there, and what it
-   costs to leave it out.
+   program with the value as a column. If that program cannot decide, as in
+   jams, the interior-point method narrows the bracket of the critical value,
+   which has a proof at each end. tests/DESIGN.md says why each step is there,
+   and what it costs to leave it out.
 
    RULES                                                               >>rules
 
@@ -174,86 +177,95 @@
    reproduce it. RULES in tests/kern_test.c names the tests of each rule.
 
    Contacts are found for each pair of polygons that are not both fixed. `gap`
-   and `angle` are those of the options, and no tolerance is below 64 roundings
-   of the largest coordinate. "Size" is that of the pair's smaller free block.
-   Vertices where the outline turns by less than 1e-6 rad do not count. Outlines
-   are used as they are: each remaining edge has its own contacts, even a step
-   of one pixel, so simplify raw outlines first (kern_outline_simplify()).
-     line      Two edges, one of each block, antiparallel within `angle`, and
-               within the gap over more than the least of three lengths: the
-               gap, 1e-3 of the size, half of the longer edge. The contact
-               points are the ends of that stretch, midway between the edges. n
-               is the mean of the edges' normals.
-     point     A convex vertex within the gap of an edge, its foot more than
-               1e-6 of the size from both ends, both edges of the vertex on the
-               outer side of that edge within `angle`. The contact point is the
-               vertex, n is the normal of the edge. It is no contact where a
-               line contact of the pair, its normal within 10 degrees of n,
-               passes within the gap.
-     corner    A convex vertex within the gap of a reflex one, with both its
-               edges on the outer side of both edges of the reflex vertex: a
-               point contact with each of these.
-               A convex vertex on a convex one is no contact.
-     face      Contacts of a pair whose normals agree within `angle` and which
-               lie on one line within the gap are joined to one line contact. It
-               goes from the first to the last point. n is the mean of the
-               normals, weighted by length. Contacts are joined in the order of
-               their lengths, the longest first and points last.
-     overlap   A point of one outline deeper than the gap inside the other
-               block, a block inside another, edges that cross by more than the
-               gap with all ends, or convex blocks that no motion by the gap
-               parts: KERN_OVERLAP.
-   A larger gap removes no support. Contacts that are given are taken as they
-   are, with unit normals. A line contact whose direction differs from t by more
-   than `angle` is refused.
+   and `angle` are those of the options. No tolerance is below 64 roundings of
+   the largest coordinate. "Size" is that of the pair's smaller free block.
+   Vertices at which the outline turns by less than 1e-6 rad are ignored. Each
+   remaining edge has its own contacts, even a step of one pixel, so simplify
+   raw outlines first (kern_outline_simplify()).
+     line      Two edges, one of each block, that are antiparallel within
+               `angle`. They must be within the gap over a stretch that is
+               longer than the least of three lengths: the gap, 1e-3 of the
+               size, half of the longer edge. The contact points are the ends of
+               the stretch, midway between the edges. n is the mean of the
+               edges' normals.
+     point     A convex vertex within the gap of an edge. Its foot must be more
+               than 1e-6 of the size from both ends of the edge, and both edges
+               of the vertex must be on the outer side of that edge, within
+               `angle`. The contact point is the vertex, and n is the normal of
+               the edge. There is no point contact if a line contact of the pair
+               passes within the gap and its normal is within 10 degrees of n.
+     corner    A convex vertex within the gap of a reflex vertex, with both its
+               edges on the outer side of both edges of the reflex vertex. It
+               gives a point contact with each of these two edges. Two convex
+               vertices make no contact.
+     face      Contacts of a pair are joined to one line contact if their
+               normals agree within `angle` and they lie on one line within the
+               gap. The line contact goes from the first to the last of their
+               points. n is the mean of their normals, weighted by length.
+               Contacts are joined in the order of their lengths, the longest
+               first and points last.
+     overlap   KERN_OVERLAP is returned if a point of one outline is deeper
+               inside the other block than the gap, if a block is inside
+               another, if edges cross by more than the gap with all ends, or if
+               no motion by the gap separates two convex blocks.
+   A larger gap never removes a support. Contacts that the caller makes are used
+   as they are, with unit normals. A line contact whose direction differs from t
+   by more than `angle` is refused.
 
    Shrinkage. A contact point has a direction u = t or -t, a travel l >= 0:
-     line      The two ends go to each other; l is half the length.
-     points    Two or more points of one pair go to the middle q of the two that
-               are farthest apart, each along its own t: l = |(q - p) . t|.
-     one point stays: l = 0, as does every point with l below 1e-9 of the mean
-               size.
-     lone      If options.lone is set, a single point of a pair goes to
-               the middle of the contacts that carry its block, as in Fig. 2 c,
-               d of the paper. A contact carries the block that its normal
-               pushes up, or none if the normal is horizontal within 1e-6. The
-               middle is that of the two points farthest apart that carry the
-               same block. Kerns are then not nested (>>limits).
+     line      The two ends move toward each other; l is half the length.
+     points    Two or more points of one pair move toward the middle q of the
+               two that are farthest apart, each along its own t. Their travel
+               is l = |(q - p) . t|.
+     one point A single point of a pair does not move: l = 0. Neither does any
+               point with l below 1e-9 of the mean size.
+     lone      If options.lone is set, a single point of a pair moves toward the
+               middle of the contacts that carry its block, as in Fig. 2 c, d of
+               the paper. A contact carries the block that its normal pushes up,
+               or none if the normal is horizontal within 1e-6. The middle is
+               that of the two points farthest apart that carry the same block.
+               Kerns are then not nested (>>limits).
    The point acts at p + min(d, l) u, or with options.relative at p + d l u, d
    <= 1. d_max is the largest l (relative: 1). Normals do not change. If all
-   contacts are lines, the contacts are nested: a structure that falls at one d
-   falls at every larger d. With points of different normals it may stand again.
+   contacts are lines, kerns are nested: a structure that falls at one d falls
+   at every larger d. With points of different normals a structure may stand
+   again at a larger d.
 
    Measures, for a structure that stands at d = 0 unless said otherwise:
-     level     The smallest k >= 1 such that it falls at min(k epsilon, d_max).
-               If there is none the level is ceil(d_max / epsilon) + 1 and the
-               margin is saturated. The level is 0 if it falls at d = 0.
-     margin    The largest d* such that it stands at every d below d*. If it
-               stands at every d the margin is d_max and is saturated.
-     deficit   For a structure that falls at d = 0: the least growth d with
-               contact points at p - d u (relative: p - d l u) such that it
-               stands. Infinite where a growth of 1000 times the longest side of
-               the free blocks' box (relative: over the smallest l) is not
-               enough.
-     load      The largest factor f such that it stands under every multiple of
-     factor    the pattern up to f. Horizontal: f m |g| at every centre, to the
-               right (gravity turned by +90 degrees) or to the left.
-     tilt      The first angle of gravity, turned to the side, at which it
-               falls; pi if there is none. Loads do not turn.
-     profile   d grows from 0. Where the structure falls, the blocks that move
-               in the mechanism get that d as their value and are taken away. d
-               then grows on. A block that never moves gets d_max, and one that
-               moves at once gets 0. With a horizontal load its factor grows
-               instead of d, up to 10. Among several mechanisms one of few
-               blocks is preferred.
+     level     The smallest k >= 1 such that the structure falls at min(k
+               epsilon, d_max). If there is no such k, the level is ceil(d_max /
+               epsilon) + 1 and the margin is saturated. The level is 0 if the
+               structure falls at d = 0.
+     margin    The largest d* such that the structure stands at every d below
+               d*. If it stands at every d, the margin is d_max and is
+               saturated.
+     deficit   For a structure that falls at d = 0: the least growth d at which
+               it stands with contact points at p - d u (relative: p - d l u).
+               The deficit is infinite if a growth of 1000 times the longest
+               side of the free blocks' box (relative: divided by the smallest
+               l) is not enough.
+     load      The largest factor f such that the structure stands under the
+     factor    load pattern times every factor up to f. A horizontal load is f m
+               |g| at every centre, to the right (gravity turned by +90 degrees)
+               or to the left.
+     tilt      The first angle at which the structure falls when gravity turns
+               to the side; pi if there is none. Loads do not turn.
+     profile   d grows from 0. When the structure falls, the blocks that move in
+               the mechanism get the present d as their value and are removed,
+               and d continues to grow. A block that never moves gets d_max, and
+               a block that moves at d = 0 gets 0. For a horizontal load the
+               factor grows instead of d, up to 10. If there are several
+               mechanisms, one that moves few blocks is preferred.
      mechanism For a structure that falls: velocities of all free blocks, scaled
-               so that the largest is 1. A spin counts times the block's size.
+               so that the largest is 1. A spin counts as spin times the size of
+               its block.
 
    WHAT EACH NUMBER IS GOOD FOR                                    >>measures
 
-   margin      compares structures, and places for a stone: how far the worst
-               stone is from the edge of what carries it, in metres, so that
-               large stones weigh more; relative: a share of each travel
+   margin      compares structures, and places for a stone. It is how far the
+               force on the worst stone is from the edge of its support, in
+               metres, so that large stones count more; relative: as a share of
+               each travel
    level       is the paper's measure: the margin in steps of epsilon
    load factor is the largest sideways acceleration, in units of gravity
    raised load is the load factor without dilatant sliding (>>limits)
@@ -261,7 +273,7 @@
                load factor
    deficit     tells how far the contacts of a structure that falls must grow
    bearing     is the length of the shortest contact that the structure needs
-   mechanism   shows which stones move first, and how
+   mechanism   is how the stones move first, with the velocity of each
    profile     gives every stone's margin or load factor while others fall,
                their mean, the mean of the weaker half, and the expected drop
    raised      tells whether the load itself raises forces that hold the
@@ -273,20 +285,21 @@
                must lie (examples/nudge.c)
    push        is the load factor of a force on one stone (examples/push.c)
 
-   The margin does not show a sliver of support. Kerns shrink to a point, and a
-   point still carries: a stone with one end on 2 micrometres has the margin of
-   its other end. The bearing length shows the sliver. A robot that places
-   stones less exactly than that length cannot count on the contact. Compute it
-   with the contacts of kern_stretches(), since kern_contacts() joins the two
-   feet of a block to one contact from end to end. A saturated margin is half
-   the length of the longest contact and says nothing about safety.
+   The margin does not show a sliver of support. A kern shrinks to a point, and
+   a point still carries: if one end of a stone rests on 2 micrometres, the
+   margin is that of the other end. The bearing length shows the sliver. A robot
+   that places stones less exactly than the bearing length cannot rely on the
+   shortest contact. Compute the bearing length with the contacts of
+   kern_stretches(), since kern_contacts() joins the two feet of a block to one
+   contact from end to end. A saturated margin is half the length of the longest
+   contact and says nothing about safety.
 
-   Collapse under shaking. Every measure but the profile tells when the first
-   stone falls, not when half of a wall does. A stone that rocks soon meets the
-   next one, so count contacts that a little motion closes:
+   Collapse under shaking. Every measure but the profile says when the first
+   stone falls, not when half of a wall falls. A stone that rocks soon meets the
+   next one, so include contacts that a slight motion closes:
 
        task.options = kern_near(&task.options, kern_mean_size(block, blocks));
-       find the contacts with these, then
+       find the contacts with these options, then
        kern_profile(&task, side, value, &c) for KERN_LEFT and KERN_RIGHT,
        and add both c.drop, the expected drop: larger is worse
 
@@ -298,55 +311,55 @@
 
    Whether a stone stays where it is released. kern_stays() returns the chance.
    Suppose that a planner releases a stone if the chance is at least a
-   threshold. Of 969 placements, each half judged by the law fitted to the other
-   half:
+   threshold. The table has the shares of 835 clear cases among 969 placements,
+   with each half computed by the law that was fitted to the other half:
 
        threshold                       0.3    0.5    0.7    0.9
        630 that stay: released         0.96   0.95   0.93   0.83
        205 that move: not released     0.90   0.96   0.985  0.995
 
    The chance is computed from the displacement that raises the forces, and from
-   the reserve. After a large displacement many equilibria are possible, and
-   friction decides between them.
+   the reserve. The larger the displacement, the more equilibria are possible.
 
    Whether a finished structure stays. kern_let_go() releases all blocks at
    once, so the order of the blocks does not matter. kern_least_load_of() and
    kern_load_factor_of() return the least and the largest factor of a load with
    which the structure stands.
 
-   Forces. Many sets of forces hold a structure. No measure depends on which set
-   is used, and a proof has the first one that was found. For pictures use the
-   minimum-norm forces (kern_forces()): a unique set, symmetric where the
-   structure is, which loads every contact that can carry. The forces of
-   kern_raised() are closer to friction, but not unique. Neither set tells how
-   elastic stones share a load.
+   Forces. Many sets of forces can hold a structure. No measure depends on the
+   choice of a set, and a proof has the first set that was found. For pictures
+   use the minimum-norm forces (kern_forces()). This set is unique, is symmetric
+   if the structure is, and loads every contact that can carry. The forces of
+   kern_raised() are closer to real friction, but not unique. Neither set tells
+   how elastic stones share a load.
 
    STONES FROM A CAMERA OR A SCANNER                               >>measured
 
    Outline. Simplify each outline first, within 1.5 to 3 pixels
    (kern_outline_simplify()). Raw points on a grid touch each other
-   (KERN_CROSSING), and each step of a pixel would hold like a shear key. From
-   1.5 pixels on a straight joint is one edge again; below 1.42 its steps may
-   remain. Simplification may open a gap of twice the tolerance. Set
-   options.gap to that, or include it in the error of kern_measured_options().
-   Outlines of drawings and clippers have steps of rounding: simplify them
-   within half a gap. The density is that of the material times the thickness.
-   examples/copy/contour.c shows these steps.
+   (KERN_CROSSING), and each step of one pixel would hold like a shear key. With
+   1.5 pixels and more a straight joint becomes one edge; below 1.42 pixels its
+   steps may remain. Simplification may open gaps of twice its tolerance. Set
+   options.gap to that width, or include it in the error of
+   kern_measured_options(). Outlines of drawings and of polygon clipping have
+   steps of rounding: simplify them within half a gap. The density is that of
+   the material times the thickness. examples/copy/contour.c shows these steps.
 
    Error. kern_measured_options() takes the standard errors of a stone's place
    and of its angle. To combine the errors of pixel, simplification and
-   registration, add their squares. Margins of a stone of 40, 200 or 1000
-   vertices then agree within 2 %; without these options the discretisation
-   decides them. Overlaps beyond the error are modelling errors
-   (kern_overlaps()): measure again, or set options.overlap.
+   registration, add their squares. With these options margins of a stone with
+   40, 200 or 1000 vertices agree within 2 %; without them margins depend on the
+   number of vertices. Overlaps beyond the error (kern_overlaps()) are modelling
+   errors: measure again, or set options.overlap.
 
-   Certainty. A measured structure is near one at rest: its stones settle by a
-   few errors. kern_certain() lets them settle. It returns a lower and an upper
-   end of the margin, whether the verdict is certain within the error, and how
-   far stones may settle. A structure that certainly stands does so on stretches
-   of contact that no error along them takes away. It also comes to rest after a
-   small motion with every third stretch open. tests/TRUST.md tells how often
-   these answers are right.
+   Certainty. A structure at rest is measured with errors, so its stones must
+   settle by a few errors before they rest again. kern_certain() computes this
+   settling. It returns a lower and an upper end of the margin, whether the
+   verdict is certain within the error, and how far stones may settle. A
+   structure certainly stands if it stands on stretches of contact that are
+   longer than the errors, and if it comes to rest after a small motion with
+   every third stretch open. tests/TRUST.md tells how often these answers are
+   right.
 
    LIMITS                                                            >>limits
 
@@ -357,83 +370,85 @@
              whether the load raises such forces.
    Unsafe    Mechanisms are those of limit analysis: blocks that slide also part
              (dilatant sliding). Where a wall's own joints slide, load factor
-             and tilt are too high. Against a simulator they were so by 11 to
-             26 % on four published brick walls with openings
-             (tests/PUBLISHED.md), by a factor of up to 2.5 on random ones, and
-             never on settled rubble. Where columns topple in a row they are up
-             to five times too high, and the least friction of the verdict is up
-             to 31 % too low. There is no bound where the base of a row slopes
-             as the row does: one load factor was 100 times too high, and one
-             verdict stands at a friction of .44 where 2.07 is needed.
+             and tilt are too high. Compared with a simulator they were too high
+             by 11 to 26 % on four published brick walls with openings
+             (tests/PUBLISHED.md), by a factor of up to 2.5 on random brick
+             walls, and never on settled rubble. For rows of columns that topple
+             they are up to five times too high, and the least friction of the
+             verdict is up to 31 % too low. For rows on a slope there is no
+             bound: one load factor was 100 times too high, and one verdict was
+             "stands" with a friction of .44 where 2.07 is needed.
              kern_raised_load() has no dilatancy. kern_let_go() tells whether
-             such a row stays: of 600 random slopes below the friction of limit
-             equilibrium it says so for none. Both follow one path of loading,
-             so use the lower answer. Bricks that hang in a flat arch do not
-             count as raised.
+             such a row stays: it returned KERN_STANDS for none of 600 random
+             slopes with less friction than limit equilibrium needs. Both
+             functions follow one path of loading, so use the lower answer.
+             Bricks that hang in a flat arch do not count as raised.
    Search    KERN_NOT_SHOWN is no proof of falling. kern_work.end tells whether
-             no equilibrium was found, as where blocks run away, or a limit of
-             work ended the search. Of 90 rows of 20 to 90 columns all reach
-             87 % of limit equilibrium, and 75 reach 97 %. Of 360 slopes within
-             10 % of critical friction 326 reach 97 %, and one is not shown.
-             Near critical friction, or where a structure has several equilibria
-             close to each other, turning, mirroring or rounding the input may
-             change the raised load. It did so by more than 2 % for 28 of these
-             slopes, and for 13 of 969 placements, 10 of which move in the
-             simulator.
-   Ambiguous The reserve does not see equilibria that depend on the history of
+             no equilibrium was found, or a limit of work ended the search. The
+             raised load of 90 rows of 20 to 90 columns is at least 87 % of that
+             of limit equilibrium, and at least 97 % for 75 of them. It is at
+             least 97 % for 326 of 360 slopes within 10 % of critical friction,
+             and one of these slopes is not shown. Near critical friction, or if
+             a structure has several equilibria close to each other, the raised
+             load may change when the input is turned, mirrored or rounded. It
+             changed by more than 2 % for 28 of these slopes, and for 13 of 969
+             placements, 10 of which move in the simulator.
+   Ambiguous The reserve does not cover equilibria that depend on the history of
    forces    loading. Of 181 rows of wedges between cliffs that fall in a
-             simulator though forces exist, 2 get the largest reserve
-             nevertheless (tests/TRUST.md). A stone that is pushed out from
-             under a longer one may count on a weight that the longer one can
-             pass elsewhere: of 51 walls under .6 to .9 of the load that they
-             bear, 7 move in a simulator.
-   Loads     stay: what kern_block_load() adds neither grows with a horizontal
-             load nor turns with gravity.
-   Not       Where kerns are not nested (points of different normals), the path
-   nested    is searched first without these points. If that proves neither
-             verdict, it is searched in steps of at most d_max / 1001. Tilts
-             with loads are searched in steps of pi / 1001. A range in which the
-             structure falls may be missed if it is narrower than a step.
-   Undecided A verdict may be undecided within 1e-9 of the mean size of the
-             critical value. In jams, whose forces grow without bound toward the
-             critical value, it may be so within 1e-7, rarely 1e-4: of 800
-             hoppers, rows between walls, zigzag beds and packed discs of up to
-             120 stones, seven measures were. It may be so farther away if one
-             block weighs more than 1e4 times another. Of bricks held by loads
-             up to 1000 times their weight, none of 288 was undecided with mu up
-             to 100, and 2 of 96 with mu 1000. A level is undecided only if the
-             verdict at a step that it depends on is.
-   Brackets  At most 2e-6 mean sizes wide (load factor 2e-6, tilt 8e-6 rad). In
-             jams up to 50 times as wide. Up to 3e-5 if there are more than 256
-             blocks and many of them move at once. If more than 64 blocks move
-             at once, the true value may lie anywhere in the bracket.
-   Slow      Structures of which many blocks move at the margin: ragged walls,
-             fitted masonry, long arches (tests/BENCH.md).
-   Float     Proofs are weaker (>>tune) and more is undecided near critical. A
-             deficit is exact to 3e-6 sizes. Above 64 blocks a value is exact to
-             0.05. Where wedges jam a margin may be off by 1/3 size. Stay near
-             the origin.
+             simulator although forces exist, 2 have the largest reserve
+             (tests/TRUST.md). A stone that is pushed out from under a longer
+             one may be held only by weight that the longer stone can shift
+             elsewhere: of 51 walls under .6 to .9 of their raised load, 7 move
+             in a simulator.
+   Loads     Loads of kern_block_load() neither grow with a horizontal load nor
+             turn with gravity.
+   Not       If kerns are not nested (points of different normals), the path
+   nested    is first searched without these points. If this proves nothing for
+             all points, the path is searched in steps of at most d_max / 1001.
+             Tilts with loads are searched in steps of pi / 1001. An interval in
+             which the structure falls may be missed if it is narrower than a
+             step.
+   Undecided A verdict may be undecided closer to the critical value than 1e-9
+             mean sizes. In jams, whose forces grow without bound toward the
+             critical value, this distance is 1e-7, and rarely 1e-4. Seven
+             measures were undecided among 800 hoppers, rows between walls,
+             zigzag beds and packed discs of up to 120 stones. The distance may
+             be larger if one block weighs more than 1e4 times another. Of
+             bricks held by loads up to 1000 times their weight, none of 288 was
+             undecided with mu up to 100, and 2 of 96 with mu 1000. A level is
+             undecided only if it depends on an undecided verdict.
+   Brackets  Brackets are at most 2e-6 mean sizes wide (load factor 2e-6, tilt
+             8e-6 rad), in jams up to 50 times as wide, and up to 3e-5 if there
+             are more than 256 blocks and many of them move at once. If more
+             than 64 blocks move at once, the true value may lie anywhere in the
+             bracket.
+   Slow      Structures in which many blocks move at the margin take long:
+             ragged walls, fitted masonry, long arches (tests/BENCH.md).
+   Float     Proofs are weaker (>>tune), and more verdicts near critical are
+             undecided. A deficit is exact to 3e-6 sizes. Above 64 blocks a
+             value is exact to 0.05. If wedges jam, a margin may be wrong by 1/3
+             size. Use coordinates near the origin.
 
    DETERMINISM                                                  >>determinism
 
-   The same input gives the same bits on every machine, if the compiler keeps to
-   IEEE arithmetic:
+   The same input gives the same bits on every machine if the compiler follows
+   IEEE arithmetic. Flags:
 
        -ffp-contract=off     where the target has fused multiply-add (AArch64,
                              PowerPC, s390x, x86 with -mfma). By default gcc
                              contracts in GNU modes, and clang from version 14
-       -fno-tree-vectorize   with gcc as well, where the target has fused
-                             multiply-add for vectors: gcc fuses pairs of
+       -fno-tree-vectorize   also with gcc where the target has fused
+                             multiply-add for vectors, since gcc fuses pairs of
                              products despite the first option. On x86 kern.h
-                             sets this for its own code
+                             sets this option for its own code
        -msse2 -mfpmath=sse   on 32-bit x86
-       never -ffast-math, -Ofast or -funsafe-math-optimizations, not even where
+       never -ffast-math, -Ofast or -funsafe-math-optimizations, not even when
                              the program is linked: they flush small numbers to
                              0
 
-   Only + - * / and square root are used, and they must round as IEEE demands;
-   sums of doubles by libgcc for ARM do not always. tests/golden.c detects wrong
-   flags. */
+   kern uses only + - * / and square root, which must round as IEEE 754
+   requires. Sums of doubles by libgcc for ARM do not always do so.
+   tests/golden.c detects wrong flags. */
 
 /* ==== Part II: Declarations ======================================== >>decl */
 
