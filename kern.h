@@ -2,9 +2,9 @@
 
    A header-only C library for robots that build with found stones and no
    mortar. It finds the contacts between polygons, and contact forces that hold
-   every stone. It measures stability: how far every contact can shrink before
-   no such forces exist. Every verdict comes with a proof, which kern checks
-   before it returns.
+   every stone. Its measure of stability is the length by which every contact
+   can shrink before no such forces exist. Every verdict comes with a proof,
+   which kern checks before it returns.
 
    SPDX-License-Identifier: MIT (text at the end of the file)
 
@@ -92,7 +92,7 @@
        KERN_REALS and KERN_INTS     9,124    21,496    66,296   359,616
        both KERN_LEAN_ sizes        9,124    12,364    20,204    64,404
 
-   KERN_LEAN_REALS and KERN_LEAN_INTS are smaller from 10 blocks on. They
+   KERN_LEAN_REALS and KERN_LEAN_INTS are smaller from 10 blocks on. These sizes
    suffice if few blocks move at the margin, as in most walls: 0.7 MB instead of
    11 MB for 1000 blocks and 7000 points. If many blocks move, as in arches, a
    call with this memory returns KERN_NO_SPACE.
@@ -144,7 +144,7 @@
    t, this becomes Eq. (5): find x >= 0 with A x = -w (A_eq of the paper,
    >>statics). If no x exists, Farkas' lemma gives a y with y.A >= 0 and y.w >
    0. This y is a mechanism: velocities and spins such that no contact closes
-   and the weights do work. It proves that the structure falls.
+   and the weights do work. A mechanism proves that the structure falls.
 
    A verdict tries these methods in order until one gives a proof:
 
@@ -183,7 +183,7 @@
    remaining edge has its own contacts, even a step of one pixel, so simplify
    raw outlines first (kern_outline_simplify()).
      line      Two edges, one of each block, that are antiparallel within
-               `angle`. They must be within the gap over a stretch that is
+               `angle`. The edges must be within the gap over a stretch that is
                longer than the least of three lengths: the gap, 1e-3 of the
                size, half of the longer edge. The contact points are the ends of
                the stretch, midway between the edges. n is the mean of the
@@ -217,8 +217,8 @@
      points    Two or more points of one pair move toward the middle q of the
                two that are farthest apart, each along its own t. Their travel
                is l = |(q - p) . t|.
-     one point A single point of a pair does not move: l = 0. Neither does any
-               point with l below 1e-9 of the mean size.
+     one point A single point of a pair does not move: l = 0. A point with l
+               below 1e-9 of the mean size does not move either.
      lone      If options.lone is set, a single point of a pair moves toward the
                middle of the contacts that carry its block, as in Fig. 2 c, d of
                the paper. A contact carries the block that its normal pushes up,
@@ -262,10 +262,10 @@
 
    WHAT EACH NUMBER IS GOOD FOR                                    >>measures
 
-   margin      compares structures, and places for a stone. It is how far the
-               force on the worst stone is from the edge of its support, in
-               metres, so that large stones count more; relative: as a share of
-               each travel
+   margin      compares structures, and places for a stone. The margin is the
+               distance of the force on the worst stone from the edge of its
+               support, in metres, so that large stones count more; relative: as
+               a share of each travel
    level       is the paper's measure: the margin in steps of epsilon
    load factor is the largest sideways acceleration, in units of gravity
    raised load is the load factor without dilatant sliding (>>limits)
@@ -386,11 +386,12 @@
    Search    KERN_NOT_SHOWN is no proof of falling. kern_work.end tells whether
              no equilibrium was found, or a limit of work ended the search. The
              raised load of 90 rows of 20 to 90 columns is at least 87 % of that
-             of limit equilibrium, and at least 97 % for 75 of them. It is at
-             least 97 % for 326 of 360 slopes within 10 % of critical friction,
-             and one of these slopes is not shown. Near critical friction, or if
-             a structure has several equilibria close to each other, the raised
-             load may change when the input is turned, mirrored or rounded. It
+             of limit equilibrium, and at least 97 % for 75 of them. The raised
+             load is at least 97 % for 326 of 360 slopes within 10 % of critical
+             friction. For one of these slopes kern_raised() returns
+             KERN_NOT_SHOWN. Near critical friction, or if a structure has
+             several equilibria close to each other, the raised load may change
+             when the input is turned, mirrored or rounded. The raised load
              changed by more than 2 % for 28 of these slopes, and for 13 of 969
              placements, 10 of which move in the simulator.
    Ambiguous The reserve does not cover equilibria that depend on the history of
@@ -410,7 +411,7 @@
              step.
    Undecided A verdict may be undecided closer to the critical value than 1e-9
              mean sizes. In jams, whose forces grow without bound toward the
-             critical value, this distance is 1e-7, and rarely 1e-4. Seven
+             critical value, this distance may be 1e-7, and rarely 1e-4. Seven
              measures were undecided among 800 hoppers, rows between walls,
              zigzag beds and packed discs of up to 120 stones. The distance may
              be larger if one block weighs more than 1e4 times another. Of
@@ -679,8 +680,8 @@ typedef struct kern_motion {
    also use them for intermediate results, so after a negative status their
    contents mean nothing. */
 typedef struct kern_proof {
-    kern_force *force;   /* one a contact point: written with KERN_STANDS    */
-    kern_motion *motion; /* one a block, 0 for fixed ones: with KERN_FALLS   */
+    kern_force *force;   /* one per contact point: written with KERN_STANDS  */
+    kern_motion *motion; /* one per block, 0 for fixed ones: with KERN_FALLS */
 } kern_proof;
 
 typedef struct kern_margin {
@@ -760,11 +761,11 @@ typedef enum kern_meeting {
 /* Result of kern_critical_of(): the contacts that limit a measure, and the
    blocks that move. The arrays are the caller's, and each may be NULL. */
 typedef struct kern_critical {
-    kern_meeting *meeting; /* of each contact point                           */
-    kern_real *limit;      /* of each contact point: how much it limits, as a
+    kern_meeting *meeting; /* per contact point                               */
+    kern_real *limit;      /* per contact point: how much it limits, as a
                               share of the limit of point `contact`; up to
                               1.0001                                          */
-    int *group;            /* of each block: its group, which moves as one body;
+    int *group;            /* per block: its group, which moves as one body;
                               0: the fastest; -1: the block rests             */
     int contact; /* first point of the largest limit (to 1e-4); -1: none     */
     int groups;  /* number of groups; 0 if `group` is NULL              */
@@ -793,8 +794,8 @@ typedef struct kern_work {
    Their contents are verified before use: they change the time of an answer,
    not the answer. */
 typedef struct kern_known {
-    kern_motion *motion; /* of each block: the mechanism at `fails`          */
-    kern_force *force;   /* one a contact point: forces at `holds`          */
+    kern_motion *motion; /* per block: the mechanism at `fails`              */
+    kern_force *force;   /* one per contact point: forces at `holds`        */
     kern_real holds, margin, fails; /* of the last measure; fails = 0: none   */
 } kern_known;
 
@@ -846,8 +847,8 @@ typedef enum kern_side {
 typedef struct kern_lp {
     int rows, cols;
     const kern_real *a;    /* rows x cols, column by column                   */
-    const kern_real *rhs;  /* one a row                                       */
-    const kern_real *cost; /* one a column; NULL: any solution will do        */
+    const kern_real *rhs;  /* one per row                                     */
+    const kern_real *cost; /* one per column; NULL: any solution will do      */
     int limit;             /* most units of work, as in kern_options          */
 } kern_lp;
 /* Infinity. Other compilers than gcc and clang compute it by a product that
@@ -917,8 +918,9 @@ KERN_API const char *kern_status_text(int status);
 KERN_API kern_options kern_defaults(void);
 
 /* Returns *options (NULL: the defaults) with a gap of at least 4 % of the mean
-   size [m] and an angle of at least 0.15 rad. They also find contacts that a
-   slight rocking motion would close. */
+   size [m] and an angle of at least 0.15 rad. With these options
+   kern_contacts() also finds contacts that a slight rocking motion would
+   close. */
 KERN_API kern_options kern_near(const kern_options *options,
                                 kern_real mean_size);
 
@@ -1014,9 +1016,9 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    vertices have moved, or their array was used for another block), KERN_LIMIT
    (vertices that are only read are not counted). Uses only the fault and the
    units of the work memory. Time: one test of boxes for each pair of blocks.
-   Where two blocks meet, a few products for each pair of close edges, or tens
-   if no edge separates the blocks. At worst, as for two saws, the square of
-   the edges and contacts of a pair. */
+   Blocks that meet take a few products for each pair of close edges, or tens of
+   products if no edge separates the blocks. The worst case, as of two saws,
+   takes the square of the edges and contacts of a pair. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
                            int room, kern_work *work);
@@ -1030,19 +1032,19 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
 
 /* Finds the stretches of the contacts: contacts that are divided at hollows.
    From these kern_bearing() computes which lengths of contact the structure
-   needs. It works as kern_contacts() with two differences. A hollow wider than
-   the gap divides a line: a block on two feet has one contact from the outer
-   end of one foot to that of the other, but two stretches. Contacts with any
-   fixed block are written as contacts with the first of these, so that cutting
-   a fixed block in two changes nothing. For margins use kern_contacts()
-   instead. Time: that of kern_contacts(), plus O(C) for each interface of
-   points and, with several fixed blocks, for each contact. */
+   needs. kern_stretches() works as kern_contacts(), with two differences. A
+   hollow wider than the gap divides a line: a block on two feet has one contact
+   from the outer end of one foot to that of the other, but two stretches.
+   Contacts with any fixed block are written as contacts with the first of
+   these, so that cutting a fixed block in two changes nothing. For margins use
+   kern_contacts() instead. Time: that of kern_contacts(), plus O(C) for each
+   interface of points and, with several fixed blocks, for each contact. */
 KERN_API int kern_stretches(const kern_block *block, int blocks,
                             const kern_options *options, kern_contact *out,
                             int room, kern_work *work);
 
-/* Finds the contacts of block b with the blocks of lower index. They equal
-   those of kern_contacts(), unless a later block lies so far out that the
+/* Finds the contacts of block b with the blocks of lower index. These contacts
+   equal those of kern_contacts(), unless a later block lies so far out that the
    rounding of its coordinates matters. Return values are those of
    kern_contacts(). KERN_STALE is found only for block b and the blocks that it
    may touch. With options.lone, only these contacts count as carrying a block.
@@ -1104,12 +1106,12 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    kern_measure(), or 0 if the structure falls.
      low      The least of `margin` and of two margins on the contact points
               that are closed after the blocks have settled: with every other
-              stretch open by 3 e, then with the other half. It is divided by 1
-              + 200 e / size, or if e is below 0.005 mean sizes by 1 + 40,000 (e
-              / size)^2. It is 0 if the structure may fall. The true margin is
-              above `low` for about 94 of 100 structures that stand, and for 60
-              to 73 of 100 stones placed where they move. `low` tends to
-              `margin` as e tends to 0.
+              stretch open by 3 e, then with the other half. `low` is divided by
+              1 + 200 e / size, or if e is below 0.005 mean sizes by 1 + 40,000
+              (e / size)^2. `low` is 0 if the structure may fall. The true
+              margin is above `low` for about 94 of 100 structures that stand,
+              and for 60 to 73 of 100 stones placed where they move. `low` tends
+              to `margin` as e tends to 0.
      high     The margin with kerns that are longer by 3.5 e and friction angles
               that are larger by 3 theta, at least `margin`. If `margin` is 0,
               edges and corners within gaps and angles of twice the error carry
@@ -1123,7 +1125,7 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
               1.75 theta sizes, and no contact that presses becomes shorter by
               half. Third, it stands on the stretches that are closed then.
               `settles` is 1.5 times the longest of these motions, at most 0.45
-              mean sizes. It is KERN_INFINITY if a test fails.
+              mean sizes. If a test fails, `settles` is KERN_INFINITY.
    KERN_STANDS: out->low is above 0 and out->settles is finite. KERN_FALLS is
    never returned if forces on the contacts of the task hold the structure.
    Limits: settling has no inertia, so a block may rock from one support to
@@ -1149,29 +1151,29 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   int room);
 
 /* Finds whether the load, applied to unstressed contacts, raises forces that
-   hold the structure. Blocks approach at every contact with a force. They stick
-   where the force is inside the friction cone, and otherwise slide against the
-   friction. If no such forces are found for the whole load at once, the load
-   grows from 0, as in kern_raised_load(). KERN_STANDS: writes *out and both
-   arrays of the proof, which passes kern_check_raised(). For KERN_NOT_SHOWN it
-   writes only the forces. KERN_FALLS: the motion is that of kern_verdict(), and
-   *out is unchanged.
+   hold the structure. At every contact with a force the two blocks approach. If
+   the force is inside the friction cone the contact sticks, and otherwise it
+   slides against the friction. If no such forces are found for the whole load
+   at once, the load grows from 0, as in kern_raised_load(). KERN_STANDS: writes
+   *out and both arrays of the proof, which passes kern_check_raised(). For
+   KERN_NOT_SHOWN it writes only the forces. KERN_FALLS: the motion is that of
+   kern_verdict(), and *out is unchanged.
    *reserve (may be NULL) is the largest of the shares of gravity 0, .001 ...
    .005, .0055, .006, .007, .008, .01, .015, .02, .03, .05 and .1 for which the
    structure stays raised under a push of that share to either side, with kerns
-   shrunk further by that share of the mean size (relative: by that share). It
-   is 0 where the structure is not raised. Shares above options.reserve are not
-   tried. KERN_BAD_OPTION: `reserve` is not NULL, but there is no gravity.
-   work->end tells why the search without a push ended. KERN_NO_SPACE also if a
-   structure is much wider than a wall of squares. Time: 3 times that of
-   kern_measure() in the mean of 969 walls, 6 times with the reserve. */
+   shrunk further by that share of the mean size (relative: by that share).
+   *reserve is 0 if the structure is not raised. Shares above options.reserve
+   are not tried. KERN_BAD_OPTION: `reserve` is not NULL, but there is no
+   gravity. work->end tells why the search without a push ended. KERN_NO_SPACE
+   also if a structure is much wider than a wall of squares. Time: 3 times that
+   of kern_measure() in the mean of 969 walls, 6 times with the reserve. */
 KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof);
 
-/* Computes the chance that block i, placed last, stays where it is released. It
-   follows from statics by a law fitted to placements (>>measures). Blocks more
-   than four contacts away from block i are held. Then
+/* Computes the chance that block i, placed last, stays where it is released.
+   The chance follows from statics by a law fitted to placements (>>measures).
+   Blocks more than four contacts away from block i are held. Then
        chance = .05 + .95 odds / (1 + odds),    odds = (5.5e7 r^3 / s)^2
        r = min(reserve, .01) + .004
        s = max(1, displacement of block i that raises the forces), where the
@@ -1188,13 +1190,14 @@ KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance);
 
 /* Finds whether the structure stays when all blocks are released at once, from
-   rest, in the given poses. This is the question for a finished structure.
-     KERN_STANDS     It stays: its load raises forces that hold it. Both arrays
-                     of the proof pass kern_check_raised() as KERN_RAISED. A
-                     pencil on its tip counts as staying, too: kern_raised()
-                     computes its reserve.
-     KERN_FALLS      It moves, by proof->motion. This passes kern_check_motion()
-                     or, if blocks hang, kern_check_raised() as KERN_HANGS.
+   rest, in the given poses. Use kern_let_go() for a finished structure.
+     KERN_STANDS     It stays: its load raises forces that hold it. The proof
+                     passes kern_check_raised() as KERN_RAISED. A pencil on its
+                     tip counts as staying, too: kern_raised() computes its
+                     reserve.
+     KERN_FALLS      It moves, by proof->motion. This motion passes
+                     kern_check_motion() or, if blocks hang, kern_check_raised()
+                     as KERN_HANGS.
      KERN_UNDECIDED  Neither is shown; work->end tells why.
    *how (may be NULL) is KERN_HANGS where blocks hang, KERN_RAISED where it
    stays and KERN_NOT_SHOWN elsewhere. To find the least friction with which it
@@ -1234,8 +1237,8 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
    If options.narrow = k, a shrinkage d > 0 also reduces friction from mu to
    max(0, (mu - k d) / (1 + mu k d)), the tangent of the friction angle minus
    atan(k d). A robot that places stones within e and theta sets k = tan(theta)
-   / (2 e). Then margin / (2 e) estimates how many times its own error the
-   structure can bear. It is not a bound. If k is so large that kerns hardly
+   / (2 e). Then margin / (2 e) estimates, but does not bound, how many times
+   the error e the structure can bear. If k is so large that kerns hardly
    shrink, the reduced friction at the margin is the least friction with which
    the structure stands. Warm start: the search begins from task->known and
    remembers its result there. After KERN_UNDECIDED and KERN_LIMIT task->known
@@ -1245,13 +1248,14 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 
 /* Computes the derivatives of the margin with respect to every contact point
    and block, from the proof that kern_measure() wrote. Writes them to
-   contact[0..contacts) and block[0..blocks). They are exact if only one
-   mechanism is critical, the contacts stay and no kern that carries is about to
-   close. Otherwise they hold for the mechanism of the proof. If corners of two
-   blocks coincide at the end of a contact, either corner moves the end. The
-   travel of single points (options.lone) is treated as constant. options.narrow
-   must be 0. Returns KERN_OK, or KERN_UNDECIDED if the margin is saturated or
-   does not change. Time: O(B + C), 0.03 of that of kern_measure(). */
+   contact[0..contacts) and block[0..blocks). The derivatives are exact if only
+   one mechanism is critical, the contacts stay the same and no kern that
+   carries is about to close. Otherwise the derivatives hold only for the
+   mechanism of the proof. If corners of two blocks coincide at the end of a
+   contact, either corner moves the end. The travel of single points
+   (options.lone) is treated as constant. options.narrow must be 0. Returns
+   KERN_OK, or KERN_UNDECIDED if the margin is saturated or does not change.
+   Time: O(B + C), 0.03 of that of kern_measure(). */
 KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       const kern_margin *margin,
                                       const kern_proof *proof,
@@ -1297,14 +1301,15 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          const kern_proof *proof);
 
 /* Computes the least factor of a load pattern with which the structure stands.
-   It is 0 if the structure stands without the pattern; otherwise it is the
-   smallest load that holds it, as a prop or a hand does. To find the largest
-   factor, call kern_load_factor_of() with this load added to the blocks.
-   KERN_STANDS: writes *factor. proof->force holds the structure at the factor.
-   proof->motion moves it just below, and is not written if the factor is 0.
-   KERN_FALLS: it falls at every factor, and *factor is KERN_INFINITY.
-   KERN_UNDECIDED, KERN_LIMIT: it is proven to fall at every factor below
-   *factor. Time: that of one verdict for each mechanism on the way. */
+   *factor is 0 if the structure stands without the pattern. Otherwise the
+   pattern times *factor is the smallest load that holds the structure, as a
+   prop or a hand would. To find the largest factor, call kern_load_factor_of()
+   with this load added to the blocks. KERN_STANDS: writes *factor. proof->force
+   holds the structure at the factor. proof->motion moves it just below, and is
+   not written if the factor is 0. KERN_FALLS: it falls at every factor, and
+   *factor is KERN_INFINITY. KERN_UNDECIDED, KERN_LIMIT: it is proven to fall at
+   every factor below *factor. Time: that of one verdict for each mechanism on
+   the way. */
 KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         const kern_wrench *pattern,
                                         kern_real *factor,
@@ -1370,11 +1375,11 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 /* A plan is a structure that changes by one stone at a time. No contact is
    searched twice. kern_measure(&plan.task, ...) and the queries below start
    from the last measure of the plan. Without such a measure the answers are the
-   same, but slower. Queries leave the plan unchanged. Their negative statuses
-   include those of kern_plan_add(). Their proof is for the structure with the
-   block added: it has one more motion, and the forces of the block's contacts
-   follow those of the plan. The search for these contacts may use options.limit
-   units, and the query itself as many again. */
+   same, but slower. Queries leave the plan unchanged. Negative statuses of a
+   query include those of kern_plan_add(). The proof of a query is for the
+   structure with the block added: the proof has one more motion, and the forces
+   of the block's contacts follow those of the plan. The search for these
+   contacts may use options.limit units, and the query itself as many again. */
 
 /* Returns an empty plan under gravity (0, -9.81). All arrays, also those of
    kern_known_of() and of the work memory, must be long enough for these numbers
@@ -1452,19 +1457,19 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
    41,000 stones on blocks that cannot move, such as cubes on a grid, stairs and
    saw teeth, 0.993 stand where they come to rest; check this with
    kern_plan_bears(). Blocks of the structure do not move. Each motion ends
-   where the stone meets a block, so it overlaps none by more than 1e-6 (float:
-   1e-4) of its size. A mirrored stone and structure have the mirrored pose, and
-   the order of blocks does not matter.
+   where the stone meets a block, so the stone overlaps no block by more than
+   1e-6 (float: 1e-4) of its size. A mirrored stone and structure have the
+   mirrored pose, and the order of blocks does not matter.
    vertex[0..stone->vertices) receives the vertices of the stone at rest, in
-   their order. It must not be the stone's own array. The structure's contacts
-   are not read. KERN_OK: *out is written. After a negative status *out means
-   nothing. KERN_NO_SUPPORT: the stone falls past the structure. KERN_NO_REST:
-   the stone still moves after 64 motions. KERN_NO_LOAD: no gravity.
-   KERN_BAD_NUMBER also for a bad x or stone's centre, and for a `turn` whose
-   length is not 1. Blocks and stone are checked as by kern_touch(). In the
-   fault the stone has the index B. Time: O(B) for each motion, plus the edges
-   near it. The mean is 32,000 instructions on a wall of 30 rough stones, 19,000
-   on a bond of 36 bricks. */
+   their order. vertex must not be the stone's own array. The structure's
+   contacts are not read. KERN_OK: *out is written. After a negative status *out
+   means nothing. KERN_NO_SUPPORT: the stone falls past the structure.
+   KERN_NO_REST: the stone still moves after 64 motions. KERN_NO_LOAD: no
+   gravity. KERN_BAD_NUMBER also for a bad x or stone's centre, and for a `turn`
+   whose length is not 1. Blocks and stone are checked as by kern_touch(). In
+   the fault the stone has the index B. Time: O(B) for each motion, plus the
+   edges near it. The mean is 32,000 instructions on a wall of 30 rough stones,
+   19,000 on a bond of 36 bricks. */
 KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
                                kern_real x, kern_vec turn, kern_vec *vertex,
                                kern_pose *out);
@@ -1480,8 +1485,8 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
      x turn  the smaller, so that any order of places gives the same best
    All but x and turn are first rounded to 13 bits, 1e-4 of the number. So
    rounding hardly ever decides, and moving a structure does not change its best
-   place. Nor does mirroring, unless x decides between two places: then the
-   mirrored structure has the other one. NaN is worse than any number.
+   place. Mirroring a structure mirrors its best place, unless x decides between
+   two places. NaN is worse than any number.
    Tested on 111 walls under construction: at each, some of eight places of
    kern_rest() stay in all six runs of the simulator of examples/laboratory, and
    some do not. The best place stays on 107 of these walls, and the place of the
@@ -1495,22 +1500,24 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
    if the result is at most 1. Return KERN_INFINITY if the forces or the motion
    prove nothing, and for bad input (NULL, NaN). In each equation of a block
    forces may leave a residual of 1e-9 (float: 1e-4) of the load on the block,
-   plus the rounding of the largest force there. Their sum may be 1e6 (1e3)
-   weights. A motion must be one that such forces could not stop, whatever
-   rounding does. Time: O(B + C). Work memory: for forces 4 B reals. */
+   plus the rounding of the largest force there. The sum of all forces may be
+   1e6 (float: 1e3) times the total weight. A motion must be one that such
+   forces could not stop, whatever rounding does. Time: O(B + C).
+   kern_check_forces() needs work memory of 4 B reals. */
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
                                      const kern_force *force);
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
                                      const kern_motion *motion);
 
 /* Returns the error of the proof of kern_raised(), as a share of the allowed
-   error. For KERN_RAISED it checks the forces. It also checks that the motion
-   closes every contact whose force equilibrium needs. Where a contact must
-   stick the motion may slide by at most 1/500 (float: 1/5) of that approach.
-   For KERN_HANGS it checks that the motion moves blocks without a load, that no
-   contact with another block presses one of them against gravity, and that the
-   forces hold the others without them. KERN_NOT_SHOWN proves nothing:
-   KERN_INFINITY. Work memory: 5 B reals. */
+   error. For KERN_RAISED kern_check_raised() checks the forces.
+   kern_check_raised() also checks that the motion closes every contact whose
+   force equilibrium needs. Where a contact must stick the motion may slide by
+   at most 1/500 (float: 1/5) of that approach. For KERN_HANGS it checks that
+   the motion moves blocks without a load, that no contact with another block
+   presses one of them against gravity, and that the forces hold the others
+   without them. KERN_NOT_SHOWN proves nothing: KERN_INFINITY. Work memory: 5 B
+   reals. */
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
                                      kern_raising raising,
                                      const kern_proof *proof);
@@ -1619,10 +1626,10 @@ extern "C" {
 /* Largest residual of an equation of equilibrium in a proof, as a share of the
    loads on the block. Coordinates and masses are known far less exactly. */
 #define KERN_TOL KERN_PICK(1e-9, 1e-4)
-/* Largest sum of forces in a proof, as a multiple of the total weight. It
-   excludes jams, whose forces are arbitrarily large. A motion proves a fall
-   only if its power exceeds this sum times the fastest speed at which it closes
-   a contact. */
+/* Largest sum of forces in a proof, as a multiple of the total weight. The
+   bound excludes jams, whose forces are arbitrarily large. A motion proves a
+   fall only if its power exceeds this sum times the fastest speed at which it
+   closes a contact. */
 #define KERN_BOUND KERN_PICK(1e6, 1e3)
 /* Rounding of a sum in a proof, as a share of its terms: a row has some tens of
    terms. In Part VI two points are the same if they are closer than twice this
@@ -1644,7 +1651,7 @@ extern "C" {
    of a block, need not approach, since equilibrium holds without that force. */
 #define KERN_PRESSED_LEAST KERN_TOL
 /* Raised forces: largest slide of a contact that must stick, as a share of its
-   approach. Its inverse is the stiffness along t in >>raised. */
+   approach. The inverse of KERN_STICKS is the stiffness along t in >>raised. */
 #define KERN_STICKS KERN_PICK(2e-3, 0.2)
 /* Least cosine between a contact's normal and gravity at which the contact can
    hold a block up. A contact with a smaller cosine counts as a vertical joint
@@ -1761,8 +1768,8 @@ extern "C" {
 /* Deficit: factor from one growth to the next if kerns are nested; few verdicts
    suffice. */
 #define KERN_GROW_NESTED KERN_R(4)
-/* Deficit: the same factor if kerns are not nested. It is small so that an
-   interval of standing is seldom missed. */
+/* Deficit: factor from one growth to the next if kerns are not nested, small so
+   that an interval of standing is seldom missed. */
 #define KERN_GROW_EVEN KERN_R(1.1)
 /* Deficit: largest growth that is tried, in longest sides of the free blocks'
    box (>>rules). */
@@ -1802,13 +1809,13 @@ extern "C" {
 /* ---- residuals that rounding leaves ---- */
 
 /* Largest residual of equilibrium of a group that a method may leave, as a
-   share of its load. It is far below KERN_TOL, since residuals of many groups
-   may add up. With 1e-10 in double, a light stone beside heavy ones is reported
-   to stand although it falls. */
+   share of its load. The value is far below KERN_TOL, since residuals of many
+   groups may add up. With 1e-10 in double, a light stone beside heavy ones is
+   reported to stand although it falls. */
 #define KERN_PASS_TOL KERN_PICK(1e-11, 1e-6)
-/* Largest residual that a program of all groups may leave. It may be a tenth of
-   KERN_TOL: forces are not passed on from group to group, so that residuals do
-   not add up. */
+/* Largest residual that a program of all groups may leave. A tenth of KERN_TOL
+   is small enough, since forces are not passed on from group to group and
+   residuals do not add up. */
 #define KERN_PART_TOL KERN_PICK(1e-10, 1e-5)
 /* Rounding of a residual, as a share of the largest force or value in it. */
 #define KERN_RESIDUAL (4 * KERN_EPS)
@@ -1824,14 +1831,14 @@ extern "C" {
 /* Line search: factor by which the derivative must fall. Newton's next step
    makes up for the rest. */
 #define KERN_SHARE_TOL 8
-/* The same factor for a search with prices, since the next prices are computed
-   from its result. */
+/* Line search with prices: factor by which the derivative must fall. It is
+   larger since the next prices are computed from the result. */
 #define KERN_SHARE_TOL_PRICED 1000
 /* Line search: most steps until the maximum has been passed, each four times
    the last. */
 #define KERN_SHARE_GROWS 13
 /* Line search: most places that regula falsi tries after the maximum has been
-   passed. It needs few. */
+   passed. Usually few are enough. */
 #define KERN_SHARE_PLACES 20
 
 /* ---- top-down pass ---- */
@@ -1842,8 +1849,8 @@ extern "C" {
 /* A pivot of a 3 x 3 matrix above this share of its trace needs no refinement
    of the solution. */
 #define KERN_THREE_GOOD KERN_PICK(1e-4, 1e-2)
-/* Most contacts of a group that is balanced alone. It is the length of arrays
-   on the stack. */
+/* Most contacts of a group that is balanced alone; length of arrays on the
+   stack. */
 #define KERN_ROWS_MOST 12
 /* Most rounds of Newton's method for one group. Usually it ends in four. */
 #define KERN_ALONE_ROUNDS 10
@@ -1862,10 +1869,11 @@ extern "C" {
 /* Closing speed, as a share of the largest speed, below which a contact counts
    as parting. */
 #define KERN_PARTS_TOL KERN_R(1e-4)
-/* Number of groups divided by the largest size of a cluster in a verdict. It is
-   one more in a search, and three more in a search from known forces. With 5
-   verdicts take 7 % more work. With 4 in a search measures take 6 % more. With
-   5 in a search from known forces kern_plan_try() takes 6 % more. */
+/* Number of groups divided by the largest size of a cluster in a verdict. In a
+   search the number is KERN_CLUSTER + 1, and in a search from known forces
+   KERN_CLUSTER + 3. With 5 verdicts take 7 % more work. With 4 in a search
+   measures take 6 % more. With 5 in a search from known forces kern_plan_try()
+   takes 6 % more. */
 #define KERN_CLUSTER 4
 /* Most groups of a cluster if the structure has more than KERN_SMALL groups.
    With smaller clusters some measures of 100 blocks take four times the
@@ -1917,7 +1925,7 @@ extern "C" {
 /* Shift of the diagonal of M where M is singular, as a share of its mean. */
 #define KERN_IPM_SHIFT KERN_PICK(1e-10, 1e-5)
 /* Share of the way to the boundary (x or z = 0) that a step leaves, since no
-   step is possible from the boundary. It shrinks as the gap closes. */
+   step is possible from the boundary. The share shrinks as the gap closes. */
 #define KERN_IPM_BACKOFF KERN_R(1e-3)
 /* Least share of its force that a ray keeps in a step, since a force that
    rounds to 0 would never grow again. */
@@ -1985,21 +1993,21 @@ extern "C" {
    2,000 instructions for a unit of its limit. With a larger value the inverse
    fills. */
 #define KERN_OWN_TOL KERN_R(0.03)
-/* Crash basis: most columns of a group that are tried. It is the length of
-   arrays on the stack. */
+/* Crash basis: most columns of a group that are tried; length of arrays on the
+   stack. */
 #define KERN_CRASH_COLUMNS 12
 /* Crash basis: least determinant of three columns with entries of about 1. */
 #define KERN_CRASH_DET KERN_LATE_PIVOT
 /* Crash basis: largest tension in a column, as a multiple of its group's
    load. */
 #define KERN_CRASH_PULL KERN_R(2)
-/* Budget of pivots: KERN_PIVOTS + KERN_PIVOTS_ROW for each row. After it prices
-   are refined. Most programs take fewer pivots. */
+/* Budget of pivots: KERN_PIVOTS + KERN_PIVOTS_ROW for each row. When a budget
+   is used up, prices are refined. Most programs take fewer pivots. */
 #define KERN_PIVOTS 50
 /* Pivots of the budget for each row. */
 #define KERN_PIVOTS_ROW 2
-/* Number of budgets of pivots after which Bland's rule is used. It cannot
-   cycle, but it is slow. */
+/* Number of budgets of pivots after which Bland's rule is used. Bland's rule
+   cannot cycle, but is slow. */
 #define KERN_PIVOTS_BLAND 5
 /* Number of budgets of pivots after which a program of a structure ends, plus
    one pivot for each column. Only jams take more than two budgets, and the
@@ -2021,15 +2029,15 @@ extern "C" {
 #define KERN_SLIDE_MOST KERN_R(100)
 /* Most rounds of Newton's method for one set of prices. Usually it takes 4. */
 #define KERN_PRICED_ROUNDS 10
-/* A search ends without a result if the displacement u exceeds (KERN_RUNS_AWAY
-   + number of groups) times the u of its first round; in a row of groups their
-   slides add up. It also ends if u moves from the last loaded equilibrium by
-   more than KERN_JUMPS times the u of that equilibrium. */
+/* A search is lost if the displacement u exceeds (KERN_RUNS_AWAY + number of
+   groups) times the u of its first round. The number of groups is added since
+   slides add up along a row. A search is also lost if u differs from the last u
+   with a proof by more than KERN_JUMPS times the size of that u. */
 #define KERN_RUNS_AWAY KERN_R(30)
 #define KERN_JUMPS KERN_R(2)
-/* A search also ends after this many rounds, plus one for every two groups, if
-   prices have not converged by then. With fewer rounds the search of a long row
-   ends before the far end of the row has moved. */
+/* A search is also lost after this many rounds, plus one for every two groups,
+   in which the change of prices has not become smaller. With fewer rounds the
+   search of a long row ends before the far end of the row has moved. */
 #define KERN_PATIENCE 20
 /* Most work of one search, as a multiple of the cost of a factorisation. */
 #define KERN_SEARCH_COSTS 3000
@@ -2057,8 +2065,8 @@ extern "C" {
    which blocks are free. All other blocks are held. With 3 or 5 the chance
    separates stones that stay from stones that move less well. */
 #define KERN_STAYS_NEAR 4
-/* kern_stays(): stiffness of contacts along t, as kern_dual.stiff. It is
-   smaller than that of a proof, in which contacts must stick within
+/* kern_stays(): stiffness of contacts along t, as kern_dual.stiff. The
+   stiffness for a proof is larger, since contacts must then stick within
    KERN_STICKS. */
 #define KERN_STAYS_STIFF KERN_R(4)
 /* kern_stays(): constants of its law, fitted to placements. KERN_STAYS_MOST is
@@ -2163,7 +2171,7 @@ static int kern_vec_is_moderate(kern_vec a)
 }
 
 /* Returns the sine by its series, since the last digit of libm's sine differs
-   between machines. It is right to eight digits for angles below
+   between machines. The result is exact to eight digits for angles below
    KERN_ANGLE_MOST. */
 static kern_real kern_sine(kern_real angle)
 {
@@ -2680,8 +2688,8 @@ static kern_status kern_structure_check(const kern_structure *s,
 
 /* Checks all arguments except the contents of the arrays. `out` is the address
    of the caller's result; a query without a result passes the task instead.
-   Clears the units and the fault of the work memory. Its other counters add up
-   over calls. */
+   Clears the units and the fault of the work memory. The other counters of the
+   work memory add up over calls. */
 static kern_status kern_task_check(const kern_task *task, kern_real shrink,
                                    const void *out)
 {
@@ -2764,8 +2772,8 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
-/* Proofs read only the caller's data. Their error is a share of the allowed
-   error: a proof with an error of at most 1 holds.
+/* Proofs read only the caller's data. The error of a proof is a share of the
+   allowed error. A proof holds if its error is at most 1.
 
    Forces prove "stands". Each force lies in its friction cone. The residual of
    each row of equilibrium is at most KERN_TOL times the loads on the block plus
@@ -2780,7 +2788,7 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 
 /* Returns the error of equilibrium as a share of the allowed error. It is the
    larger of two errors: the largest residual of the free blocks, and the sum
-   `total` of all normal forces. `sum` has four numbers a block, as
+   `total` of all normal forces. `sum` has four numbers per block, as
    kern_prove_end() adds them up. An error above 1 is returned as at least 2. */
 static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                                  const kern_real *sum, kern_real total)
@@ -2829,7 +2837,7 @@ KERN_SHARED static void kern_prove_end(kern_real *sum, kern_vec arm,
 
 /* Returns the error of forces as a proof that the structure stands, as a share
    of the allowed error. Returns KERN_INFINITY if a force is outside its cone or
-   not finite. `sum` is scratch, four numbers a block. */
+   not finite. `sum` is scratch, four numbers per block. */
 static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
                                    const kern_force *force, kern_real *sum)
 {
@@ -2993,9 +3001,9 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
         else if (!(kern_speed(motion + i) <= 0))
             return KERN_INFINITY;
 
-    /* Checks each loaded contact. It must approach by more than the rounding of
-       its blocks' motions. With a force inside the cone it must stick. With a
-       force on the cone it must slide against the friction. */
+    /* Checks each loaded contact. The contact must approach by more than the
+       rounding of its blocks' motions. With a force inside the cone it must
+       stick. With a force on the cone it must slide against the friction. */
     for (i = 0; i < s->contacts && error <= 1; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real f = force[i].normal, r = force[i].tangential;
@@ -3017,9 +3025,9 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
     return error;
 }
 
-/* Removes from the set of blocks with value >= 0 all that are fixed or loaded,
-   and all that a block outside of the set holds up against gravity. Returns the
-   number of blocks that are left. */
+/* The set of blocks i with value[i] >= 0: removes from this set all fixed or
+   loaded blocks, and all blocks that a block outside of the set holds up
+   against gravity. Returns the number of blocks that are left. */
 static int kern_unsupported(const kern_structure *s, kern_real *value)
 {
     const kern_real pull = kern_vec_length(s->gravity);
@@ -3116,21 +3124,21 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 
 /* Groups and the contacts between them.
 
-   `local` has the groups of the open part. It has three phases. While no part
-   is open it is KERN_OUT for every group. Before a part is opened it is
+   `local` has the groups of the open part. This array has three phases. While
+   no part is open it is KERN_OUT for every group. Before a part is opened it is
    KERN_MARKED for the groups of the next part. While a part is open it is the
    number of a group in the part, and KERN_OUT for all other groups. Exception:
    kern_norm_open() opens the groups with KERN_OUT and holds all others. */
 typedef struct kern_graph {
     int groups;
-    int *group;        /* of a block                                     */
-    int *block;        /* of a group                                     */
+    int *group;        /* per block                                      */
+    int *block;        /* per group                                      */
     int *ends;         /* groups of b (2 i) and a (2 i + 1), contact i   */
-    int *touch;        /* of a group: first end of a contact at it         */
-    int *after;        /* of an end: the next end at the same group        */
-    kern_real *torque; /* two an end: torques of n and t, as in kern_row   */
-    int *local;        /* of a group: its number in the open part          */
-    int *carrier;      /* of a group: its only carrier, or KERN_OUT        */
+    int *touch;        /* per group: first end of a contact at it          */
+    int *after;        /* per end: the next end at the same group          */
+    kern_real *torque; /* two per end: torques of n and t, as in kern_row  */
+    int *local;        /* per group: its number in the open part           */
+    int *carrier;      /* per group: its only carrier, or KERN_OUT         */
 } kern_graph;
 
 /* The forces and the motion of the last verdict.
@@ -3141,9 +3149,9 @@ typedef struct kern_graph {
    proofs: no function leaves anything in it for another. */
 typedef struct kern_answer {
     const kern_known *known; /* forces that held a similar structure, or NULL */
-    kern_force *force;       /* one a contact                                */
-    kern_motion *motion;     /* one a block                                  */
-    kern_real *sum;          /* four a block                                 */
+    kern_force *force;       /* one per contact                              */
+    kern_motion *motion;     /* one per block                                */
+    kern_real *sum;          /* four per block                               */
 } kern_answer;
 
 /* State of a cluster. KERN_OPEN: it must be balanced. KERN_TRIED: its groups
@@ -3155,9 +3163,9 @@ enum { KERN_MARKED = 0 };
 
 /* Disjoint sets of groups that are balanced together. */
 typedef struct kern_clusters {
-    int *last;       /* of a group: the last group of its cluster    */
-    int *next;       /* of a group: the next of its cluster, cyclic  */
-    int *open;       /* of a last group: the state of its cluster    */
+    int *last;       /* per group: the last group of its cluster     */
+    int *next;       /* per group: the next of its cluster, cyclic   */
+    int *open;       /* per last group: the state of its cluster     */
     int front;       /* every open cluster ends at or after this group     */
     int groups_most; /* largest number of groups of a cluster        */
     int budget_end;  /* value of work->units at which the pass ends  */
@@ -3174,9 +3182,9 @@ typedef struct kern_model {
     kern_real mean;      /* mean size of the free blocks                 */
     kern_real weight;    /* unit of force: sum of the loads on free blocks [N]
                                                                          */
-    kern_real *unit;     /* of a group: 1 / unit of its torques [1/m]    */
-    kern_real *load;     /* three a group: what contacts must exert [N]  */
-    kern_real *size;     /* of a group: magnitude of its loads [N]       */
+    kern_real *unit;     /* per group: 1 / unit of its torques [1/m]     */
+    kern_real *load;     /* three per group: wrench of its contacts [N]   */
+    kern_real *size;     /* per group: magnitude of its loads [N]        */
     kern_real shrunk;    /* shrinkage for which graph.torque is set; or infinity
                                                                          */
     kern_real reduction; /* kern_reduction() of the last query           */
@@ -3252,7 +3260,7 @@ static void kern_model_order(const kern_model *m)
                              ? down
                              : kern_vec_step(down, KERN_LEVEL_SLOPE,
                                              kern_vec_turn(down));
-    kern_real *const height = m->answer.sum; /* of a block */
+    kern_real *const height = m->answer.sum; /* per block  */
     int *const list = m->graph.block, groups = m->graph.groups;
     int gap, i, j;
     for (i = 0; i < m->s->blocks; i++)
@@ -3608,7 +3616,7 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
 }
 
 /* Moves the two forces of each line from its ends at the shrinkage `from` to
-   its ends at `shrink` < `from`. Their wrench is unchanged. */
+   its ends at `shrink` < `from`. The wrench of the two forces is unchanged. */
 static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
 {
     int i, k;
@@ -3659,10 +3667,11 @@ KERN_SHARED static void kern_proof_out(const kern_model *m,
        B^-1 = E_n ... E_2 E_1 B_0^-1.
 
    Rows come in groups of three. A column of a network (`ends` given) touches
-   one or two groups. It is an own column of the upper of these groups. B_0 has
-   three own columns, or logicals, of each group, so it is block triangular. For
-   each group B_0 stores only a 3 x 3 inverse, and the entries of its three
-   columns in the rows of other groups. Without `ends` B_0 is the unit matrix.
+   one or two groups. The column is an own column of the upper of these groups.
+   B_0 has three own columns, or logicals, of each group, so it is block
+   triangular. For each group B_0 stores only a 3 x 3 inverse, and the entries
+   of its three columns in the rows of other groups. Without `ends` B_0 is the
+   unit matrix.
 
    Each E_i makes one more column enter (the product form of the inverse). E_i
    is the unit matrix except for column p. Let alpha = B^-1 A_j for the entering
@@ -3685,14 +3694,14 @@ KERN_SHARED static void kern_proof_out(const kern_model *m,
    distance by which rhs has moved along a path. */
 typedef struct kern_program {
     int rows, cols;
-    const kern_real *a; /* dense: by columns; network: four a column   */
+    const kern_real *a; /* dense: by columns; network: four per column */
     const kern_real *rhs;
     const kern_real *cost; /* NULL: all are 0                              */
     const int *ends;       /* NULL: the program is dense                   */
     const kern_real *rate; /* column of the place: minus the rate of rhs   */
     int follow;            /* 1: the place grows from 0; 0: it is fixed    */
     kern_real most;        /* largest value of a variable; 0: no bound     */
-    int limit;             /* most work->units                             */
+    int limit;             /* largest value of work->units                 */
     kern_work *work;       /* of the call                                  */
 } kern_program;
 
@@ -3703,13 +3712,13 @@ typedef struct kern_program {
 typedef struct kern_factors {
     int size;         /* rows, rounded up to a multiple of three            */
     int groups;       /* of B_0: all of a network, 0 if B_0 is the unit      */
-    kern_real *block; /* of a row: six numbers                              */
-    int *to;          /* of a row: first row of its column's other group    */
+    kern_real *block; /* per row: six numbers                               */
+    int *to;          /* per row: first row of its column's other group     */
     int most, room;   /* largest number of factors, and of their entries    */
     int count;        /* of factors                                         */
-    int *pivot;       /* of a factor: the row of its pivot                  */
-    int *from;        /* of a factor: its first row with an entry           */
-    int *first;       /* of a factor: its first entry; last: end of all     */
+    int *pivot;       /* per factor: the row of its pivot                   */
+    int *from;        /* per factor: its first row with an entry            */
+    int *first;       /* per factor: its first entry; last: end of all      */
     kern_real *entry; /* of factors, in threes of rows                      */
 } kern_factors;
 
@@ -3732,14 +3741,14 @@ typedef struct kern_simplex {
     const kern_program *lp;
     kern_basis state;
     kern_factors factors;
-    int *base;        /* of a row: its variable                            */
-    int *place;       /* of a column, and of the place: its row, or KERN_OUT;
+    int *base;        /* per row: its variable                             */
+    int *place;       /* per column, and of the place: its row, or KERN_OUT;
                                  in the crash: the next column of a group  */
-    kern_real *value; /* of a row: value of its variable                   */
-    kern_real *slope; /* of a row: c of its variable (see "pivots")        */
-    kern_real *price; /* of a row: y                                       */
-    kern_real *alpha; /* of a row                                          */
-    kern_real *ratio; /* of a row of the ratio test: the step to zero      */
+    kern_real *value; /* per row: value of its variable                    */
+    kern_real *slope; /* per row: c of its variable (see "pivots")         */
+    kern_real *price; /* per row: y                                        */
+    kern_real *alpha; /* per row                                           */
+    kern_real *ratio; /* per row of the ratio test: the step to zero       */
     int *list;
     int enters;      /* the entering column                               */
     kern_real least; /* smallest violation that counts                    */
@@ -3810,7 +3819,8 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
 
 /* ---- the basis ---- */
 
-/* v := B^-1 v. Input: one number a row. Output: one number a basic variable. */
+/* v := B^-1 v. Input: one number per row. Output: one number per basic
+   variable. */
 static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 {
     const kern_factors *f = &sx->factors;
@@ -3852,8 +3862,8 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
     }
 }
 
-/* c := B^-T c. Input: one number a basic variable. Output: one number a row,
-   and zeros after the last row. */
+/* c := B^-T c. Input: one number per basic variable. Output: one number per
+   row, and zeros after the last row. */
 static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
     const kern_factors *f = &sx->factors;
@@ -4053,8 +4063,8 @@ static void kern_simplex_crash(kern_simplex *sx)
 
 /* ---- factors ---- */
 
-/* Makes column j basic in a row of its own group that still has its logical. It
-   takes the row with the largest entry of the column in terms of the columns
+/* Makes column j basic in a row of its own group that still has its logical.
+   Takes the row with the largest entry of the column in terms of the columns
    that are already basic. Returns 0 if no such entry is large enough. */
 static int kern_own_enter(kern_simplex *sx, int j)
 {
@@ -4216,7 +4226,7 @@ static int kern_lp_fixed(const kern_program *lp, int j)
     return j >= lp->cols + lp->follow;
 }
 
-/* Returns the rate at which the costs fall as variable j grows. Returns 1 for a
+/* Returns the rate at which the costs fall as variable j grows, or 1 for a
    place that grows. */
 static kern_real kern_lp_worth(const kern_program *lp, int j)
 {
@@ -4249,9 +4259,9 @@ static kern_real kern_violations(kern_simplex *sx)
 
 /* Refines y once by the residual of y.A_j = c for basic columns. At the same
    time raises y.A_j of these columns by `lift` times the largest entry of y. A
-   certificate needs this, since rounding leaves y.A_j below zero as often as
-   above. It costs little of the certificate's power. Returns 0 without a basis,
-   as after an answer of the backend. */
+   certificate needs this lift, since rounding leaves y.A_j below zero as often
+   as above. The lift costs little of the certificate's power. Returns 0 without
+   a basis, as after an answer of the backend. */
 static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 {
     const kern_program *lp = sx->lp;
@@ -4644,8 +4654,8 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
 }
 
 /* Sets negative entries of x to 0. Returns 1 if x and y then prove the status.
-   Otherwise sets entries of the size of rounding to 0 and checks once more:
-   they spoil a row that has no other entries. */
+   Otherwise sets entries of the size of rounding to 0, since they spoil a row
+   that has no other entries, and checks once more. */
 static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
@@ -4711,18 +4721,18 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 }
 
 /* ---- Contact law and skyline factor --------------------------- >>skyline */
-/* A contact law gives the force of a contact for an approach (wn, wt) along n
-   and t. It is piecewise linear: f = nn wn + nt wt, r = nt wn + tt wt. So A x =
-   b leads to a symmetric matrix with one row of 3 x 3 blocks for each group.
-   The matrix is factored in the order of the groups (skyline Cholesky). >>norm,
-   >>ipm and >>raised differ only in the law. */
+/* A contact law gives the force (f, r) of a contact for an approach (wn, wt)
+   along n and t. The law is piecewise linear: f = nn wn + nt wt, r = nt wn + tt
+   wt. So A x = b leads to a symmetric matrix with one row of 3 x 3 blocks for
+   each group. The matrix is factored in the order of the groups (skyline
+   Cholesky). >>norm, >>ipm and >>raised differ only in the law. */
 
 /* A symmetric matrix of 3 x 3 blocks, one row of blocks for each group, or its
    factor. Each row is stored from its first nonzero block to the diagonal. */
 typedef struct kern_skyline {
     int groups;
-    int *first;  /* of a row: its first block column             */
-    int *offset; /* of a row: its first entry                    */
+    int *first;  /* per row: its first block column              */
+    int *offset; /* per row: its first entry                     */
     kern_real *entry;
 } kern_skyline;
 
@@ -5041,12 +5051,12 @@ typedef enum kern_start { KERN_START_COLD, KERN_START_WARM } kern_start;
 typedef struct kern_dual {
     kern_law_of law;            /* of the contacts                         */
     kern_skyline matrix;        /* of the contacts that carry              */
-    kern_real *u, *step, *grad; /* three a group, then three of 0          */
-    kern_real *b;               /* loads, three a group                    */
-    kern_real *way, *turn;      /* two a contact: u and step along n and t */
+    kern_real *u, *step, *grad; /* three per group, then three of 0        */
+    kern_real *b;               /* loads, three per group                  */
+    kern_real *way, *turn;      /* two per contact: u, step along n and t    */
     int cost;                   /* units of work of a step                 */
-    kern_real *price;           /* of a stiff contact: mu slip (>>raised)  */
-    kern_real *stiff_n;         /* of a stiff contact: stiffness along n   */
+    kern_real *price;           /* per stiff contact: mu slip (>>raised)   */
+    kern_real *stiff_n;         /* per stiff contact: stiffness along n    */
     kern_real stiff;            /* stiffness along t / (mu stiff_n)        */
 } kern_dual;
 
@@ -5056,7 +5066,7 @@ typedef struct kern_equations {
     kern_real *arc;   /* columns                                      */
     kern_real *rhs;   /* loads                                        */
     kern_real *rate;  /* minus the rate of rhs along a path           */
-    kern_real shrink; /* for which columns are set; or infinity       */
+    kern_real shrink; /* shrinkage of the columns; or infinity        */
     kern_program lp;
     kern_simplex simplex;
 } kern_equations;
@@ -5070,10 +5080,10 @@ typedef struct kern_part {
                      come first; the others carry groups above                */
     int *group;   /* groups of the part; >>norm has its own order  */
     int *contact; /* contacts of the part                         */
-    int *ends;    /* two a contact: groups of the part, or `groups` */
-    kern_real *x; /* two a contact: forces along the edges of its
+    int *ends;    /* two per contact: groups in the part, or `groups` */
+    kern_real *x; /* two per contact: forces along the edges of its
                                  cone; then the value of the place            */
-    kern_real *y; /* three a group: prices of equilibrium, a motion */
+    kern_real *y; /* three per group: prices, which are a motion      */
     kern_equations eq;
     kern_status found; /* result of the method, proven or not          */
 } kern_part;
@@ -5127,7 +5137,7 @@ static void kern_part_list(kern_part *p)
 }
 
 /* Writes the loads of a part's groups for a query as the right-hand side of a
-   program: three numbers a group, divided by the unit of force. Returns the
+   program: three numbers per group, divided by the unit of force. Returns the
    largest residual of equilibrium that is allowed. */
 static kern_real kern_part_load(const kern_part *p, const kern_query *q,
                                 kern_real *to)
@@ -6054,7 +6064,7 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
        A x = b - s g,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray:
 
    If it does not, y is the mechanism. A primal-dual method follows x z = mu > 0
-   to mu = 0. Its steps are Newton's,
+   to mu = 0. Each step is a step of Newton's method,
 
        M dy - g ds = A x~ + s g - b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
 
@@ -6067,12 +6077,12 @@ typedef struct kern_ipm {
     kern_part *p; /* all groups; its x, y and eq.rhs are x, y, b  */
     kern_real s;
     kern_real gap;     /* sum of x z: distance of s from its maximum   */
-    kern_real *z;      /* of a ray: its opening speed                  */
-    kern_real *dx;     /* of a ray: its step; z has its in dual.turn   */
-    kern_real *d;      /* of a ray: D                                  */
-    kern_real *excess; /* of a row: A x - b + s g                      */
-    kern_real *g;      /* of a row: residual of the first forces        */
-    kern_real *gain;   /* of a row: M^-1 g                             */
+    kern_real *z;      /* per ray: its opening speed                   */
+    kern_real *dx;     /* per ray: its step; z has its in dual.turn    */
+    kern_real *d;      /* per ray: D                                   */
+    kern_real *excess; /* per row: A x - b + s g                       */
+    kern_real *g;      /* per row: residual of the first forces         */
+    kern_real *gain;   /* per row: M^-1 g                              */
 } kern_ipm;
 
 #ifndef KERN_NO_INTERIOR
@@ -6465,7 +6475,7 @@ static int kern_part_lay(kern_part *p)
     return 0;
 }
 
-/* Writes Eq. (5) for a query: two columns a contact, along the edges n + mu t
+/* Writes Eq. (5) for a query: two columns per contact, along the edges n + mu t
    and n - mu t of its friction cone, and the loads as the right-hand side. */
 static void kern_part_set(kern_part *p, const kern_query *q)
 {
@@ -6522,8 +6532,8 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
             && kern_part_falls(p, q))
             return status;
 
-    /* Checks the forces x. They may hold the structure within the tolerance
-       even if the simplex method found that none exist. */
+    /* Checks the forces x, which may hold the structure within the tolerance
+       even if the simplex method found that no forces exist. */
     return whole && kern_part_stands(p, q) ? KERN_STANDS : KERN_UNDECIDED;
 }
 
@@ -6622,8 +6632,8 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
     }
 }
 
-/* Opens one linear program of all groups. It answers all later queries, each
-   time from the last basis. It overwrites the arrays of the pass. */
+/* Opens one linear program of all groups, which overwrites the arrays of the
+   pass. All later queries use this program, each time from the last basis. */
 static kern_status kern_model_whole(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
@@ -6682,8 +6692,8 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     status = kern_part_evaluate(p, q);
 
     /* Tries the interior point as a last resort: it rounds differently and
-       needs other memory. It is tried only in double, since in float its proofs
-       are too coarse near the critical value. */
+       needs other memory. In float this is not tried, since proofs of the
+       interior point are too coarse near the critical value. */
     if (KERN_PICK(1, 0) > 0
         && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
             || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
@@ -6712,7 +6722,7 @@ typedef enum kern_path_kind {
     KERN_PATH_TILT
 } kern_path_kind;
 
-/* What a search evaluates. KERN_ASKED_WHOLE: the whole structure.
+/* Structure that a search evaluates. KERN_ASKED_WHOLE: the whole structure.
    KERN_ASKED_PART: one part, with all other blocks held. KERN_ASKED_PROGRAM:
    the whole by its linear program, until the interior point takes over. */
 typedef enum kern_asked {
@@ -6827,7 +6837,7 @@ static kern_real kern_halved(kern_real t)
    A search tries the cheapest method first:
 
        known       the motion by which a similar structure fell
-       bodies      the value of a block with what rests on it alone
+       bodies      the value of a block with all that rests on it alone
        parts       the pass just before that value: a part that it finds falls
        whole       one program, or the interior point, if the pass finds none
 
@@ -7050,8 +7060,9 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 }
 
 /* Returns 1 if the last basis, which fell just beyond the critical value,
-   proves that the structure stands at s, just before the value. Its forces at s
-   differ by the change that kern_shrink_critical() wrote, and act on larger
+   proves that the structure stands at s, just before the value. From the forces
+   of that basis it computes the forces at s: adds the change that
+   kern_shrink_critical() wrote, and moves them to the ends of the larger
    kerns. */
 static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 {
@@ -7190,7 +7201,7 @@ static kern_status kern_path_saturate(kern_path *path)
 }
 
 /* Returns 1 if the structure stands at every place from `at` to path->holds
-   while gravity turns under fixed loads. It evaluates one more gravity vector,
+   while gravity turns under fixed loads. Evaluates one more gravity vector,
    where the tangents at the two ends of the arc of gravity intersect. The
    vectors under which the structure stands are a convex set, and the arc lies
    in the triangle of these three points. */
@@ -7358,7 +7369,7 @@ static void kern_body_first(kern_model *m, const kern_path *path,
                             kern_known *out)
 {
     const kern_real offset = kern_half_width(path);
-    kern_real *load = m->answer.sum; /* three numbers a body       */
+    kern_real *load = m->answer.sum; /* three numbers per body     */
     int g, first = KERN_OUT, about = 0;
     out->margin = KERN_INFINITY;
     out->motion = m->answer.motion;
@@ -7712,8 +7723,8 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 
 /* ---- nested first ---- */
 /* If points travel, kerns are not nested. Few structures need these points to
-   stand. Without them kerns are nested, and a search replaces the walk. Its two
-   ends mean:
+   stand. Without them kerns are nested, and a search replaces the walk. The
+   ends of its bracket mean:
 
        forces without the points    also hold the whole, at every smaller place
                                     too: the whole stands up to there
@@ -7983,7 +7994,8 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     if (status >= 0 && !out->saturated && proof && proof->motion)
         kern_copy(proof->motion, kept.motion, 3 * task->s.blocks);
 
-    /* Keeps the bracket in task->known. Its proof is already there. */
+    /* Keeps the bracket in task->known. The proof of the bracket is already
+       there. */
     if (status == KERN_STANDS) {
         if (out->saturated)
             kern_zero(kept.motion, 3 * task->s.blocks);
@@ -8330,9 +8342,9 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
    the model, and the path continues with the other blocks. */
 
 typedef struct kern_fall {
-    int weak;         /* number of missing values in the weaker half  */
+    int weak;         /* values of the weaker half still to come      */
     kern_real sum;    /* sum of the values of the weaker half         */
-    kern_real *value; /* of a block: its value, or -1 while it stands */
+    kern_real *value; /* per block: its value, or -1 while it stands  */
 } kern_fall;
 
 /* The remaining blocks that fall. */
@@ -8389,7 +8401,7 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
             return KERN_UNDECIDED;
 
         /* Removes the blocks that move in the mechanism. Then evaluates the
-           other blocks just beyond the place of its proof. */
+           remaining blocks just beyond the place at which they fell. */
         if (status == KERN_FALLS) {
             kern_fall_add(m, fall, at, KERN_FALL_MOVING);
             kern_model_group(m, &path->q);
@@ -8416,9 +8428,9 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
     return KERN_OK;
 }
 
-/* Returns e^-x for x >= 0. It computes e^(x / 1024) by its series and squares
-   it ten times, since libm differs between machines. The relative error is at
-   most 2e-4 for x up to 10. */
+/* Returns e^-x for x >= 0. Computes e^(x / 1024) by its series and squares it
+   ten times, since libm differs between machines. The relative error is at most
+   2e-4 for x up to 10. */
 static kern_real kern_decay(kern_real x)
 {
     const kern_real t = x / KERN_R(1024);
@@ -8633,12 +8645,12 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 }
 
 /* ---- Sensitivity ------------------------------------------- >>sensitivity */
-/* At the margin d* the power G of forces and loads on the mechanism is 0. It
+/* At the margin d* the power G of forces and loads on the mechanism is 0. G
    stays 0 when an input q changes, so the derivative of d* is -G_q / G_d.
    Forces and motion are those of the proof. */
 
 /* Writes G_q for all data q of contact i. Returns the contact's term of G_d.
-   Both are 0 without a force or a motion. */
+   G_q and G_d are 0 for a contact without a force or a motion. */
 static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
                                    int i, const kern_proof *proof,
                                    kern_contact_rate *out)
@@ -8681,7 +8693,7 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
     const kern_real along = kern_vec_dot(rate[i].p, t)
                           + (rate[pair].travel - rate[i].travel) / 2;
     const kern_real across = kern_vec_dot(rate[i].p, c->n);
-    kern_real off[2]; /* along the contact to the nearest corner */
+    kern_real off[2]; /* distance along the contact to the nearest corner */
     int end, k;
 
     if (!(kern_abs(along) + kern_abs(across) + kern_abs(rate[i].turn) > 0))
@@ -8821,10 +8833,10 @@ typedef struct kern_raise {
     int size;                /* length of u and prices in one array          */
     kern_real *held;         /* u and prices of the last load with a proof   */
     kern_real *earlier; /* u and prices of the load with a proof before it   */
-    kern_real *last;    /* two a contact: last F(p), and its change          */
+    kern_real *last;    /* two per contact: last F(p), and its change        */
     kern_real *kept;    /* u at the start of Newton's method                 */
     kern_skyline up;    /* columns of Newton's matrix; dual.matrix: rows    */
-    int *state;         /* of a contact: 0 open, 1 sticks, 2 and 3 slides    */
+    int *state;         /* per contact: 0 open, 1 sticks, 2 and 3 slides     */
 } kern_raise;
 
 /* Start of a search: at u = 0, or at the present u and prices. */
@@ -8936,10 +8948,10 @@ static kern_real kern_raise_slip(const kern_part *p, int k, kern_real approach)
    change to dual.turn. Returns 1 if the forces may be a proof: every loaded
    contact approaches, and none slides as far as a stone that falls into a jam.
    Prices fall slowly, since prices of joints that lean on each other would
-   alternate. `found` means that the forces balance the loads. Then a contact
-   that parts keeps its price, and a contact that should part but presses gets
-   twice the missing price. Without this rule a joint that has stopped pressing
-   would stay loaded. */
+   alternate. `found` means that the forces balance the loads. In that case a
+   contact that parts keeps its price. A contact that should part but presses
+   gets a higher price: by twice the amount that would make its force 0. Without
+   this rule a joint that has stopped pressing would stay loaded. */
 static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
 {
     kern_part *p = r->p;
@@ -9144,9 +9156,9 @@ static kern_real kern_raise_far(const kern_raise *r, const kern_real *u,
     return KERN_SQRT(reach);
 }
 
-/* Returns 1 if u has grown too far. Its size must not exceed a multiple of that
-   in the first round. Its distance from the u of the last load with a proof
-   must not exceed KERN_JUMPS times the size of that u. */
+/* Returns 1 if u has grown too far: to more than a multiple of its size in the
+   first round, or away from the u of the last load with a proof by more than
+   KERN_JUMPS times the size of that u. */
 static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
 {
     const kern_real *u = r->p->dual.u, groups = KERN_R(r->p->groups);
@@ -9214,8 +9226,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
     if (found == KERN_FALLS || kern_raise_runs_away(r, settling))
         return KERN_END_LOST;
 
-    /* Tries Newton's method if few contacts change between sticking, sliding
-       and open. It may end the search at once. */
+    /* Tries Newton's method, which may end the search at once, if few contacts
+       change between sticking, sliding and open. */
     if (kern_raise_changes(r) <= KERN_FEW_CHANGES
         && kern_raise_newton(r, settling->tolerance))
         return kern_raise_price(r, settling->tolerance, 1)
@@ -9232,8 +9244,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                                                   : KERN_END_NONE;
 }
 
-/* Searches for the fixed point under the loads of q. Returns 1 if it has a
-   proof. Sets r->end to the reason for which the search ended. */
+/* Searches for the fixed point under the loads of q. Returns 1 if the search
+   finds a proof. Sets r->end to the reason for which the search ended. */
 static int kern_raise_settle(kern_raise *r, const kern_query *q,
                              kern_begin begin)
 {
@@ -9535,7 +9547,8 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
     /* Grows the load from 0 to the load factor, which is an upper bound. The
        proof of the raised load overwrites that of the load factor in the
        caller's arrays. The model is opened again, since the search left a part
-       open. This cannot fail, since the memory is the same. */
+       open. Opening the model again cannot fail, since the memory is the
+       same. */
     if (status == KERN_STANDS) {
         kern_query *q = &c.path.q;
         kern_raising hung;
@@ -9659,7 +9672,7 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_DOUBT_TELLS KERN_R(1.5)
 #define KERN_DOUBT_MOST KERN_R(0.45)
 /* Least depth of the middle of an overlap inside both blocks, as a share of the
-   overlap. It is half of the overlap if both blocks are thick. */
+   overlap. Where both blocks are thick the depth is half of the overlap. */
 #define KERN_THIN KERN_R(0.25)
 /* Largest angle that kern_measured_options() sets, as a share of
    KERN_ANGLE_MOST. */
@@ -9772,7 +9785,7 @@ static kern_real kern_box_largest(const kern_box *box)
    a single run. */
 typedef struct kern_outline {
     const kern_block *block;
-    int straight, reflex; /* nonzero: it has vertices of turn 0 or < 0   */
+    int straight, reflex; /* nonzero: has straight, reflex vertices      */
     int each;             /* number of vertices of a run                */
     int looks;            /* vertices and runs read, not charged yet    */
     kern_box box[KERN_RUNS];
@@ -9888,8 +9901,8 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
 }
 
 /* Returns the distance of p from the boundary, negative if p is outside. Writes
-   the first vertex of the nearest edge to *nearest. Its old value serves as a
-   guess of the nearest edge, which saves time. */
+   the first vertex of the nearest edge to *nearest. To save time, set *nearest
+   to a guess of that vertex. */
 static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
 {
     const kern_block *block = o->block;
@@ -11581,8 +11594,9 @@ static void kern_descent_arc(const kern_descent *r, kern_course *c,
 
 /* Stores a footing where vertex k of b touches edge e of a, if both edges of
    the vertex lie on the outer side of e. Where two convex corners meet, two
-   edges pass this test. Then each footing has the normal of the other edge in
-   `other`: a motion must be outward for only one of them. */
+   edges pass this test. Then `other` of each of the two footings is set to the
+   normal of the other edge. A motion is free if it is outward along one of
+   these two normals. */
 static void kern_descent_keep(kern_descent *r, const kern_edge *e,
                               const kern_block *a, const kern_block *b, int k)
 {
@@ -11777,8 +11791,8 @@ static void kern_descent_tip(const kern_descent *r, kern_vec p,
     kern_descent_prefer(r, best, &c, m);
 }
 
-/* Moves the stone to its next touch. Returns 1 if it moved or has more touches
-   than before. */
+/* Moves the stone to its next touch. Returns 1 if the stone moved or has more
+   touches than before. */
 static int kern_descent_move(kern_descent *r)
 {
     const kern_real mu = r->task->options.mu;
