@@ -466,8 +466,9 @@
 
 #ifdef KERN_SINGLE
 typedef float kern_real;
-/* Names for float. A file compiled in the other precision then fails when it is
-   linked, not when it runs, and one program may hold both precisions. */
+/* Gives public functions other names in float. A file compiled in the other
+   precision then fails when it is linked, not when it runs, and one program may
+   use both precisions. */
 #define kern_bearing kern_bearing_f32
 #define kern_block_init kern_block_init_f32
 #define kern_block_load kern_block_load_f32
@@ -1825,14 +1826,14 @@ extern "C" {
 /* Shift of the diagonal of Newton's matrix, as a share of its mean. Without it
    a row has no pivot if no ray of the group presses. */
 #define KERN_DUAL_SHIFT KERN_ROUNDING
-/* Most rounds of Newton's method. It takes far fewer, unless rounding spoils
-   it. */
+/* Most rounds of Newton's method. The method takes far fewer, unless rounding
+   spoils it. */
 #define KERN_NORM_ROUNDS 100
 /* Line search: factor by which the derivative must fall. Newton's next step
    makes up for the rest. */
 #define KERN_SHARE_TOL 8
-/* Line search with prices: factor by which the derivative must fall. It is
-   larger since the next prices are computed from the result. */
+/* Line search with prices: factor by which the derivative must fall. This
+   factor is larger since the next prices are computed from the result. */
 #define KERN_SHARE_TOL_PRICED 1000
 /* Line search: most steps until the maximum has been passed, each four times
    the last. */
@@ -1939,7 +1940,7 @@ extern "C" {
    entry. */
 #define KERN_IPM_LIFT_SHARE KERN_R(1e-3)
 /* Least -s with which a query continues from the solution of the last one. From
-   s = 0 it could not find that the structure falls. */
+   s = 0 the query could not find that the structure falls. */
 #define KERN_IPM_S KERN_R(1e-3)
 /* Least gap with which a query continues from the last solution. Closer to the
    boundary the method makes no progress in a new direction. */
@@ -1991,7 +1992,7 @@ extern "C" {
 /* Least pivot of a column in its own group, where its entries are about 1. With
    0.01 the inverse grows from course to course, and a call may take more than
    2,000 instructions for a unit of its limit. With a larger value the inverse
-   fills. */
+   has more entries. */
 #define KERN_OWN_TOL KERN_R(0.03)
 /* Crash basis: most columns of a group that are tried; length of arrays on the
    stack. */
@@ -2308,13 +2309,13 @@ typedef enum kern_carry { KERN_CARRY_ALL, KERN_CARRY_NESTED } kern_carry;
 /* A query: the weights and loads that the structure has to carry, and the
    shrinkage of its kerns. */
 typedef struct kern_query {
-    kern_real shrink; /* of all kerns [m; relative: share of each travel]   */
+    kern_real shrink; /* shrinkage of all kerns [m; relative: a share]      */
     int relative;     /* nonzero: shrink is a share                         */
     kern_real narrow; /* options.narrow of the task                         */
     kern_real mean;   /* mean size of the free blocks                       */
     kern_vec gravity;
     const kern_wrench *pattern; /* NULL: side * m |g| horizontally          */
-    kern_real factor;           /* of the pattern                           */
+    kern_real factor;           /* factor of the pattern                    */
     kern_real loads;            /* factor of the loads of the blocks        */
     int side;                   /* 1 or -1: side of a NULL pattern or tilt   */
     const kern_real *fallen;    /* block i has been removed if fallen[i] >= 0;
@@ -2454,9 +2455,9 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
 }
 
 /* Writes the arms from the centres of blocks a and b to the place where contact
-   c acts. Returns how far along t the shrinkage has moved it. The centre is
-   subtracted before that motion is added, since far from the origin a place has
-   fewer digits than an arm. A tenth of the time is spent here. */
+   c acts. Returns how far along t the shrinkage has moved the contact. The
+   centre is subtracted before that motion is added, since far from the origin a
+   place has fewer digits than an arm. A tenth of the time is spent here. */
 static inline kern_real kern_arms(const kern_structure *s,
                                   const kern_contact *c, const kern_query *q,
                                   kern_vec arm[2])
@@ -2574,8 +2575,8 @@ static void kern_work_begin(kern_work *work)
     work->units = 0;
 }
 
-/* Counts work before it is done. Returns 0 if it exceeds the limit of the call:
-   this and all further work is refused, and the call ends. */
+/* Counts work before it is done. Returns 0 if the work exceeds the limit of the
+   call: this and all further work is refused, and the call ends. */
 static int kern_spend(kern_work *work, int limit, int units)
 {
     const int left = kern_limit_of(limit) - work->units;
@@ -3149,9 +3150,9 @@ typedef struct kern_graph {
    proofs: no function leaves anything in it for another. */
 typedef struct kern_answer {
     const kern_known *known; /* forces that held a similar structure, or NULL */
-    kern_force *force;       /* one per contact                              */
-    kern_motion *motion;     /* one per block                                */
-    kern_real *sum;          /* four per block                               */
+    kern_force *force;       /* one per contact: contact forces [N]          */
+    kern_motion *motion;     /* one per block: the mechanism                 */
+    kern_real *sum;          /* four per block: scratch of proofs            */
 } kern_answer;
 
 /* State of a cluster. KERN_OPEN: it must be balanced. KERN_TRIED: its groups
@@ -3165,7 +3166,7 @@ enum { KERN_MARKED = 0 };
 typedef struct kern_clusters {
     int *last;       /* per group: the last group of its cluster     */
     int *next;       /* per group: the next of its cluster, cyclic   */
-    int *open;       /* per last group: the state of its cluster     */
+    int *open;       /* per last group of a cluster: its state       */
     int front;       /* every open cluster ends at or after this group     */
     int groups_most; /* largest number of groups of a cluster        */
     int budget_end;  /* value of work->units at which the pass ends  */
@@ -3719,7 +3720,7 @@ typedef struct kern_factors {
     int *pivot;       /* per factor: the row of its pivot                   */
     int *from;        /* per factor: its first row with an entry            */
     int *first;       /* per factor: its first entry; last: end of all      */
-    kern_real *entry; /* of factors, in threes of rows                      */
+    kern_real *entry; /* entries of all factors, in threes of rows          */
 } kern_factors;
 
 typedef enum kern_basis {
@@ -5049,12 +5050,12 @@ typedef enum kern_start { KERN_START_COLD, KERN_START_WARM } kern_start;
 
 /* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
 typedef struct kern_dual {
-    kern_law_of law;            /* of the contacts                         */
-    kern_skyline matrix;        /* of the contacts that carry              */
+    kern_law_of law;            /* law of the contacts                     */
+    kern_skyline matrix;        /* matrix of Newton's method               */
     kern_real *u, *step, *grad; /* three per group, then three of 0        */
     kern_real *b;               /* loads, three per group                  */
     kern_real *way, *turn;      /* two per contact: u, step along n and t    */
-    int cost;                   /* units of work of a step                 */
+    int cost;                   /* work of a step [units]                  */
     kern_real *price;           /* per stiff contact: mu slip (>>raised)   */
     kern_real *stiff_n;         /* per stiff contact: stiffness along n    */
     kern_real stiff;            /* stiffness along t / (mu stiff_n)        */
@@ -5399,7 +5400,8 @@ static void kern_norm_matrix(kern_part *p, kern_start start)
             s = kern_part_law(p, k, 1, 0);
         if (all
             && p->dual.law
-                   == KERN_LAW_STIFF) /* as stiff along t for every friction */
+                   == KERN_LAW_STIFF) /* the same stiffness along t for all mu
+                                                                             */
             s.tt = p->dual.stiff * s.nn;
         if (s.nn > 0)
             kern_part_add(p, k, &s);
@@ -5460,7 +5462,7 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
         /* Moves the end of the bracket that has the same sign of the
            derivative. */
         if (slope > 0) {
-            at_hi /= 3; /* or the upper end might stay for many rounds */
+            at_hi /= 3; /* else hi stays for many rounds               */
             lo = at;
             at_lo = slope;
         } else {
@@ -5616,10 +5618,10 @@ static void kern_norm_write(kern_part *p)
    changes is balanced again. Forces that balance every group prove that the
    structure stands. If a cluster cannot be balanced, and its motion separates
    it from all groups that rest on it, no forces from above could hold the
-   cluster. Then it is a part that falls.
+   cluster. Then the cluster is a part that falls.
 
    A cluster, or the whole pass, has one of three outcomes. KERN_STANDS: its
-   groups are balanced. KERN_FALLS: kern_part is open and seems to fall.
+   groups are balanced. KERN_FALLS: a part is open and seems to fall.
    KERN_UNDECIDED: no work memory or budget is left. */
 
 /* Marks that the cluster of group g must be balanced. */
@@ -6063,8 +6065,9 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
 
        A x = b - s g,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray:
 
-   If it does not, y is the mechanism. A primal-dual method follows x z = mu > 0
-   to mu = 0. Each step is a step of Newton's method,
+   If s stays below 0, the structure falls and y is the mechanism. A primal-dual
+   method follows x z = mu > 0 to mu = 0. Each step is a step of Newton's
+   method,
 
        M dy - g ds = A x~ + s g - b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
 
@@ -6078,7 +6081,7 @@ typedef struct kern_ipm {
     kern_real s;
     kern_real gap;     /* sum of x z: distance of s from its maximum   */
     kern_real *z;      /* per ray: its opening speed                   */
-    kern_real *dx;     /* per ray: its step; z has its in dual.turn    */
+    kern_real *dx;     /* per ray: step of x; that of z: dual.turn     */
     kern_real *d;      /* per ray: D                                   */
     kern_real *excess; /* per row: A x - b + s g                       */
     kern_real *g;      /* per row: residual of the first forces         */
@@ -6560,7 +6563,7 @@ static kern_status kern_part_norm(kern_part *p, kern_solver solver)
                                                          : KERN_STANDS;
 }
 
-/* Returns the largest distance by which rhs can move at the rate -eq.rate, or
+/* Returns the largest t for which rhs - t eq.rate has a solution, or
    infinity. */
 static kern_real kern_part_follow(kern_part *p)
 {
@@ -6624,8 +6627,8 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
             return found;
 
         /* If every group is balanced but the forces prove nothing, repeats the
-           pass without known forces: in groups that were not balanced again,
-           these may belong to other loads. */
+           pass without known forces: known forces of groups that were not
+           balanced again may belong to other loads. */
         if (found != KERN_STANDS || !m->answer.known)
             return KERN_UNDECIDED;
         kern_model_unload(m);
@@ -6707,8 +6710,8 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 
 /* ---- The kern -------------------------------------------------- >>kern */
 /* A path leads from a structure that stands to structures that fall: kerns
-   shrink, a load grows or gravity turns. s is the place on it. A mechanism y
-   that falls at s has the power
+   shrink, a load grows or gravity turns. s is the place on the path. A
+   mechanism y that falls at s has the power
 
        P(s) = -y.rhs(s) > 0,   whose derivative is   P' = -y.(rhs' - A' x),
 
@@ -6741,7 +6744,7 @@ typedef struct kern_path {
     kern_path_kind kind;
     kern_query q;            /* query at s = 0; kern_path_at() changes it for s
                                                                              */
-    kern_real unit;          /* of s: the mean block size, or 1              */
+    kern_real unit;          /* unit of s: the mean block size, or 1         */
     kern_real start, end;    /* first and last place of the search           */
     kern_real holds, fails;  /* the bracket: >>search                        */
     kern_real critical;      /* critical value of the last mechanism; <= holds:
@@ -6751,9 +6754,9 @@ typedef struct kern_path {
     int never;               /* nonzero: the whole stands at all places to the
                                 end                                          */
     kern_part *part;         /* the open part: the last one that fell        */
-    const kern_known *known; /* of a similar structure, or NULL              */
-    kern_asked asked;        /* what is evaluated                            */
-    struct kern_ipm *ipm;    /* evaluates the whole, or NULL                 */
+    const kern_known *known; /* results of a similar structure, or NULL      */
+    kern_asked asked;        /* structure that is evaluated                  */
+    struct kern_ipm *ipm;    /* interior point for the whole, or NULL        */
     const kern_proof *proof; /* the caller's arrays: last proof of each verdict
                                                                              */
 } kern_path;
@@ -6881,9 +6884,9 @@ static void kern_shrink_narrow(const kern_part *p, const kern_query *q, int k,
 }
 
 /* Returns the change of y.rhs if y stays and kerns shrink from q to `to`: y.v
-   with v = -(A(to) - A(q)) x. It is piecewise linear in `to`, with a kink where
-   a kern closes. For a kern that is closed at q the sign is the favourable one.
-   Writes the slope at `to` to *rate, and v to p->eq.rate. */
+   with v = -(A(to) - A(q)) x. The change is piecewise linear in `to`, with a
+   kink where a kern closes. For a kern that is closed at q the sign is the
+   favourable one. Writes the slope at `to` to *rate, and v to p->eq.rate. */
 static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
                                    kern_real to, const kern_real *x,
                                    kern_real *rate)
@@ -6923,10 +6926,10 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
 }
 
 /* Returns the shrinkage at which the mechanism y, which falls at q, stops
-   falling. It is at least path->holds. power: y.rhs < 0. The power of y is
-   piecewise linear, with kinks where kerns close. Writes the value of the next
-   mechanism to path->predicted, since the basis turns y on the way (Halley's
-   method). */
+   falling. The result is at least path->holds. power: y.rhs < 0. The power of y
+   is piecewise linear, with kinks where kerns close. Writes the value of the
+   next mechanism to path->predicted, since the basis changes y on the way
+   (Halley's method). */
 static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
                                       kern_real power)
 {
@@ -7700,12 +7703,12 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     kern_status status;
     path->start = path->critical = path->predicted = path->holds;
     path->fails = path->proven.high = KERN_INFINITY;
-    if (even > 0) { /* gravity may turn in larger steps if the arc is held */
+    if (even > 0) { /* a tilt takes larger steps where the arc is proven */
         const kern_real turn = step * KERN_R(path->kind == KERN_PATH_TILT);
         status = kern_path_climb(m, path, turn, turn, even);
     } else if (m->whole || !shrinks)
         status = kern_path_whole(m, path, step, step);
-    else /* with few groups a falling part ends a longer step soon */
+    else /* few groups: a longer step, which a falling part ends */
         status = kern_path_parts(
             m, path,
             m->graph.groups <= KERN_SMALL ? step * KERN_CLIMB_GROWS : step);
@@ -7882,8 +7885,8 @@ static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
 }
 
 /* Computes the margin of an open task, starting from the known results of a
-   similar structure. If kerns are not nested, every level falls on one of the
-   even steps. */
+   similar structure. If kerns are not nested, every level is at one of the even
+   steps. */
 static kern_status kern_measure_task(kern_call *c, const kern_known *known,
                                      kern_margin *out, const kern_proof *proof)
 {
@@ -7978,8 +7981,8 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     }
 
     /* Writes the new proof to the arrays of task->known. The search starts from
-       the old motion, which it reads before it writes a new one. It cannot use
-       the old forces, which are overwritten earlier. */
+       the old motion, which it reads before it writes a new one. The search
+       cannot use the old forces, which are overwritten earlier. */
     kept.force = known.force;
     kept.motion = known.motion;
     known.force = NULL;
@@ -8885,7 +8888,7 @@ static void kern_raise_near(kern_model *m, int i)
 
 /* Opens the groups as one part, with prices of 0. Returns 0 if there is no
    room. The stiffness of a contact point is 0.1 plus, at the end of a line, its
-   travel in mean sizes. Of several laws this one came closest to a
+   travel in mean sizes. Of several laws of stiffness this one came closest to a
    simulator. */
 static int kern_raise_open(kern_raise *r, kern_model *m)
 {
@@ -9106,7 +9109,8 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
         const kern_real most = kern_raise_linearise(r);
         const kern_real left = kern_dot(p->dual.grad, p->dual.grad, n);
 
-        /* Ends in balance. The slips give the prices of the fixed point. */
+        /* Ends if the loads are balanced. The slips then give the prices of the
+           fixed point. */
         if (kern_largest(p->dual.grad, n) <= tolerance + 4 * KERN_EPS * most) {
             for (k = 0; k < p->contacts; k++) {
                 const kern_real slip = kern_raise_slip(p, k, way[2 * k]);
@@ -9836,7 +9840,7 @@ typedef struct kern_edge {
     int start, end;   /* indices of corners, counter-clockwise     */
     kern_vec p, q, d; /* places of start, end; unit direction    */
     kern_real length;
-    kern_box box; /* of an edge; of a chord it is not set  */
+    kern_box box; /* box of an edge; not set for a chord   */
 } kern_edge;
 
 /* Makes an edge from `at` to `to`, which follows in the caller's order. */
@@ -10234,8 +10238,8 @@ typedef struct kern_pair {
     kern_real reach; /* bound of all gaps and overlaps [m]            */
     kern_real least; /* least length of a line [m]                    */
     kern_real foot;  /* least distance of a foot from an edge's ends [m] */
-    kern_real sure;  /* that distance for measured structures, and least
-                              length of a line; below 0: beyond the ends */
+    kern_real sure;  /* the same distance from errors of place, and least length
+                        of a line; below 0: the foot may be beyond the ends */
     kern_real apart; /* widest hollow of a face [m]                   */
     kern_real sine;  /* sine of options->angle                        */
     const kern_options *options;
@@ -10388,9 +10392,9 @@ static kern_real kern_overlap_least(kern_pair *pair)
 
 /* Returns the depth of the pair's overlap, or 0 if it is no deeper than a
    contact may be. May stop at any depth above `enough`. The result may be too
-   small by one stride. For convex blocks that are too thin to be so deep, it is
-   the shortest motion that separates them. Inner points are searched since two
-   equal blocks at one place have no boundary inside each other. */
+   small by one stride. For convex blocks that are too thin to be so deep, the
+   result is the shortest motion that separates them. Inner points are searched
+   since two equal blocks at one place have no boundary inside each other. */
 KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
                                                 kern_real enough)
 {
@@ -10561,7 +10565,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
         || kern_vec_cross(back, e->d) < -pair->sine
         || !kern_pair_holds(pair, e, on, p, back, f->d))
         return;
-    if (pair->deep > pair->gap) /* midway, as a line */
+    if (pair->deep > pair->gap) /* midway, as for a line */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
     if (kern_pair_inside(pair, p, high,
                          KERN_ERROR_EDGE * pair->options->pose_error))
@@ -10887,8 +10891,8 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
 
 /* Makes one ground of all fixed blocks, so that cutting a fixed block in two
    changes nothing. Contacts with any fixed block become contacts with the first
-   of these. Stretches that continue each other are merged. Sets the travels of
-   points again. */
+   fixed block that has contacts. Stretches that continue each other are merged.
+   Sets the travels of points again. */
 static void kern_search_ground(kern_search *s)
 {
     kern_pair *pair = &s->pair;
@@ -10986,7 +10990,7 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
             area = kern_max(area, kern_abs(block->area));
     }
 
-    /* bounds the tolerances of all pairs, from below by rounding */
+    /* sets the least tolerance, which is rounding, and the widest gap */
     s->floor = 2 * KERN_ROUNDING * most;
     s->reach = kern_search_gap(s, KERN_SQRT(area)) + s->pair.swing * arm;
     return KERN_OK;
@@ -11420,10 +11424,10 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
 /* A stone moves straight down to its first touch, and then from touch to touch.
    There are three kinds of motion: a turn about a touch, a slide along an edge
    that is too steep for friction, and a turn while the stone slides at two
-   touches. Of those that no touch blocks it takes the one that lowers its
-   centre most steeply, until none is left. A motion ends where a vertex of one
-   outline meets an edge of the other, on a line or an arc, so nothing overlaps.
-   Each motion lowers the centre, so no pose occurs twice. */
+   touches. Of the motions that no touch blocks, the stone takes the one that
+   lowers its centre most steeply, until there is none. A motion ends where a
+   vertex of one outline meets an edge of the other, on a line or an arc, so
+   nothing overlaps. Each motion lowers the centre, so no pose occurs twice. */
 
 /* A point where the stone touches a block. */
 typedef struct kern_footing {
