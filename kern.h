@@ -588,7 +588,7 @@ typedef enum kern_status {
 #define KERN_STATUS_NAME(name, value, text) name = value,
     KERN_STATUS_LIST(KERN_STATUS_NAME)
 #undef KERN_STATUS_NAME
-        KERN_STATUS_LEAST = -25 /* the same number */
+        KERN_STATUS_LEAST = -25 /* least value of a status */
 } kern_status;
 
 /* Where the fault of a negative status lies. */
@@ -612,7 +612,7 @@ typedef struct kern_block {
     int vertices;           /* >= 3; 0 if vertex is NULL; -1: was refused     */
     int fixed;              /* nonzero: ground, which never moves             */
     kern_real area;         /* [m^2], < 0: clockwise; "size": sqrt(|area|)    */
-    kern_box box;           /* of the polygon; read only if it has vertices   */
+    kern_box box;           /* bounds of the polygon; read if it has vertices */
     kern_real mass;         /* [kg] > 0; not read if the block is fixed       */
     kern_vec centre;        /* centre of mass [m]                             */
     kern_wrench load;       /* [N], [N m]: added to the weight, at the centre */
@@ -646,22 +646,23 @@ typedef struct kern_structure {
     kern_vec gravity; /* acceleration [m/s^2], on Earth (0, -9.81)        */
 } kern_structure;
 
-typedef struct kern_options { /* always start from kern_defaults()            */
-    kern_real mu;         /* friction of contacts that are found; 0.4         */
+typedef struct kern_options { /* start from kern_defaults(); defaults are 0
+                                 unless a comment names one                   */
+    kern_real mu;         /* friction of contacts that are found; default 0.4 */
     kern_real gap;        /* widest gap that is a contact [m]; 0: 1e-3 of the
                              size of the pair's smaller free block            */
     kern_real angle;      /* widest angle between touching edges [rad], < 0.5;
-                             0.0174533                                        */
+                             default 0.0174533                                */
     kern_real epsilon;    /* step of Algorithm 1 [m]; 0: 0.02 mean block size;
                              relative: a share, 0: 0.05                       */
     int relative;         /* nonzero: shrinkage is a share of each travel     */
     int limit;            /* most units of work of one call (>>verdicts);
-                             10,000,000; 0: 2,000,000,000, also the largest   */
+                             default 10,000,000; largest, as 0: 2e9           */
     kern_real overlap;    /* deepest overlap that is a contact [m]; 0: gap    */
     kern_real pose_error; /* standard error of the blocks' places [m] and     */
     kern_real pose_turn;  /* angles [rad]: kern_measured_options(); 0: exact  */
-    kern_real narrow;     /* rate at which friction cones narrow as kerns
-                             shrink [1/m; relative: 1]; 0, see kern_measure() */
+    kern_real narrow;     /* rate at which friction cones narrow as kerns shrink
+                             [1/m; relative: 1]: kern_measure()               */
     kern_real reserve;    /* largest push of kern_raised(), <= 0.1; 0: 0.1    */
     kern_vec lone;        /* direction of gravity, any length: a single contact
                              point of two blocks travels (>>rules); (0, 0): it
@@ -677,9 +678,9 @@ typedef struct kern_motion {
     kern_real vx, vy, spin;
 } kern_motion;
 
-/* Where to write the proof: arrays of the caller, each may be NULL. Measures
-   also use them for intermediate results, so after a negative status their
-   contents mean nothing. */
+/* Arrays of the caller for a proof. Each may be NULL. Measures also use these
+   arrays for intermediate results, so after a negative status their contents
+   mean nothing. */
 typedef struct kern_proof {
     kern_force *force;   /* one per contact point: written with KERN_STANDS  */
     kern_motion *motion; /* one per block, 0 for fixed ones: with KERN_FALLS */
@@ -695,8 +696,8 @@ typedef struct kern_margin {
     int saturated;     /* nonzero: it stands even with every kern closed   */
 } kern_margin;
 
-/* An interval of the margin of a measured structure: kern_certain(). In [m],
-   relative: 1. */
+/* Result of kern_certain(): an interval of the margin of a measured structure
+   [m; relative: 1]. */
 typedef struct kern_interval {
     kern_real low;     /* lower end; 0: the structure may fall            */
     kern_real high;    /* upper end; 0: it falls; KERN_INFINITY: unknown  */
@@ -779,14 +780,14 @@ typedef struct kern_work {
     int *index;
     int indices; /* KERN_INTS(blocks, contacts)                      */
     /* counters: the library adds to them, the caller may set them to 0       */
-    int pivots;       /* of the simplex method                            */
+    int pivots;       /* pivots of the simplex method                     */
     int solves;       /* top-down passes and linear programs solved       */
     int units;        /* work of the last call, without a plan's search for
                          contacts; limit + 1 after KERN_LIMIT               */
     kern_real error;  /* largest error of a proof, as a share of the allowed
                          error: <= 1                                      */
-    kern_fault fault; /* of the last call with a negative status          */
-    kern_end end;     /* of the last call that searched for raised forces */
+    kern_fault fault; /* fault of the last call with a negative status    */
+    kern_end end;     /* why the last search for raised forces ended      */
 } kern_work;
 
 /* Warm start: results of kern_measure() that speed up the next call for a
@@ -797,7 +798,8 @@ typedef struct kern_work {
 typedef struct kern_known {
     kern_motion *motion; /* per block: the mechanism at `fails`              */
     kern_force *force;   /* one per contact point: forces at `holds`        */
-    kern_real holds, margin, fails; /* of the last measure; fails = 0: none   */
+    kern_real holds, margin, fails; /* of the last kern_measure(); fails = 0:
+                                       none                                   */
 } kern_known;
 
 /* Arguments of a call, from kern_task_of(). Fields may be changed between
@@ -985,8 +987,8 @@ KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
    would cross, the tolerance is halved, up to eight times, and then set to 0.
    The result does not depend on the vertex with which the outline begins. If
    two vertices are equally far from an edge, a mirrored or turned outline may
-   keep the other one. `vertex` may touch or cross itself. It must not overlap
-   `out`.
+   keep the other one. `vertex` may touch or cross itself. `vertex` must not
+   overlap `out`.
    Errors: KERN_NO_SPACE, KERN_FEW_VERTICES, KERN_NO_AREA or KERN_CROSSING (no
    polygon remains; out means nothing), KERN_BAD_COUNT (above 1,000,000),
    KERN_BAD_POINTER, KERN_BAD_NUMBER, KERN_BAD_OPTION (the tolerance is negative
@@ -1009,10 +1011,10 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
 
 /* Finds the contacts between all blocks (>>rules) and writes them to
    out[0..room): those of block 1 with block 0, of block 2 with 0 and with 1,
-   and so on. A block without vertices has none. Returns how many contact points
-   there are. Errors: KERN_NO_SPACE (out means nothing; the search itself needs
-   about seven points for each short edge of an outline), KERN_OVERLAP (the
-   first pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
+   and so on. A block without vertices has no contacts. Returns how many contact
+   points there are. Errors: KERN_NO_SPACE (out means nothing; the search itself
+   needs about seven points for each short edge of an outline), KERN_OVERLAP
+   (the first pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
    KERN_FEW_VERTICES, KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the block's
    vertices have moved, or their array was used for another block), KERN_LIMIT
    (vertices that are only read are not counted). Uses only the fault and the
@@ -1200,12 +1202,12 @@ KERN_API kern_status kern_stays(const kern_task *task, int i,
                      kern_check_motion() or, if blocks hang, kern_check_raised()
                      as KERN_HANGS.
      KERN_UNDECIDED  Neither is shown; work->end tells why.
-   *how (may be NULL) is KERN_HANGS where blocks hang, KERN_RAISED where it
-   stays and KERN_NOT_SHOWN elsewhere. To find the least friction with which it
+   *how (may be NULL) is KERN_HANGS if blocks hang, KERN_RAISED if the structure
+   stays, and otherwise KERN_NOT_SHOWN. To find the least friction with which it
    stays, bisect options.mu, finding the contacts again; to find its tilt,
-   bisect the angle of s.gravity. Begin at a value at which it stays. The least
-   friction is not below that of the verdict, and the tilt is not above it.
-   Time: that of kern_raised(). */
+   bisect the angle of s.gravity. Begin the bisection at a value at which the
+   structure stays. The least friction is not below that of the verdict, and the
+   tilt is not above it. Time: that of kern_raised(). */
 KERN_API kern_status kern_let_go(const kern_task *task, kern_raising *how,
                                  const kern_proof *proof);
 
@@ -1227,11 +1229,11 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                     epsilon are set. proof->motion is the mechanism.
      KERN_LIMIT     level is -1, saturated 0. margin and holds are the largest
                     shrinkage proven to stand, or -1 if there is none yet. fails
-                    is the smallest proven to fall, or `most`. If the limit
-                    ended the call before it read the input, then fails, most
-                    and epsilon are infinite. The proof means nothing.
-     KERN_UNDECIDED As for KERN_LIMIT: no verdict between these two is proven.
-     KERN_BAD_STEP  most / epsilon > 1,000,000. *out is unchanged.
+                    is the smallest shrinkage proven to fall, or `most`. If the
+                    limit ended the call before it read the input, then fails,
+                    most and epsilon are infinite. The proof means nothing.
+     KERN_UNDECIDED As for KERN_LIMIT. No verdict between holds and fails is
+     proven. KERN_BAD_STEP most / epsilon > 1,000,000. *out is unchanged.
    The width of [holds, fails] is given in >>limits. If kerns are nested, the
    proofs of the margin also prove the level. Otherwise each step has a proof of
    its own.
@@ -1275,19 +1277,19 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
    interface, the length of each is twice its travel. A single point without a
    travel is never left out. KERN_STANDS: writes *length, or KERN_INFINITY if no
    contact that has a length is needed. proof->force holds the structure by the
-   contacts of at least this length. proof->motion moves it without the shortest
-   of them. If that verdict is undecided, the contact counts as needed and the
-   motion is 0. KERN_FALLS: the structure falls with all contacts. Time: one
-   verdict for each step of a bisection of the lengths, on a logarithmic
-   scale. */
+   contacts of at least this length. proof->motion moves the structure without
+   the shortest of these contacts. If that verdict is undecided, the contact
+   counts as needed and the motion is 0. KERN_FALLS: the structure falls with
+   all contacts. Time: one verdict for each step of a bisection of the lengths,
+   on a logarithmic scale. */
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
 /* Computes the largest factor of a horizontal load to a side, on top of weights
    and loads. KERN_STANDS: writes *factor, which is KERN_INFINITY if the
    structure stands at 1,000,000. The proof is that of kern_measure(), for the
-   loads at the factor. KERN_FALLS: it falls at a factor of 0. KERN_BAD_OPTION:
-   no gravity, or the side is neither left nor right. */
+   loads at the factor. KERN_FALLS: the structure falls at a factor of 0.
+   KERN_BAD_OPTION: no gravity, or the side is neither left nor right. */
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof);
@@ -1307,10 +1309,10 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
    prop or a hand would. To find the largest factor, call kern_load_factor_of()
    with this load added to the blocks. KERN_STANDS: writes *factor. proof->force
    holds the structure at the factor. proof->motion moves it just below, and is
-   not written if the factor is 0. KERN_FALLS: it falls at every factor, and
-   *factor is KERN_INFINITY. KERN_UNDECIDED, KERN_LIMIT: it is proven to fall at
-   every factor below *factor. Time: that of one verdict for each mechanism on
-   the way. */
+   not written if the factor is 0. KERN_FALLS: the structure falls at every
+   factor, and *factor is KERN_INFINITY. KERN_UNDECIDED, KERN_LIMIT: the
+   structure is proven to fall at every factor below *factor. Time: that of one
+   verdict for each mechanism on the way. */
 KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         const kern_wrench *pattern,
                                         kern_real *factor,
@@ -1326,11 +1328,11 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
    is NULL, horizontal to the side. KERN_STANDS: writes *factor, KERN_INFINITY
    if the load is raised at 1,000,000. Both arrays of the proof pass
    kern_check_raised() with the loads at the factor. work->end is KERN_END_SHOWN
-   if *factor is the load factor; otherwise it tells why it is less. KERN_FALLS:
-   it falls at 0. KERN_UNDECIDED also if the weight alone is not shown to raise
-   forces; *factor is unchanged. Time, in multiples of kern_load_factor(): 8 in
-   the median of settled stones, 13 on walls that slide (9.5 on those of 40 to
-   60 blocks). */
+   if *factor is the load factor; otherwise work->end tells why *factor is less.
+   KERN_FALLS: the structure falls at a factor of 0. KERN_UNDECIDED also if the
+   weight alone is not shown to raise forces; *factor is unchanged. Time, in
+   multiples of kern_load_factor(): 8 in the median of settled stones, 13 on
+   walls that slide (9.5 on those of 40 to 60 blocks). */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
@@ -1356,10 +1358,10 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 
 /* Finds the contacts that limit a measure and the blocks that move, from the
    measure's proof. proof->motion, not NULL, moves the structure at about
-   `shrink`. proof->force holds it there, or is NULL. After kern_measure() pass
-   out->margin and its proof. If the structure falls, pass 0 and only the
-   motion. The limit of a contact point is the first of these quantities that is
-   above 0 at any contact:
+   `shrink`. proof->force holds the structure at `shrink`, or is NULL. After
+   kern_measure() pass out->margin and its proof. If the structure falls, pass 0
+   and only the motion. The limit of a contact point is the first of these
+   quantities that is above 0 at any contact:
      1. if there are forces: the increase of the mechanism's power per length
         [m] by which the contact point moves inward
      2. the spin of its two blocks relative to each other about the point
@@ -1393,9 +1395,9 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
    its contact points, or a negative status of kern_touch(). KERN_NO_SPACE also
    if the plan is full, KERN_BAD_POINTER also without arrays for known forces or
    motions. After a negative status the plan is unchanged. The block is copied,
-   but its vertices are NOT: they must outlive the plan. Its contacts are found
-   with the present options. Later changes of options.mu do not change their
-   friction. Time: O(B). */
+   but its vertices are NOT: they must outlive the plan. Contacts of the block
+   are found with the present options. Later changes of options.mu do not change
+   the friction of these contacts. Time: O(B). */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 
 /* Removes block i. The indices of later blocks decrease by 1, also in the
@@ -1410,9 +1412,9 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i);
    tries on walls that had these bounds after half of the work that they need:
      upper bound, at most 2 margins    0.73      none       0.06
                   at most 1.1 margins  0.53      any lower  0.03
-   For a lower bound use kern_plan_bears(). For half of the margin it takes 0.44
-   of the work of a try in the median, and 0.13 where a try takes 1,500
-   units. */
+   For a lower bound use kern_plan_bears(). With half of the margin,
+   kern_plan_bears() takes 0.44 of the work of a try in the median, and 0.13
+   where a try takes 1,500 units. */
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof);
 
@@ -1513,12 +1515,12 @@ KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
 /* Returns the error of the proof of kern_raised(), as a share of the allowed
    error. For KERN_RAISED kern_check_raised() checks the forces.
    kern_check_raised() also checks that the motion closes every contact whose
-   force equilibrium needs. Where a contact must stick the motion may slide by
-   at most 1/500 (float: 1/5) of that approach. For KERN_HANGS it checks that
-   the motion moves blocks without a load, that no contact with another block
-   presses one of them against gravity, and that the forces hold the others
-   without them. KERN_NOT_SHOWN proves nothing: KERN_INFINITY. Work memory: 5 B
-   reals. */
+   force equilibrium needs. A contact that must stick may slide by at most 1/500
+   (float: 1/5) of the length by which the motion closes it. For KERN_HANGS it
+   checks that the motion moves blocks without a load, that no contact with
+   another block presses one of them against gravity, and that the forces hold
+   the others without them. KERN_NOT_SHOWN proves nothing: KERN_INFINITY. Work
+   memory: 5 B reals. */
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
                                      kern_raising raising,
                                      const kern_proof *proof);
@@ -3170,8 +3172,8 @@ typedef struct kern_clusters {
     int front;       /* every open cluster ends at or after this group     */
     int groups_most; /* largest number of groups of a cluster        */
     int budget_end;  /* value of work->units at which the pass ends  */
-    int changed;     /* group that the known forces may not balance in a pass
-                        that begins from them; or KERN_OUT            */
+    int changed;     /* the only group that the known forces may not balance;
+                        KERN_OUT: none is known                       */
 } kern_clusters;
 
 typedef struct kern_model {
@@ -8852,7 +8854,7 @@ typedef struct kern_settling {
     int round;
     int units;       /* value of work->units before the search               */
     kern_real first; /* largest displacement of a group in the first round   */
-    kern_real held;  /* the same at the last load with a proof; 0: none      */
+    kern_real held;  /* largest displacement at the last load with a proof   */
     kern_real least; /* least change of prices in a round, squared           */
     int since;       /* number of rounds since that change                   */
 } kern_settling;
@@ -9271,11 +9273,11 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q,
 
 /* Returns the reserve: the largest share of gravity from a fixed list at which
    the structure stays raised under a push of that share to either side, with
-   kerns shrunk by the same share of the mean size. Push and shrinkage are the
-   worst effect of errors of angle, and of errors of place as a share of the
-   size. If kerns are not nested, the structure must also stay raised under the
-   push alone. Shares above `most` are not tried, unless `most` is 0. Each
-   search begins at the last load with a proof. */
+   kerns shrunk by the same share of the mean size. A push stands for errors of
+   angle, and a shrinkage for errors of place as a share of the size. If kerns
+   are not nested, the structure must also stay raised under the push alone.
+   Shares above `most` are not tried, unless `most` is 0. Each search begins at
+   the last load with a proof. */
 KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
                                                 const kern_query *asked,
                                                 kern_real most)
@@ -10502,7 +10504,7 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     low = kern_max(KERN_R(0), at);
     high = kern_min(e->length * cosine, at + f->length * cosine);
 
-    /* clips it to the range in which the gap is small enough */
+    /* clips the range to where the gap is small enough */
     gap = kern_vec_dot(r, n) + slope * at; /* at s = 0 */
     wide = kern_pair_gap(pair, kern_vec_step(e->p, (low + high) / 2, t));
     kern_clip(&low, &high, gap, -2 * slope, -kern_max(wide, pair->deep), wide);
