@@ -319,7 +319,8 @@
        205 that move: not released     0.90   0.96   0.985  0.995
 
    The chance is computed from the displacement that raises the forces, and from
-   the reserve. The larger the displacement, the more equilibria are possible.
+   the reserve. The larger the displacement, the more equilibria are possible,
+   and friction decides between them.
 
    Whether a finished structure stays. kern_let_go() releases all blocks at
    once, so the order of the blocks does not matter. kern_least_load_of() and
@@ -597,7 +598,7 @@ typedef struct kern_fault {
     int other;         /* the other block of an overlap; -1: none           */
     int index;         /* vertex of the polygon or contact point; -1: none  */
     kern_real value;   /* the overlap is at least this deep [m]; 0: none    */
-    kern_real allowed; /* deepest overlap that counts as a contact [m]      */
+    kern_real allowed; /* deepest overlap that is allowed [m]; 0: none      */
 } kern_fault;
 
 /* A force [N] and a counter-clockwise torque [N m] about a centre of mass. */
@@ -610,7 +611,7 @@ typedef struct kern_wrench {
 typedef struct kern_block {
     const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none   */
     int vertices;           /* >= 3; 0 if vertex is NULL; -1: was refused     */
-    int fixed;              /* nonzero: ground, which never moves             */
+    int fixed;              /* nonzero: ground; it bears any force and rests  */
     kern_real area;         /* [m^2], < 0: clockwise; "size": sqrt(|area|)    */
     kern_box box;           /* bounds of the polygon; read if it has vertices */
     kern_real mass;         /* [kg] > 0; not read if the block is fixed       */
@@ -687,12 +688,12 @@ typedef struct kern_proof {
 } kern_proof;
 
 typedef struct kern_margin {
-    kern_real margin;  /* d* [m]: it stands at all smaller shrinkages       */
+    kern_real margin;  /* d* [m]: it stands at all smaller shrinkages      */
     kern_real holds;   /* largest shrinkage at which it provably stands    */
     kern_real fails;   /* smallest at which it provably falls; or `most`   */
     kern_real most;    /* d_max: every kern is closed [m]; relative: 1     */
     kern_real epsilon; /* step of Algorithm 1 that was used [m]            */
-    int level;         /* of Algorithm 1; -1: one verdict is undecided      */
+    int level;         /* of Algorithm 1; -1: one verdict is undecided     */
     int saturated;     /* nonzero: it stands even with every kern closed   */
 } kern_margin;
 
@@ -702,7 +703,7 @@ typedef struct kern_interval {
     kern_real low;     /* lower end; 0: the structure may fall            */
     kern_real high;    /* upper end; 0: it falls; KERN_INFINITY: unknown  */
     kern_real settles; /* how far its blocks may move [m]; KERN_INFINITY:
-                          unknown, or too far               */
+                          unknown, or too far                             */
 } kern_interval;
 
 /* Derivatives of the margin with respect to the data of a contact point: its
@@ -724,7 +725,7 @@ typedef struct kern_block_rate {
 
 /* Result of kern_raised(). */
 typedef enum kern_raising {
-    KERN_NOT_SHOWN, /* undecided: neither raised nor hanging is shown   */
+    KERN_NOT_SHOWN, /* neither is shown; this is no proof of falling    */
     KERN_RAISED,    /* the load raises forces that hold the structure   */
     KERN_HANGS      /* some blocks rest on nothing; the others stand without
                        these                                            */
@@ -734,7 +735,7 @@ typedef enum kern_raising {
 typedef enum kern_end {
     KERN_END_NONE,  /* no search has run                              */
     KERN_END_SHOWN, /* forces were found (kern_raised_load(): up to the load
-                       factor)                                              */
+                       factor)                                        */
     KERN_END_LOST,  /* no equilibrium was found: blocks move away, or the search
                        makes no progress                              */
     KERN_END_WORK   /* a limit of work was reached                    */
@@ -748,7 +749,7 @@ typedef struct kern_collapse {
     kern_real weak;  /* mean of the lower half of the values             */
     kern_real drop;  /* expected drop: mean of h exp(-value / 0.07), where h is
                              the height of the centre above the lowest block in
-                             mean sizes, at least 0.3; 0 for margins          */
+                             mean sizes, at least 0.3; 0 for margins     */
 } kern_collapse;
 
 /* Motion of the two blocks at a contact point. */
@@ -783,7 +784,7 @@ typedef struct kern_work {
     int pivots;       /* pivots of the simplex method                     */
     int solves;       /* top-down passes and linear programs solved       */
     int units;        /* work of the last call, without a plan's search for
-                         contacts; limit + 1 after KERN_LIMIT               */
+                         contacts; limit + 1 after KERN_LIMIT             */
     kern_real error;  /* largest error of a proof, as a share of the allowed
                          error: <= 1                                      */
     kern_fault fault; /* fault of the last call with a negative status    */
@@ -1102,11 +1103,11 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
-/* Computes an interval that contains the margin of a measured structure, from
-   the errors e and theta in its options. Returns the verdict that is certain:
-   KERN_STANDS, KERN_FALLS (it falls even with all contacts and friction that
-   `high` allows), or KERN_OK if neither is certain. Pass the `margin` of
-   kern_measure(), or 0 if the structure falls.
+/* Computes an interval for the margin of a measured structure, from the errors
+   e and theta in its options. Returns the verdict that is certain: KERN_STANDS,
+   KERN_FALLS (it falls even with all contacts and friction that `high` allows),
+   or KERN_OK if neither is certain. Pass the `margin` of kern_measure(), or 0
+   if the structure falls.
      low      The least of `margin` and of two margins on the contact points
               that are closed after the blocks have settled: with every other
               stretch open by 3 e, then with the other half. `low` is divided by
@@ -1743,8 +1744,9 @@ extern "C" {
    up to all of it may lie above. With a narrower bracket fewer verdicts near
    critical have a proof. A wider bracket exceeds the promised 2e-6. */
 #define KERN_WIDTH KERN_PICK(1.26e-6, 1.8e-3)
-/* Widest bracket, in KERN_WIDTH, for which the search tries the predicted
-   critical value. Wider brackets are cut. */
+/* Largest distance between the two places beside a critical value that the
+   search tries, in KERN_WIDTH. Beyond it the search cuts the bracket
+   instead. */
 #define KERN_WIDEST KERN_R(20)
 /* Widest bracket that is accepted as an answer, in KERN_WIDTH: in jams no proof
    comes closer. */
@@ -1860,8 +1862,8 @@ extern "C" {
 /* Factor by which a residual must fall in a round; otherwise no forces
    exist. */
 #define KERN_ALONE_PACE 8
-/* First guess of the load on a joint within 30 degrees of upright, as a share
-   of the load on a bed. With 0.3, verdicts on 126 courses of bricks take eight
+/* Load that a joint within 30 degrees of upright takes, as a share of the load
+   that a bed takes. With 0.3, verdicts on 126 courses of bricks take eight
    times the work, and with 1 they take 900 times. */
 #define KERN_SIDE_SHARE KERN_R(0.1)
 /* Norm of the forces, as a multiple of the cluster's loads, above which the
@@ -1978,8 +1980,8 @@ extern "C" {
    largest of its kind. */
 #define KERN_LP_ROUNDING KERN_ROUNDING
 /* Amount by which y.A_j of the basic columns is raised above 0 in a
-   certificate, as a share of its largest entry. The check of a motion allows
-   for as much rounding. */
+   certificate, as a share of the certificate's largest entry. The check of a
+   motion allows for as much rounding. */
 #define KERN_LIFT KERN_ROUNDING
 /* Largest residual of a basic solution, as a share of its largest value, before
    the basis is factored again. */
@@ -2319,7 +2321,7 @@ typedef struct kern_query {
     const kern_wrench *pattern; /* NULL: side * m |g| horizontally          */
     kern_real factor;           /* factor of the pattern                    */
     kern_real loads;            /* factor of the loads of the blocks        */
-    int side;                   /* 1 or -1: side of a NULL pattern or tilt   */
+    int side;                   /* 1 or -1: side of a NULL pattern or tilt  */
     const kern_real *fallen;    /* block i has been removed if fallen[i] >= 0;
                                    NULL: no block                           */
     kern_real shortest;         /* [m]: shorter contacts carry nothing      */
@@ -3169,11 +3171,11 @@ typedef struct kern_clusters {
     int *last;       /* per group: the last group of its cluster     */
     int *next;       /* per group: the next of its cluster, cyclic   */
     int *open;       /* per last group of a cluster: its state       */
-    int front;       /* every open cluster ends at or after this group     */
+    int front;       /* no open cluster ends before this group       */
     int groups_most; /* largest number of groups of a cluster        */
     int budget_end;  /* value of work->units at which the pass ends  */
     int changed;     /* the only group that the known forces may not balance;
-                        KERN_OUT: none is known                       */
+                        KERN_OUT: all may not                        */
 } kern_clusters;
 
 typedef struct kern_model {
@@ -3186,7 +3188,7 @@ typedef struct kern_model {
     kern_real weight;    /* unit of force: sum of the loads on free blocks [N]
                                                                          */
     kern_real *unit;     /* per group: 1 / unit of its torques [1/m]     */
-    kern_real *load;     /* three per group: wrench of its contacts [N]   */
+    kern_real *load;     /* three per group: wrench of its contacts [N]  */
     kern_real *size;     /* per group: magnitude of its loads [N]        */
     kern_real shrunk;    /* shrinkage for which graph.torque is set; or infinity
                                                                          */
@@ -3714,7 +3716,7 @@ typedef struct kern_program {
    first of these rows. */
 typedef struct kern_factors {
     int size;         /* rows, rounded up to a multiple of three            */
-    int groups;       /* of B_0: all of a network, 0 if B_0 is the unit      */
+    int groups;       /* of B_0: all of a network, 0 if B_0 is the unit     */
     kern_real *block; /* per row: six numbers                               */
     int *to;          /* per row: first row of its column's other group     */
     int most, room;   /* largest number of factors, and of their entries    */
@@ -5056,7 +5058,7 @@ typedef struct kern_dual {
     kern_skyline matrix;        /* matrix of Newton's method               */
     kern_real *u, *step, *grad; /* three per group, then three of 0        */
     kern_real *b;               /* loads, three per group                  */
-    kern_real *way, *turn;      /* two per contact: u, step along n and t    */
+    kern_real *way, *turn;      /* two per contact: u, step along n and t  */
     int cost;                   /* work of a step [units]                  */
     kern_real *price;           /* per stiff contact: mu slip (>>raised)   */
     kern_real *stiff_n;         /* per stiff contact: stiffness along n    */
@@ -6086,7 +6088,7 @@ typedef struct kern_ipm {
     kern_real *dx;     /* per ray: step of x; that of z: dual.turn     */
     kern_real *d;      /* per ray: D                                   */
     kern_real *excess; /* per row: A x - b + s g                       */
-    kern_real *g;      /* per row: residual of the first forces         */
+    kern_real *g;      /* per row: residual of the first forces        */
     kern_real *gain;   /* per row: M^-1 g                              */
 } kern_ipm;
 
@@ -6776,8 +6778,8 @@ KERN_SHARED static kern_real kern_half_width(const kern_path *path)
     return kern_width(path) / 2;
 }
 
-/* Returns the width of the widest bracket in which the search tries the
-   predicted critical value. */
+/* Returns the largest distance between the two places beside a critical value
+   that the search tries. */
 KERN_SHARED static kern_real kern_widest(const kern_path *path)
 {
     return kern_width(path) * KERN_WIDEST;
@@ -9791,7 +9793,7 @@ static kern_real kern_box_largest(const kern_box *box)
    a single run. */
 typedef struct kern_outline {
     const kern_block *block;
-    int straight, reflex; /* nonzero: has straight, reflex vertices      */
+    int straight, reflex; /* nonzero: has straight, reflex vertices     */
     int each;             /* number of vertices of a run                */
     int looks;            /* vertices and runs read, not charged yet    */
     kern_box box[KERN_RUNS];
@@ -9838,11 +9840,11 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
 /* The segment from one corner to another, counter-clockwise: an edge or a
    chord. */
 typedef struct kern_edge {
-    int at;           /* index of first corner, caller's order           */
-    int start, end;   /* indices of corners, counter-clockwise     */
+    int at;           /* index of first corner, caller's order   */
+    int start, end;   /* indices of corners, counter-clockwise   */
     kern_vec p, q, d; /* places of start, end; unit direction    */
     kern_real length;
-    kern_box box; /* box of an edge; not set for a chord   */
+    kern_box box; /* box of an edge; not set for a chord         */
 } kern_edge;
 
 /* Makes an edge from `at` to `to`, which follows in the caller's order. */
@@ -10235,7 +10237,7 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
 typedef struct kern_pair {
     int a, b;        /* indices of the blocks, a before b             */
     kern_real gap;   /* widest gap [m], without errors of angle       */
-    kern_real swing; /* gap per distance from errors of angle [1]       */
+    kern_real swing; /* gap per distance from errors of angle [1]     */
     kern_real deep;  /* deepest overlap that is a contact [m]         */
     kern_real reach; /* bound of all gaps and overlaps [m]            */
     kern_real least; /* least length of a line [m]                    */
@@ -11433,7 +11435,7 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
 
 /* A point where the stone touches a block. */
 typedef struct kern_footing {
-    kern_vec p, n;  /* place of touch; unit normal into the stone     */
+    kern_vec p, n;  /* place of touch; unit normal into the stone    */
     kern_vec other; /* normal of another edge where two corners meet,
                        otherwise n                                   */
     kern_vec way;   /* unit direction of a slide down the edge       */
@@ -11466,10 +11468,10 @@ typedef struct kern_descent {
     kern_vec *vertex;        /* its present vertices                 */
     kern_vec down;           /* unit direction of gravity            */
     kern_real touch;         /* largest distance of a touch          */
-    kern_real graze;         /* edges are longer by this at both ends   */
-    kern_real bottom;        /* place along `down` below all blocks         */
+    kern_real graze;         /* extension of an edge at its ends     */
+    kern_real bottom;        /* place along `down` below all blocks  */
     kern_box swept;          /* box around its whole course          */
-    int side;                /* 1: edges of blocks; -1: of the stone        */
+    int side;                /* 1: edges of blocks; -1: of the stone */
     kern_footing footing[KERN_REST_TOUCHES];
     int footings;
     int before; /* number of footings on the blocks visited before      */
@@ -11530,7 +11532,7 @@ static kern_real kern_edge_out(const kern_edge *e, kern_vec p)
 }
 
 /* Returns the distance from the line of e, positive outside, of a point on the
-   line from p to q. p touches e. The point is about as far from p as e is long,
+   line from p to q. p touches e. The point is no farther from p than e is long,
    since q may be far away. */
 static kern_real kern_edge_leaves(const kern_edge *e, kern_vec p, kern_vec q)
 {
