@@ -1579,8 +1579,8 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #endif
 
-/* Turns off the vectorisers of gcc: they fuse pairs of products such as a c - b
-   d and a d + b c into one operation, even with -ffp-contract=off. */
+/* Turns off gcc's vectorisers, which fuse pairs of products such as a c - b d
+   and a d + b c even with -ffp-contract=off. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__FMA__)
 #pragma GCC push_options
 #pragma GCC optimize("no-tree-vectorize")
@@ -1651,8 +1651,8 @@ extern "C" {
 /* Raised forces: a contact must stick if its tangential force is below mu f by
    more than this share of mu f. */
 #define KERN_SLIDES_TOL KERN_TOL
-/* Raised forces: a contact with a smaller force, as a share of the least load
-   of a block, need not approach, since equilibrium holds without that force. */
+/* Raised forces: least force, as a share of the least load of a block, of a
+   contact that must approach. Equilibrium holds without smaller forces. */
 #define KERN_PRESSED_LEAST KERN_TOL
 /* Raised forces: largest slide of a contact that must stick, as a share of its
    approach. The inverse of KERN_STICKS is the stiffness along t in >>raised. */
@@ -1677,8 +1677,8 @@ extern "C" {
 #define KERN_MASS_MOST KERN_FAR
 /* Least sum of weight and loads of a block [N], unless that is 0. */
 #define KERN_LOAD_LEAST (1 / KERN_FAR)
-/* Largest difference between 1 and the square of a normal's length: the
-   rounding of a normal that the caller computed in this precision. */
+/* Largest difference between 1 and the square of a normal's length, by rounding
+   in this precision. */
 #define KERN_NORMAL_TOL (64 * KERN_EPS)
 /* Least options.angle [rad] that is refused: with it a corner would count as a
    face, and the series of kern_sine() would lose digits. */
@@ -1717,12 +1717,11 @@ extern "C" {
 #define KERN_KNOWN_UNIT 32
 /* Contacts that the line search evaluates at one place in a unit. */
 #define KERN_PLACE_UNIT 16
-/* Number of products of one step of Newton's method for one contact: for its
-   row, its law and its block of the matrix. */
+/* Products of a step of Newton's method for one contact: its row, its law and
+   its block of the matrix. */
 #define KERN_CONTACT_PRODUCTS KERN_R(100)
-/* Number of products of the Cholesky factor for one row, divided by the square
-   of the row's number of blocks. Half of all pairs of blocks take 27 products
-   each. */
+/* Products of the Cholesky factor for one row, divided by the square of its
+   number of blocks. Half of all pairs of blocks take 27 products each. */
 #define KERN_PAIR_PRODUCTS KERN_R(14)
 
 /* ---- model ---- */
@@ -1755,10 +1754,10 @@ extern "C" {
    With more groups the factor of the program costs more than the interior
    point. */
 #define KERN_SMALL 64
-/* Number of steps of a walk: up to the largest travel if kerns are not nested,
-   or through half a circle of tilt under fixed loads. An interval of falling
-   that is narrower than a step may be missed. A walk or a climb takes at most
-   five times as many steps. */
+/* Steps of a walk to the largest travel if kerns are not nested, or through
+   half a circle of tilt under fixed loads. An interval of falling that is
+   narrower than a step may be missed. A walk or a climb takes at most five
+   times as many steps. */
 #define KERN_SCAN 1001
 /* Default step of a level [mean size]: the paper's steps are of this order. */
 #define KERN_LEVEL_STEP KERN_R(0.02)
@@ -1929,8 +1928,8 @@ extern "C" {
 #define KERN_IPM_ROUNDS 100
 /* Shift of the diagonal of M where M is singular, as a share of its mean. */
 #define KERN_IPM_SHIFT KERN_PICK(1e-10, 1e-5)
-/* Share of the way to the boundary (x or z = 0) that a step leaves, since no
-   step is possible from the boundary. The share shrinks as the gap closes. */
+/* Share of the way to the boundary (x or z = 0) that a step leaves, less as the
+   gap closes. From the boundary itself no step is possible. */
 #define KERN_IPM_BACKOFF KERN_R(1e-3)
 /* Least share of its force that a ray keeps in a step, since a force that
    rounds to 0 would never grow again. */
@@ -1979,9 +1978,8 @@ extern "C" {
 /* Rounding of a price, of a slope and of an entry of x or y, as a share of the
    largest of its kind. */
 #define KERN_LP_ROUNDING KERN_ROUNDING
-/* Amount by which y.A_j of the basic columns is raised above 0 in a
-   certificate, as a share of the certificate's largest entry. The check of a
-   motion allows for as much rounding. */
+/* Amount by which a certificate's y.A_j is raised for basic columns, as a share
+   of its largest entry: the rounding that the check of a motion allows for. */
 #define KERN_LIFT KERN_ROUNDING
 /* Largest residual of a basic solution, as a share of its largest value, before
    the basis is factored again. */
@@ -2035,9 +2033,9 @@ extern "C" {
 /* Most rounds of Newton's method for one set of prices. Usually it takes 4. */
 #define KERN_PRICED_ROUNDS 10
 /* A search is lost if the displacement u exceeds (KERN_RUNS_AWAY + number of
-   groups) times the u of its first round. The number of groups is added since
-   slides add up along a row. A search is also lost if u differs from the last u
-   with a proof by more than KERN_JUMPS times the size of that u. */
+   groups) times that of the first round, since slides add up along a row of
+   groups. It is also lost if u differs from the last u with a proof by more
+   than KERN_JUMPS times the size of that u. */
 #define KERN_RUNS_AWAY KERN_R(30)
 #define KERN_JUMPS KERN_R(2)
 /* A search is also lost after this many rounds, plus one for every two groups,
@@ -2058,11 +2056,11 @@ extern "C" {
    and find no more solutions. */
 #define KERN_FEW_CHANGES 2
 #define KERN_NEWTON_ROUNDS 3
-/* A load grows to the load factor in KERN_LOAD_STEPS steps. A step that fails
-   is divided by KERN_LOAD_FINER, since a failing step takes the work of ten
-   others. The least step is the share KERN_LOAD_NARROW of the largest load with
-   proven equilibrium. If it were a share of the load factor, which may be
-   several times too high, the search would stop 3 % below limit equilibrium. */
+/* A load grows to the load factor in KERN_LOAD_STEPS steps. A step that fails,
+   which takes the work of ten others, is divided by KERN_LOAD_FINER. The least
+   step is the share KERN_LOAD_NARROW of the largest load with a proof. As a
+   share of the load factor, which may be several times too high, it would end
+   the search 3 % below limit equilibrium. */
 #define KERN_LOAD_STEPS 10
 #define KERN_LOAD_FINER 4
 #define KERN_LOAD_NARROW KERN_R(0.005)
@@ -2366,8 +2364,7 @@ static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
 }
 
 /* Returns 1 if a contact carries nothing: it is too short, one of its blocks
-   has been removed, or it is a point that travels and q->carry excludes
-   these. */
+   has been removed, or q->carry excludes it as a point that travels. */
 static inline int kern_is_out(const kern_query *q, const kern_contact *c)
 {
     const kern_real len = q->shortest > 0 ? kern_contact_length(c, q->mean) : 0;
@@ -2785,16 +2782,16 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
    the rounding of the contact forces there. The sum of all forces is at most
    KERN_BOUND times the weight.
 
-   A motion proves "falls". The power of the loads exceeds the rounding error of
-   the power plus KERN_BOUND times the weight of the moving blocks times the
-   highest speed at which the motion closes a contact. So contact forces with a
-   sum of up to KERN_BOUND weights cannot stop it. The speed includes a bound of
-   its own rounding error, so the proof also holds in exact arithmetic. */
+   A motion proves "falls". The power of the loads exceeds its own rounding
+   error plus KERN_BOUND times the moving weight times the highest speed at
+   which the motion closes a contact. So contact forces with a sum of up to
+   KERN_BOUND weights cannot stop it. The speed includes a bound of its own
+   rounding error, so the proof also holds in exact arithmetic. */
 
-/* Returns the error of equilibrium as a share of the allowed error. It is the
-   larger of two errors: the largest residual of the free blocks, and the sum
-   `total` of all normal forces. `sum` has four numbers per block, as
-   kern_prove_end() adds them up. An error above 1 is returned as at least 2. */
+/* Returns the error of equilibrium as a share of the allowed error. Two errors
+   count: the largest residual of a free block, and the sum `total` of all
+   normal forces. `sum` has four numbers per block, as kern_prove_end() adds
+   them up. An error above 1 is returned as at least 2. */
 static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                                  const kern_real *sum, kern_real total)
 {
@@ -3030,9 +3027,9 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
     return error;
 }
 
-/* The set of blocks i with value[i] >= 0: removes from this set all fixed or
-   loaded blocks, and all blocks that a block outside of the set holds up
-   against gravity. Returns the number of blocks that are left. */
+/* Finds the blocks that hang, in the set of blocks i with value[i] >= 0:
+   removes those that are fixed or loaded, or that a block outside of the set
+   holds up against gravity. Returns the number of blocks that are left. */
 static int kern_unsupported(const kern_structure *s, kern_real *value)
 {
     const kern_real pull = kern_vec_length(s->gravity);
@@ -3685,9 +3682,9 @@ KERN_SHARED static void kern_proof_out(const kern_model *m,
    threes, from the first that is not zero to the last.
 
    Vectors over the rows have three more entries at their end, the rows of the
-   ground. A column that touches only one group has the ground as its other
-   group: the ground reads as 0 and is written without effect, so no loop has to
-   test for such columns. */
+   ground. The ground is the other group of a column that touches only one: it
+   reads as 0 and is written without effect, so no loop has to test for such
+   columns. */
 
 /* A linear program. It is dense, or its columns are those of a network: two
    columns for each contact. Columns 2 i and 2 i + 1 touch the groups ends[2 i]
@@ -4212,10 +4209,10 @@ static void kern_basis_renew(kern_simplex *sx)
        y = B^-T c,    c = +1 or -1 for a variable that violates, otherwise 0,
 
    y.A_j < 0 is the rate at which the sum falls when column j enters. If no
-   column lowers the sum and it is not zero, y is a Farkas certificate. Of all
-   certificates with entries of c of at most 1 it has the largest -y.rhs, which
-   is the sum of violations, as a step of Newton's method requires. If there are
-   no violations, c is minus the costs, and y is minus their prices. */
+   column lowers the sum and it is not zero, y is a Farkas certificate. It is
+   the certificate with the largest sum of violations, -y.rhs, as a step of
+   Newton's method requires. If there are no violations, c is minus the costs,
+   and y is minus their prices. */
 
 /* Rules by which pivots are chosen. */
 typedef enum kern_rule {
@@ -4808,9 +4805,9 @@ static void kern_skyline_clear(kern_skyline *a)
         kern_zero(a->entry + a->offset[g], 9 * (g - a->first[g] + 1));
 }
 
-/* Adds a contact's law to the matrix: to the diagonal block of each of its
-   groups, and to the block that couples them, in the row of the later group.
-   Held blocks have the number a->groups and no row. */
+/* Adds a contact's law to the diagonal blocks of its two groups, and to the
+   block that couples them, in the row of the later group. Held blocks have the
+   number a->groups and no row. */
 static void kern_skyline_law(kern_skyline *a, const int ends[2],
                              const kern_row row[2], const kern_law *s)
 {
@@ -4962,9 +4959,8 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
     }
 }
 
-/* Adds the outer product f w' of a contact to a matrix that is not symmetric:
-   the contact exerts the force f (w[0] wn + w[1] wt) for the approach (wn,
-   wt). */
+/* Adds the law of a contact that exerts the force f (w . (wn, wt)), the outer
+   product f w', to a matrix that is not symmetric. */
 static void kern_skyline_outer(kern_skyline *a, const int ends[2],
                                const kern_row row[2], const kern_real f[2],
                                const kern_real w[2])
@@ -5559,8 +5555,8 @@ static int kern_norm_layers(kern_part *p, int first, int n)
     return n;
 }
 
-/* Makes a part of the groups that are not marked. Orders them so that rows of
-   the factor are short: in breadth-first layers from a group at an end of the
+/* Makes a part of the groups that are not marked. To make rows of the factor
+   short, lists them in breadth-first layers from a group at an end of the
    structure, from the last index down (reverse Cuthill-McKee). */
 static void kern_norm_order(kern_part *p)
 {
@@ -5942,9 +5938,9 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
         || p->dual.cost > m->cluster.budget_end - m->task->work->units)
         return KERN_NO_SPACE;
 
-    /* Sums the loads of the groups and of the contacts above them. `load` is
-       the sum of the magnitudes of all loads. `least` is the smallest load of a
-       group, which sets the largest residual. */
+    /* Sums the loads of the groups and of the contacts above them, and their
+       magnitudes in `load`. `least` is the smallest load of a group, which sets
+       the largest residual. */
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
@@ -6267,9 +6263,9 @@ static int kern_ipm_step(kern_ipm *in)
     return kern_is_finite(in->gap);
 }
 
-/* Removes the residual A x - b by a correction in which D = x, so that M is far
-   from singular, unlike with D = x / z. Returns 1 if the forces then prove that
-   the structure stands. */
+/* Removes the residual A x - b by a correction with D = x, which keeps M far
+   from singular. Returns 1 if the forces then prove that the structure
+   stands. */
 static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
 {
     kern_part *p = in->p;
@@ -6630,9 +6626,9 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
             || (found == KERN_STANDS && kern_answer_holds(m, q)))
             return found;
 
-        /* If every group is balanced but the forces prove nothing, repeats the
-           pass without known forces: known forces of groups that were not
-           balanced again may belong to other loads. */
+        /* Every group is balanced, but the forces prove nothing: known forces
+           of groups that were not balanced again may belong to other loads.
+           Repeats the pass without known forces. */
         if (found != KERN_STANDS || !m->answer.known)
             return KERN_UNDECIDED;
         kern_model_unload(m);
@@ -6831,15 +6827,14 @@ static kern_real kern_halved(kern_real t)
                      stands                 falls
 
    Each verdict moves an end of the bracket. Each mechanism predicts the value
-   at which it stops falling, so the search tries the place just beyond that
-   value. Once the structure falls just beyond the value, the search tries the
-   place just before it. Four to eight verdicts suffice.
+   at which it stops falling, and the search tries the place just beyond that
+   value. If the structure falls there, the search tries the place just before
+   the value. Four to eight verdicts suffice.
 
-   The lower end may lack a proof in two cases. If kerns are nested, the start
-   of a search is evaluated only if the critical value is close to it. A part
-   that is evaluated alone, with all other blocks held, can prove that the whole
-   falls, but not that it stands. So the lower end of a part's bracket is
-   discarded afterwards.
+   The lower end may lack a proof. If kerns are nested, the start of a search is
+   evaluated only if the critical value is close to it. A part, with all other
+   blocks held, can prove that the whole falls, but not that it stands. So the
+   lower end of a part's bracket is discarded afterwards.
 
    A search tries the cheapest method first:
 
@@ -7066,11 +7061,10 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Returns 1 if the last basis, which fell just beyond the critical value,
-   proves that the structure stands at s, just before the value. From the forces
-   of that basis it computes the forces at s: adds the change that
-   kern_shrink_critical() wrote, and moves them to the ends of the larger
-   kerns. */
+/* Returns 1 if the forces of the last basis, which fell just beyond the
+   critical value, prove that the structure stands at s, just before the value.
+   Adds the change that kern_shrink_critical() wrote, and moves the forces to
+   the ends of the larger kerns. */
 static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 {
     kern_part *p = path->part;
@@ -7150,9 +7144,8 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
 /* Narrows [holds, fails] to the tolerance around path->critical and returns
    KERN_STANDS. Returns KERN_FALLS if the structure falls at the start, which
    had no proof. In a jam there are no proofs close to the critical value, so
-   each place without a proof doubles the distance of the next place. From then
-   on the least value of a mechanism is kept, since places farther away predict
-   it less well. */
+   each place without a proof doubles the distance of the next. From then on the
+   least value is kept, since places farther away predict it less well. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
     kern_real offset = kern_half_width(path);
@@ -7224,8 +7217,8 @@ static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
 
 /* Steps from a place at which the whole stands until the whole falls, and then
    finds the critical value. The first step is `first`, and later ones grow from
-   `step`. A step without a proof is halved. `even` is the least step if the
-   verdict may change more than once along the path, otherwise 0. */
+   `step`. A step without a proof is halved. `even` is the least step, or 0 if
+   the verdict changes only once along the path. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step,
                                    kern_real even)
@@ -7527,10 +7520,10 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
 
 /* ---- the search: which method is asked when ---- */
 
-/* Finds the critical value of the whole on a path of a load or a tilt, by one
-   program: the largest load, or the largest tangent of the angle, for which
-   forces exist. The prices are the mechanism. Returns KERN_UNDECIDED if the
-   path ends before that value. */
+/* Finds the critical value of the whole under a growing load or a tilt by one
+   program: the largest load, or tangent of the angle, for which forces exist.
+   The prices are the mechanism. Returns KERN_UNDECIDED if the path ends before
+   that value. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path)
 {
     kern_part *p = path->part;
@@ -7618,10 +7611,10 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
 }
 
 /* Finds the critical value of the whole beyond path->holds. Many groups are
-   solved by the interior point, whose first step of shrinkage is half as long,
-   since fewer mechanisms fall there. If it finds no value, the program is
-   tried. Few groups are solved by the program. If the program cannot decide a
-   place, as in a jam, the interior point narrows the remaining bracket. */
+   solved by the interior point, which takes half the first step of shrinkage,
+   since fewer mechanisms fall there, and then by the program. Few groups are
+   solved by the program. If it cannot decide a place, as in a jam, the interior
+   point narrows the remaining bracket. */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
@@ -7695,9 +7688,9 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
 }
 
 /* Finds the critical value of a path beyond path->holds. The structure must
-   stand at path->holds; if kerns are nested, the search itself evaluates that
-   place if necessary. `even` is the step of a walk if the verdict may change
-   more than once along the path, otherwise 0. */
+   stand at path->holds, unless kerns are nested: then the search may evaluate
+   that place. `even` is the step of a walk, or 0 if the verdict changes only
+   once. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real even)
 {
@@ -7984,9 +7977,9 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
         return kern_measure_anew(task, &known, out, proof);
     }
 
-    /* Writes the new proof to the arrays of task->known. The search starts from
-       the old motion, which it reads before it writes a new one. The search
-       cannot use the old forces, which are overwritten earlier. */
+    /* Writes the new proof to the arrays of task->known. The search reads the
+       old motion before it overwrites it, but overwrites the old forces too
+       early to use them. */
     kept.force = known.force;
     kept.motion = known.motion;
     known.force = NULL;
@@ -8393,9 +8386,9 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 
 /* Follows the whole collapse along a path: from one critical value to its
    mechanism, and on to the next value. The mechanism needs a verdict of its
-   own, since the last verdict of a search may be at another place. The number
-   of rounds that remove no block is bounded. Such rounds occur if both verdicts
-   have a proof at one place. */
+   own, since the last verdict of a search may be at another place. Bounds the
+   number of rounds that remove no block, which occur if both verdicts have a
+   proof at one place. */
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
@@ -8685,10 +8678,10 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
     return -rate * spin * f;
 }
 
-/* Adds to the rates of the two blocks of contact i the effect of their poses on
-   that contact, as the contact search would find it. `pair` is the other end of
-   its line, or i. For a line, a corner moves its end along the line, the ends
-   stay midway between the edges, and the normal and the middle change by half
+/* Adds the effect of the poses of two blocks on their contact i to the rates of
+   the blocks, with the contact as the search would find it. `pair` is the other
+   end of its line, or i. For a line, a corner moves its end along the line. The
+   ends stay midway between the edges, so that normal and middle change by half
    as much as an end. For a point, the block of the corner moves the point and
    the block of the edge turns the normal. */
 KERN_SHARED static void kern_pose_gain(const kern_task *task,
@@ -8955,10 +8948,10 @@ static kern_real kern_raise_slip(const kern_part *p, int k, kern_real approach)
    change to dual.turn. Returns 1 if the forces may be a proof: every loaded
    contact approaches, and none slides as far as a stone that falls into a jam.
    Prices fall slowly, since prices of joints that lean on each other would
-   alternate. `found` means that the forces balance the loads. In that case a
-   contact that parts keeps its price. A contact that should part but presses
-   gets a higher price: by twice the amount that would make its force 0. Without
-   this rule a joint that has stopped pressing would stay loaded. */
+   alternate. `found` means that the forces balance the loads. A contact that
+   parts then keeps its price. A contact that should part but presses gets a
+   higher price, by twice the amount that would make its force 0: otherwise a
+   joint that has stopped pressing would stay loaded. */
 static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
 {
     kern_part *p = r->p;
@@ -9046,8 +9039,8 @@ static int kern_raise_changes(kern_raise *r)
 /* ---- Newton's method ---- */
 
 /* Subtracts the wrenches of contact k by Coulomb's law from dual.grad. Adds
-   their derivatives with respect to u to the rows (dual.matrix) and columns
-   (r->up) of Newton's matrix. Returns the normal force. */
+   their derivatives by u to the rows (dual.matrix) and columns (r->up) of
+   Newton's matrix. Returns the normal force. */
 static kern_real kern_raise_contact(kern_raise *r, int k)
 {
     static const kern_real approach[2] = {1, 0}, shear[2] = {0, 1};
@@ -9164,9 +9157,7 @@ static kern_real kern_raise_far(const kern_raise *r, const kern_real *u,
     return KERN_SQRT(reach);
 }
 
-/* Returns 1 if u has grown too far: to more than a multiple of its size in the
-   first round, or away from the u of the last load with a proof by more than
-   KERN_JUMPS times the size of that u. */
+/* Returns 1 if u has grown too far (KERN_RUNS_AWAY, KERN_JUMPS). */
 static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
 {
     const kern_real *u = r->p->dual.u, groups = KERN_R(r->p->groups);
@@ -9273,13 +9264,13 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q,
 
 /* ---- questions ---- */
 
-/* Returns the reserve: the largest share of gravity from a fixed list at which
-   the structure stays raised under a push of that share to either side, with
-   kerns shrunk by the same share of the mean size. A push stands for errors of
-   angle, and a shrinkage for errors of place as a share of the size. If kerns
-   are not nested, the structure must also stay raised under the push alone.
-   Shares above `most` are not tried, unless `most` is 0. Each search begins at
-   the last load with a proof. */
+/* Returns the reserve: the largest share in a list for which the structure
+   stays raised under a push of this share of gravity to either side, with kerns
+   shrunk by this share of the mean size. A push stands for errors of angle, and
+   a shrinkage for errors of place as a share of the size. If kerns are not
+   nested, the structure must also stay raised under the push alone. Shares
+   above `most` are not tried, unless `most` is 0. Each search begins at the
+   last load with a proof. */
 KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
                                                 const kern_query *asked,
                                                 kern_real most)
@@ -9428,8 +9419,8 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     return stood;
 }
 
-/* Sets *out to KERN_RAISED if the load raises forces, either at once or while
-   the loads of the blocks grow from 0. If `sag` is not NULL, writes to it the
+/* Sets *out to KERN_RAISED if the load raises forces, at once or as the loads
+   of the blocks grow from 0. If `sag` is not NULL, writes to it the
    displacement of block r->around for a stiffness of 1 and a mean weight of 1.
    A turn counts as turn times half the size of the block. */
 static kern_status kern_raise_show(kern_raise *r, kern_call *c,
@@ -9720,9 +9711,9 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
    distance. */
 #define KERN_REST_TOUCH KERN_PICK(1e-7, 1e-4)
 #define KERN_REST_END KERN_R(0.01)
-/* Sine of the angle that counts as 0: between an edge and a motion along it,
-   between a motion and a touch that it does not press, and between a level
-   motion and the horizontal. */
+/* Sine of the largest angle that counts as 0: between a motion and an edge,
+   between a motion and a touch that it passes, and between a motion and the
+   horizontal. */
 #define KERN_REST_LEVEL KERN_PICK(1e-10, 1e-5)
 /* Tangent of half the largest turn of one motion. With smaller turns the stone
    finds better places, and one motion meets fewer edges. */
@@ -9732,9 +9723,9 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
    the turn. With little friction the stone creeps: a turn ends when both
    touches are open by that share. */
 #define KERN_REST_SLIP KERN_R(0.01)
-/* kern_place_compare(): chance at and above which a stone counts as staying;
-   largest difference of equal margins, as a share; and factor that rounds a
-   number to 13 bits (Dekker's split), so that rounding does not rank places. */
+/* kern_place_compare(): least chance that counts as staying; largest difference
+   of equal margins, as a share; and factor that rounds a number to 13 bits
+   (Dekker's split). */
 #define KERN_PLACE_STAYS KERN_R(0.9)
 #define KERN_PLACE_SAME KERN_PICK(1e-4, 1e-3)
 #define KERN_PLACE_SPLIT KERN_PICK(1099511627777.0, 2049)
@@ -10148,9 +10139,9 @@ KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
 
 /* Writes the vertices that stay to out[0..room) and their indices to kept.
    Returns the number of these vertices, KERN_NO_SPACE, or KERN_NO_AREA if all
-   vertices are at one place. Vertices that stay but come after `end` are stored
-   at the end of `kept`, the next one first, until they are written. There is
-   room for all of them, since each needs an entry of `kept` anyway. */
+   vertices are at one place. Vertices that stay but come after `end` wait at
+   the end of `kept`, the next one first. There is room for them, since all of
+   them will be written. */
 static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
                                kern_vec *out, int *kept, int room)
 {
@@ -10300,11 +10291,11 @@ static kern_real kern_edge_across(const kern_edge *e, const kern_edge *f)
     return kern_max(kern_min(p, -q), kern_min(-p, q));
 }
 
-/* Raises *deep to the largest depth of the boundary of block a (on = 0) or
-   block b (on = 1) inside the other block. Where edges cross, as in thin
-   blocks, raises *deep to the shortest motion after which they do not. The true
-   depth may be larger by a stride. Stops at a depth above `enough`. Strides
-   grow from step to step, since a gap close to rounding would take too many. */
+/* Raises *deep to the depth of the boundary of block a (on = 0) or b (1) inside
+   the other block. Where edges cross, as in thin blocks, raises *deep to the
+   shortest motion after which they do not. The true depth may be larger by a
+   stride. Stops at a depth above `enough`. Strides grow from step to step,
+   since a gap close to rounding would take too many. */
 static void kern_overlap_boundary(kern_pair *pair, int on, kern_real enough,
                                   kern_real *deep)
 {
@@ -10341,10 +10332,10 @@ static void kern_overlap_boundary(kern_pair *pair, int on, kern_real enough,
     }
 }
 
-/* Raises *deep to the depth of inner points of block a (on = 0) or block b (on
-   = 1) inside the other block. The points are centroids of triangles of
-   vertices, first of vertices far apart. If no boundary is deep, one inner
-   point is enough: all points around it have the same result. */
+/* Raises *deep to the depth of inner points of block a (on = 0) or b (1) inside
+   the other block. The points are centroids of triangles of vertices, first of
+   vertices far apart. If no boundary is deep, one inner point is enough: all
+   points around it have the same result. */
 static void kern_overlap_middles(kern_pair *pair, int on, kern_real *deep)
 {
     kern_outline *a = &pair->outline[on], *b = &pair->outline[!on];
@@ -10397,8 +10388,8 @@ static kern_real kern_overlap_least(kern_pair *pair)
 /* Returns the depth of the pair's overlap, or 0 if it is no deeper than a
    contact may be. May stop at any depth above `enough`. The result may be too
    small by one stride. For convex blocks that are too thin to be so deep, the
-   result is the shortest motion that separates them. Inner points are searched
-   since two equal blocks at one place have no boundary inside each other. */
+   result is the shortest motion that separates them. Two equal blocks at one
+   place have no boundary inside each other, but inner points. */
 KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
                                                 kern_real enough)
 {
@@ -10472,8 +10463,8 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 }
 
 /* Returns 1 if the middle p of an overlap is inside both blocks, give or take
-   `slack`. p is outside if one block has passed through a thin part of the
-   other. `gap` is negative for an overlap. Returns 1 for any other gap. */
+   `slack`. p is outside where one block has passed through a thin part of the
+   other. `gap` is negative for an overlap, otherwise the result is 1. */
 static int kern_pair_inside(kern_pair *pair, kern_vec p, kern_real gap,
                             kern_real slack)
 {
@@ -10523,9 +10514,9 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 }
 
 /* Returns 1 if the foot of the corner at p is inside edge e. Also returns 1 if
-   e ends there in a reflex corner into which the corner fits: its edges, with
-   directions `back` and `out`, lead away from both edges of the reflex corner.
-   e belongs to block a (on = 0) or block b (on = 1). */
+   e ends there in a reflex corner, and the edges of the corner, along `back`
+   and `out`, lead away from both edges of the reflex corner. e belongs to block
+   a (on = 0) or b (1). */
 static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
                            kern_vec p, kern_vec back, kern_vec out)
 {
@@ -10548,10 +10539,9 @@ static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
 }
 
 /* Adds the point contact of edge e with a corner of the other block. e is
-   edge[on], of block a (on = 0) or block b (on = 1). The corner is the start of
-   the other edge f, which leads away from e. The corner must be convex and
-   within the gap, its foot must be on e, and its other edge must lead away from
-   e. */
+   edge[on], of block a (on = 0) or b (1). The corner is the start of the other
+   edge f, which leads away from e. The corner must be convex and within the
+   gap, its foot must be on e, and its other edge must lead away from e. */
 static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
 {
     const kern_edge *e = &edge[on], *f = &edge[!on];
@@ -10829,9 +10819,9 @@ static int kern_block_is_stale(const kern_block *block)
 }
 
 /* Returns 1 if two blocks cannot touch: they are far apart, both are fixed, or
-   the first has no vertices. Returns 0 for blocks that share one array of
-   vertices, since the vertices of the first have been overwritten:
-   kern_search_pair() then finds it stale. */
+   the first has no vertices. Returns 0 for free blocks that share one array of
+   vertices, so that the first, whose vertices were overwritten, is found to be
+   stale. */
 static int kern_search_is_apart(const kern_search *s, const kern_block *a,
                                 const kern_block *b)
 {
@@ -11001,7 +10991,7 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
 }
 
 /* Checks the arguments of a search, except the contents of the blocks. Returns
-   KERN_OK or the fault, or KERN_LIMIT if the blocks are too many to read. */
+   KERN_LIMIT if the blocks are too many to read. */
 static kern_status kern_search_asked(kern_search *s)
 {
     const kern_options *o = s->pair.options;
@@ -11426,12 +11416,12 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
 
 /* ---- Coming to rest ---------------------------------------------- >>rest */
 /* A stone moves straight down to its first touch, and then from touch to touch.
-   There are three kinds of motion: a turn about a touch, a slide along an edge
-   that is too steep for friction, and a turn while the stone slides at two
-   touches. Of the motions that no touch blocks, the stone takes the one that
-   lowers its centre most steeply, until there is none. A motion ends where a
-   vertex of one outline meets an edge of the other, on a line or an arc, so
-   nothing overlaps. Each motion lowers the centre, so no pose occurs twice. */
+   A motion is a turn about a touch, a slide along an edge too steep for
+   friction, or a turn while the stone slides at two touches. Of the motions
+   that no touch blocks, the stone takes the one that lowers its centre most
+   steeply, until there is none. A motion ends where a vertex of one outline
+   meets an edge of the other, on a line or an arc, so nothing overlaps. Each
+   motion lowers the centre, so no pose occurs twice. */
 
 /* A point where the stone touches a block. */
 typedef struct kern_footing {
