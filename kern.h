@@ -643,7 +643,7 @@ typedef struct kern_structure {
     const kern_block *block;
     int blocks;
     const kern_contact *contact;
-    int contacts;     /* contact points                                   */
+    int contacts;     /* number of contact points                         */
     kern_vec gravity; /* acceleration [m/s^2], on Earth (0, -9.81)        */
 } kern_structure;
 
@@ -654,8 +654,8 @@ typedef struct kern_options { /* start from kern_defaults(); defaults are 0
                              size of the pair's smaller free block            */
     kern_real angle;      /* widest angle between touching edges [rad], < 0.5;
                              default 0.0174533                                */
-    kern_real epsilon;    /* step of Algorithm 1 [m]; 0: 0.02 mean block size;
-                             relative: a share, 0: 0.05                       */
+    kern_real epsilon;    /* step of Algorithm 1 [m; relative: share of the
+                             travel]; 0: 0.02 mean sizes [relative: 0.05]     */
     int relative;         /* nonzero: shrinkage is a share of each travel     */
     int limit;            /* most units of work of one call (>>verdicts);
                              default 10,000,000; largest, as 0: 2e9           */
@@ -725,7 +725,7 @@ typedef struct kern_block_rate {
 
 /* Result of kern_raised(). */
 typedef enum kern_raising {
-    KERN_NOT_SHOWN, /* neither is shown; this is no proof of falling    */
+    KERN_NOT_SHOWN, /* neither of these; this is no proof of falling    */
     KERN_RAISED,    /* the load raises forces that hold the structure   */
     KERN_HANGS      /* some blocks rest on nothing; the others stand without
                        these                                            */
@@ -1204,11 +1204,11 @@ KERN_API kern_status kern_stays(const kern_task *task, int i,
                      as KERN_HANGS.
      KERN_UNDECIDED  Neither is shown; work->end tells why.
    *how (may be NULL) is KERN_HANGS if blocks hang, KERN_RAISED if the structure
-   stays, and otherwise KERN_NOT_SHOWN. To find the least friction with which it
-   stays, bisect options.mu, finding the contacts again; to find its tilt,
-   bisect the angle of s.gravity. Begin the bisection at a value at which the
-   structure stays. The least friction is not below that of the verdict, and the
-   tilt is not above it. Time: that of kern_raised(). */
+   stays, and otherwise KERN_NOT_SHOWN. To find the least friction with which
+   the structure stays, bisect options.mu, finding the contacts again at each
+   step. To find its tilt, bisect the angle of s.gravity. Begin the bisection at
+   a value at which the structure stays. The least friction is not below that of
+   the verdict, and the tilt is not above it. Time: that of kern_raised(). */
 KERN_API kern_status kern_let_go(const kern_task *task, kern_raising *how,
                                  const kern_proof *proof);
 
@@ -8678,12 +8678,12 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
     return -rate * spin * f;
 }
 
-/* Adds the effect of the poses of two blocks on their contact i to the rates of
-   the blocks, with the contact as the search would find it. `pair` is the other
-   end of its line, or i. For a line, a corner moves its end along the line. The
-   ends stay midway between the edges, so that normal and middle change by half
-   as much as an end. For a point, the block of the corner moves the point and
-   the block of the edge turns the normal. */
+/* Moving a block moves its contacts. Adds this effect on contact i to the rates
+   of both blocks, with the contact as the search would find it. `pair` is the
+   other end of its line, or i. For a line, a corner moves its end along the
+   line. The ends stay midway between the edges, so that normal and middle
+   change by half as much as an end. For a point, the block of the corner moves
+   the point and the block of the edge turns the normal. */
 KERN_SHARED static void kern_pose_gain(const kern_task *task,
                                        const kern_contact_rate *rate, int i,
                                        int pair, kern_block_rate *out)
@@ -10603,8 +10603,8 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
     kern_contact *at = pair->out;
     const kern_contact *const lead = &at[i];
     kern_vec low = lead->p, high = lead->p; /* outermost points of face     */
-    kern_real least = KERN_R(0), most = KERN_R(0);      /* their places along it
-                                                                        */
+    kern_real least = KERN_R(0), most = KERN_R(0);      /* places of low, high
+                                                           along the face */
     kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* of normals   */
     kern_real half;
     int k, rest = i + 1;
