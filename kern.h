@@ -1,10 +1,10 @@
 /* kern.h 0.2.0: how safely does a dry-stacked structure stand?
 
    A header-only C library for robots that build with found stones and no
-   mortar. It finds the contacts between polygons and contact forces that hold
-   every stone. It measures stability: how far every contact can shrink before
-   no such forces exist. Every verdict comes with a proof, which kern checks
-   before it returns.
+   mortar. It finds the contacts between polygons, and contact forces that hold
+   every stone. Its measure of stability is the length by which every contact
+   can shrink before no such forces exist. Every verdict comes with a proof,
+   which kern checks before it returns.
 
    SPDX-License-Identifier: MIT (text at the end of the file)
 
@@ -35,13 +35,14 @@
      ==================             d             |======|     what is left: the
                                     d*              |==|       kern of a contact
 
-   "Kern" is the paper's word for this, not the middle third of a section.
-   Beyond the margin d* no forces are in equilibrium.
+   "Kern" is the paper's word for the shrunk contact, not the middle third of a
+   section. If contacts shrink by more than the margin d*, no contact forces
+   hold every stone.
 
    HOW TO USE IT                                                        >>use
 
    Define KERN_IMPLEMENTATION in exactly one C or C++ file before including
-   kern.h; include it alone everywhere else. Only sqrt() is needed (-lm).
+   kern.h. All other files only include kern.h. Only sqrt() is needed (-lm).
 
        kern_vec ground[4] = {{-5, -1}, {5, -1}, {5, 0}, {-5, 0}};
        kern_vec stone[4]  = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
@@ -61,73 +62,75 @@
        if (kern_measure(&task, &m, NULL) == KERN_STANDS)
            printf("level %d, margin %g m\n", m.level, m.margin);
 
-   Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. A negative
-   count of contacts is a status, which the next call returns.
-   examples/copy/one_block.c is this program with all checks. If the linker
-   reports "multiple definition", KERN_IMPLEMENTATION is in two files. If it
-   reports "undefined reference", it is in none, or in a file of the other
-   precision.
+   Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too.
+   kern_contacts() returns a status if it fails, which is negative; the next
+   call returns it again. examples/copy/one_block.c is this program with all
+   checks. If the linker reports "multiple definition", KERN_IMPLEMENTATION is
+   in two files. If it reports "undefined reference", it is in none, or in a
+   file of the other precision.
 
    CONVENTIONS                                                  >>conventions
 
-   Units of length, mass and time are your choice; comments say m, kg, s. Angles
-   are in radians, counter-clockwise positive. Blocks are polygons in world
-   coordinates of a plane. Think of one unit of depth, and of a density per
-   area. kern_touch() finds the contacts of a new stone, to be appended to the
-   others. To take the last stone back, reduce `blocks` and `contacts`.
+   You may use any consistent units of length, mass and time; comments use m, kg
+   and s. Angles are in radians, counter-clockwise positive. Blocks are polygons
+   in world coordinates of a plane, with a depth of one unit and a density per
+   area. To add a stone, append the contacts that kern_touch() finds. To remove
+   the last stone, reduce `blocks` and `contacts`.
 
    MEMORY                                                            >>memory
 
    The library allocates nothing, has no globals and no recursion, and keeps
    nothing between calls. Threads need no locks if each has its own work memory.
    Work memory is two arrays, of KERN_REALS(blocks, contacts) and of
-   KERN_INTS(blocks, contacts) numbers (kern_work_need() at run time). Contacts
-   are counted as points: a running bond has seven a block, and twelve with
-   joints between neighbours. KERN_CONTACTS(blocks) has room for these. Stones
-   with many short edges may need twice as many (KERN_NO_SPACE). Bytes in double
-   (float: about half):
+   KERN_INTS(blocks, contacts) numbers (kern_work_need() at run time).
+   `contacts` counts contact points. A running bond has seven for each block, or
+   twelve with joints between neighbours, for which KERN_CONTACTS(blocks) is
+   enough. Stones with many short edges may need twice as many; kern_contacts()
+   then returns KERN_NO_SPACE. Bytes in double (float: about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
        KERN_REALS and KERN_INTS     9,124    21,496    66,296   359,616
        both KERN_LEAN_ sizes        9,124    12,364    20,204    64,404
 
-   KERN_LEAN_REALS and KERN_LEAN_INTS are smaller from 10 blocks on. They
-   suffice where few blocks move at the margin, as in most walls: 0.7 MB instead
-   of 11 MB for 1000 blocks and 7000 points. Where many blocks move, as in
-   arches, a call returns KERN_NO_SPACE.
+   KERN_LEAN_REALS and KERN_LEAN_INTS are smaller from 10 blocks on. These sizes
+   suffice if few blocks move at the margin, as in most walls: 0.7 MB instead of
+   11 MB for 1000 blocks and 7000 points. If many blocks move, as in arches, a
+   call with this memory returns KERN_NO_SPACE.
 
    VERDICTS AND PROOFS                                             >>verdicts
 
-   KERN_STANDS: kern found forces that pass kern_check_forces(). KERN_FALLS: it
-   found a motion that passes kern_check_motion(). These checks use nothing of
-   the solver. KERN_UNDECIDED: it found neither (>>limits). It never guesses.
+   KERN_STANDS: kern found forces that pass kern_check_forces(). KERN_FALLS:
+   kern found a motion that passes kern_check_motion(). These checks are
+   independent of the solver. KERN_UNDECIDED: kern found neither (>>limits). It
+   never guesses.
 
    options.limit bounds the work of one call, reading the input included. Work
    that would exceed the limit is not begun: the call returns KERN_LIMIT and
-   writes what is proven by then. An answer below the limit is the same, to the
-   last bit, as without a limit. On x86-64 a call takes at most 3,000
-   instructions plus 2,000 for each unit of its limit, unless most blocks have a
-   single contact, as in a fill that is pushed: then up to 3,100 a unit. A call
-   that completes takes 550 to 2,000 (then up to 2,230) for each unit in
-   work->units, which is 0.1 to 0.6 microseconds on a desktop computer
-   (tests/work.sh limits). A Cortex-M4F took up to 2,520.
+   writes the results that are proven by then. A call that ends below the limit
+   gives the same bits as without a limit. On x86-64 a call takes at most 3,000
+   instructions plus 2,000 for each unit of its limit. A call that completes
+   takes 550 to 2,000 instructions for each unit in work->units, or 0.1 to 0.6
+   microseconds on a desktop computer (tests/work.sh limits). If most blocks
+   have a single contact, as in a fill that is pushed, a unit takes up to 3,100
+   and 2,230 instructions instead. A Cortex-M4F took up to 2,520.
 
    CONFIGURATION                                                     >>config
 
-   KERN_STATIC          every function is static: a copy of the library that
-                        only this file uses
+   KERN_STATIC          makes every function static: this file has its own copy
+                        of the library
    KERN_API             linkage of public functions; default: extern
-   KERN_SINGLE          kern_real is float, also in the implementation
+   KERN_SINGLE          makes kern_real a float; define it in every file
    KERN_SQRT(x)         replaces sqrt or sqrtf; <math.h> is not included
-   KERN_NO_INTERIOR     leaves out >>ipm, for firmware: above 64 free blocks the
-                        simplex method decides, which may take minutes
+   KERN_NO_INTERIOR     leaves out the interior-point method (>>ipm), for
+                        firmware. Above 64 free blocks the simplex method is
+                        used, which may take minutes
    KERN_USE_GLPK        GLPK (under the GPL) solves large programs (kern_lp.h)
-   KERN_GLPK_ROWS       programs of more rows are large; default: 96. A free
+   KERN_GLPK_ROWS       programs with more rows are large; default: 96. A free
                         block has three rows
 
-   Without a C library, compile with -Os -fno-tree-loop-distribute-patterns, or
-   gcc calls memcpy and memset. With -fno-math-errno the square root is one
-   instruction.
+   Without a C library, compile with -Os -fno-tree-loop-distribute-patterns;
+   otherwise gcc inserts calls of memcpy and memset. With -fno-math-errno the
+   square root is one instruction.
 
    METHOD                                                            >>method
 
@@ -137,13 +140,13 @@
        sum f n + r t + weight = 0,     sum (p - c) x (f n + r t) = 0,
        f >= 0,  |r| <= mu f.
 
-   Along the two edges of the friction cone, n + mu t and n - mu t, this is Eq.
-   (5): find x >= 0 with A x = -w (A_eq of the paper, >>statics). If there is
-   none, Farkas' lemma gives a y with y.A >= 0 and y.w > 0. This y is a
-   mechanism: velocities and spins such that no contact closes and the weights
-   do work. It proves that the structure falls.
+   With forces x along the two edges of each friction cone, n + mu t and n - mu
+   t, this becomes Eq. (5): find x >= 0 with A x = -w (A_eq of the paper,
+   >>statics). If no x exists, Farkas' lemma gives a y with y.A >= 0 and y.w >
+   0. This y is a mechanism: velocities and spins such that no contact closes
+   and the weights do work. A mechanism proves that the structure falls.
 
-   A verdict tries these methods in this order, until one gives a proof:
+   A verdict tries these methods in order until one gives a proof:
 
        top-down     >>pass    forces are passed on from top to bottom, a block
          |                    by three equations, a cluster where it cannot
@@ -163,10 +166,10 @@
    there. If a part falls, the search continues at the critical value of that
    part, until no part falls. If the pass gives no proof, the search solves the
    whole structure. Load factor and tilt of up to 64 free blocks are one linear
-   program with the value as a column. Where this cannot decide, as in jams, the
-   interior-point method narrows the bracket: one proof on each side of the
-   critical value. tests/DESIGN.md says why each step is there, and what it
-   costs to leave it out.
+   program with the value as a column. If that program cannot decide, as in
+   jams, the interior-point method narrows the bracket of the critical value,
+   which has a proof at each end. tests/DESIGN.md says why each step is there,
+   and what it costs to leave it out.
 
    RULES                                                               >>rules
 
@@ -174,86 +177,95 @@
    reproduce it. RULES in tests/kern_test.c names the tests of each rule.
 
    Contacts are found for each pair of polygons that are not both fixed. `gap`
-   and `angle` are those of the options, and no tolerance is below 64 roundings
-   of the largest coordinate. "Size" is that of the pair's smaller free block.
-   Vertices where the outline turns by less than 1e-6 rad do not count. Outlines
-   are used as they are: each remaining edge has its own contacts, even a step
-   of one pixel, so simplify raw outlines first (kern_outline_simplify()).
-     line      Two edges, one of each block, antiparallel within `angle`, and
-               within the gap over more than the least of three lengths: the
-               gap, 1e-3 of the size, half of the longer edge. The contact
-               points are the ends of that stretch, midway between the edges. n
-               is the mean of the edges' normals.
-     point     A convex vertex within the gap of an edge, its foot more than
-               1e-6 of the size from both ends, both edges of the vertex on the
-               outer side of that edge within `angle`. The contact point is the
-               vertex, n is the normal of the edge. It is no contact where a
-               line contact of the pair, its normal within 10 degrees of n,
-               passes within the gap.
-     corner    A convex vertex within the gap of a reflex one, with both its
-               edges on the outer side of both edges of the reflex vertex: a
-               point contact with each of these.
-               A convex vertex on a convex one is no contact.
-     face      Contacts of a pair whose normals agree within `angle` and which
-               lie on one line within the gap are joined to one line contact. It
-               goes from the first to the last point. n is the mean of the
-               normals, weighted by length. Contacts are joined in the order of
-               their lengths, the longest first and points last.
-     overlap   A point of one outline deeper than the gap inside the other
-               block, a block inside another, edges that cross by more than the
-               gap with all ends, or convex blocks that no motion by the gap
-               parts: KERN_OVERLAP.
-   A larger gap removes no support. Contacts that are given are taken as they
-   are, with unit normals. A line contact whose direction differs from t by more
-   than `angle` is refused.
+   and `angle` are those of the options. No tolerance is below 64 roundings of
+   the largest coordinate. "Size" is that of the pair's smaller free block.
+   Vertices at which the outline turns by less than 1e-6 rad are ignored. Each
+   remaining edge has its own contacts, even a step of one pixel, so simplify
+   raw outlines first (kern_outline_simplify()).
+     line      Two edges, one of each block, that are antiparallel within
+               `angle`. The edges must be within the gap over a stretch that is
+               longer than the least of three lengths: the gap, 1e-3 of the
+               size, half of the longer edge. The contact points are the ends of
+               the stretch, midway between the edges. n is the mean of the
+               edges' normals.
+     point     A convex vertex within the gap of an edge. Its foot must be more
+               than 1e-6 of the size from both ends of the edge, and both edges
+               of the vertex must be on the outer side of that edge, within
+               `angle`. The contact point is the vertex, and n is the normal of
+               the edge. There is no point contact if a line contact of the pair
+               passes within the gap and its normal is within 10 degrees of n.
+     corner    A convex vertex within the gap of a reflex vertex, with both its
+               edges on the outer side of both edges of the reflex vertex. It
+               gives a point contact with each of these two edges. Two convex
+               vertices make no contact.
+     face      Contacts of a pair are joined to one line contact if their
+               normals agree within `angle` and they lie on one line within the
+               gap. The line contact goes from the first to the last of their
+               points. n is the mean of their normals, weighted by length.
+               Contacts are joined in the order of their lengths, the longest
+               first and points last.
+     overlap   KERN_OVERLAP is returned if a point of one outline is deeper
+               inside the other block than the gap, if a block is inside
+               another, if edges cross by more than the gap with all ends, or if
+               no motion by the gap separates two convex blocks.
+   A larger gap never removes a support. Contacts that the caller makes are used
+   as they are, with unit normals. A line contact whose direction differs from t
+   by more than `angle` is refused.
 
    Shrinkage. A contact point has a direction u = t or -t, a travel l >= 0:
-     line      The two ends go to each other; l is half the length.
-     points    Two or more points of one pair go to the middle q of the two that
-               are farthest apart, each along its own t: l = |(q - p) . t|.
-     one point stays: l = 0, as does every point with l below 1e-9 of the mean
-               size.
-     lone      If options.lone is set, a single point of a pair goes to
-               the middle of the contacts that carry its block, as in Fig. 2 c,
-               d of the paper. A contact carries the block that its normal
-               pushes up, or none if the normal is horizontal within 1e-6. The
-               middle is that of the two points farthest apart that carry the
-               same block. Kerns are then not nested (>>limits).
+     line      The two ends move toward each other; l is half the length.
+     points    Two or more points of one pair move toward the middle q of the
+               two that are farthest apart, each along its own t. Their travel
+               is l = |(q - p) . t|.
+     one point A single point of a pair does not move: l = 0. A point with l
+               below 1e-9 of the mean size does not move either.
+     lone      If options.lone is set, a single point of a pair moves toward the
+               middle of the contacts that carry its block, as in Fig. 2 c, d of
+               the paper. A contact carries the block that its normal pushes up,
+               or none if the normal is horizontal within 1e-6. The middle is
+               that of the two points farthest apart that carry the same block.
+               Kerns are then not nested (>>limits).
    The point acts at p + min(d, l) u, or with options.relative at p + d l u, d
    <= 1. d_max is the largest l (relative: 1). Normals do not change. If all
-   contacts are lines, the contacts are nested: a structure that falls at one d
-   falls at every larger d. With points of different normals it may stand again.
+   contacts are lines, kerns are nested: a structure that falls at one d falls
+   at every larger d. With points of different normals a structure may stand
+   again at a larger d.
 
    Measures, for a structure that stands at d = 0 unless said otherwise:
-     level     The smallest k >= 1 such that it falls at min(k epsilon, d_max).
-               If there is none the level is ceil(d_max / epsilon) + 1 and the
-               margin is saturated. The level is 0 if it falls at d = 0.
-     margin    The largest d* such that it stands at every d below d*. If it
-               stands at every d the margin is d_max and is saturated.
-     deficit   For a structure that falls at d = 0: the least growth d with
-               contact points at p - d u (relative: p - d l u) such that it
-               stands. Infinite where a growth of 1000 times the longest side of
-               the free blocks' box (relative: over the smallest l) is not
-               enough.
-     load      The largest factor f such that it stands under every multiple of
-     factor    the pattern up to f. Horizontal: f m |g| at every centre, to the
-               right (gravity turned by +90 degrees) or to the left.
-     tilt      The first angle of gravity, turned to the side, at which it
-               falls; pi if there is none. Loads do not turn.
-     profile   d grows from 0. Where the structure falls, the blocks that move
-               in the mechanism get that d as their value and are taken away. d
-               then grows on. A block that never moves gets d_max, and one that
-               moves at once gets 0. With a horizontal load its factor grows
-               instead of d, up to 10. Among several mechanisms one of few
-               blocks is preferred.
+     level     The smallest k >= 1 such that the structure falls at min(k
+               epsilon, d_max). If there is no such k, the level is ceil(d_max /
+               epsilon) + 1 and the margin is saturated. The level is 0 if the
+               structure falls at d = 0.
+     margin    The largest d* such that the structure stands at every d below
+               d*. If it stands at every d, the margin is d_max and is
+               saturated.
+     deficit   For a structure that falls at d = 0: the least growth d at which
+               it stands with contact points at p - d u (relative: p - d l u).
+               The deficit is infinite if a growth of 1000 times the longest
+               side of the free blocks' box (relative: divided by the smallest
+               l) is not enough.
+     load      The largest factor f such that the structure stands under the
+     factor    load pattern times every factor up to f. A horizontal load is f m
+               |g| at every centre, to the right (gravity turned by +90 degrees)
+               or to the left.
+     tilt      The first angle at which the structure falls when gravity turns
+               to the side; pi if there is none. Loads do not turn.
+     profile   d grows from 0. When the structure falls, the blocks that move in
+               the mechanism get the present d as their value and are removed,
+               and d continues to grow. A block that never moves gets d_max, and
+               a block that moves at d = 0 gets 0. For a horizontal load the
+               factor grows instead of d, up to 10. If there are several
+               mechanisms, one that moves few blocks is preferred.
      mechanism For a structure that falls: velocities of all free blocks, scaled
-               so that the largest is 1. A spin counts times the block's size.
+               so that the largest is 1. A spin counts as spin times the size of
+               its block.
 
    WHAT EACH NUMBER IS GOOD FOR                                    >>measures
 
-   margin      compares structures, and places for a stone: how far the worst
-               stone is from the edge of what carries it, in metres, so that
-               large stones weigh more; relative: a share of each travel
+   margin      compares structures, and places for a stone. The margin is the
+               distance of the force on the worst stone from the edge of its
+               support, in metres, so that large stones count more; relative: as
+               a share of each travel
    level       is the paper's measure: the margin in steps of epsilon
    load factor is the largest sideways acceleration, in units of gravity
    raised load is the load factor without dilatant sliding (>>limits)
@@ -261,7 +273,7 @@
                load factor
    deficit     tells how far the contacts of a structure that falls must grow
    bearing     is the length of the shortest contact that the structure needs
-   mechanism   shows which stones move first, and how
+   mechanism   is how the stones move first, with the velocity of each
    profile     gives every stone's margin or load factor while others fall,
                their mean, the mean of the weaker half, and the expected drop
    raised      tells whether the load itself raises forces that hold the
@@ -273,20 +285,21 @@
                must lie (examples/nudge.c)
    push        is the load factor of a force on one stone (examples/push.c)
 
-   The margin does not show a sliver of support. Kerns shrink to a point, and a
-   point still carries: a stone with one end on 2 micrometres has the margin of
-   its other end. The bearing length shows the sliver. A robot that places
-   stones less exactly than that length cannot count on the contact. Compute it
-   with the contacts of kern_stretches(), since kern_contacts() joins the two
-   feet of a block to one contact from end to end. A saturated margin is half
-   the length of the longest contact and says nothing about safety.
+   The margin does not show a sliver of support. A kern shrinks to a point, and
+   a point still carries: if one end of a stone rests on 2 micrometres, the
+   margin is that of the other end. The bearing length shows the sliver. A robot
+   that places stones less exactly than the bearing length cannot rely on the
+   shortest contact. Compute the bearing length with the contacts of
+   kern_stretches(), since kern_contacts() joins the two feet of a block to one
+   contact from end to end. A saturated margin is half the length of the longest
+   contact and says nothing about safety.
 
-   Collapse under shaking. Every measure but the profile tells when the first
-   stone falls, not when half of a wall does. A stone that rocks soon meets the
-   next one, so count contacts that a little motion closes:
+   Collapse under shaking. Every measure but the profile says when the first
+   stone falls, not when half of a wall falls. A stone that rocks soon meets the
+   next one, so include contacts that a slight motion closes:
 
        task.options = kern_near(&task.options, kern_mean_size(block, blocks));
-       find the contacts with these, then
+       find the contacts with these options, then
        kern_profile(&task, side, value, &c) for KERN_LEFT and KERN_RIGHT,
        and add both c.drop, the expected drop: larger is worse
 
@@ -298,55 +311,56 @@
 
    Whether a stone stays where it is released. kern_stays() returns the chance.
    Suppose that a planner releases a stone if the chance is at least a
-   threshold. Of 969 placements, each half judged by the law fitted to the other
-   half:
+   threshold. The table has the shares of 835 clear cases among 969 placements,
+   with each half computed by the law that was fitted to the other half:
 
        threshold                       0.3    0.5    0.7    0.9
        630 that stay: released         0.96   0.95   0.93   0.83
        205 that move: not released     0.90   0.96   0.985  0.995
 
    The chance is computed from the displacement that raises the forces, and from
-   the reserve. After a large displacement many equilibria are possible, and
-   friction decides between them.
+   the reserve. The larger the displacement, the more equilibria are possible,
+   and friction decides between them.
 
    Whether a finished structure stays. kern_let_go() releases all blocks at
    once, so the order of the blocks does not matter. kern_least_load_of() and
    kern_load_factor_of() return the least and the largest factor of a load with
    which the structure stands.
 
-   Forces. Many sets of forces hold a structure. No measure depends on which set
-   is used, and a proof has the first one that was found. For pictures use the
-   minimum-norm forces (kern_forces()): a unique set, symmetric where the
-   structure is, which loads every contact that can carry. The forces of
-   kern_raised() are closer to friction, but not unique. Neither set tells how
-   elastic stones share a load.
+   Forces. Many sets of forces can hold a structure. No measure depends on the
+   choice of a set, and a proof has the first set that was found. For pictures
+   use the minimum-norm forces (kern_forces()). This set is unique, is symmetric
+   if the structure is, and loads every contact that can carry. The forces of
+   kern_raised() are closer to real friction, but not unique. Neither set tells
+   how elastic stones share a load.
 
    STONES FROM A CAMERA OR A SCANNER                               >>measured
 
    Outline. Simplify each outline first, within 1.5 to 3 pixels
    (kern_outline_simplify()). Raw points on a grid touch each other
-   (KERN_CROSSING), and each step of a pixel would hold like a shear key. From
-   1.5 pixels on a straight joint is one edge again; below 1.42 its steps may
-   remain. Simplification may open a gap of twice the tolerance. Set
-   options.gap to that, or include it in the error of kern_measured_options().
-   Outlines of drawings and clippers have steps of rounding: simplify them
-   within half a gap. The density is that of the material times the thickness.
-   examples/copy/contour.c shows these steps.
+   (KERN_CROSSING), and each step of one pixel would hold like a shear key. With
+   1.5 pixels and more a straight joint becomes one edge; below 1.42 pixels its
+   steps may remain. Simplification may open gaps of twice its tolerance. Set
+   options.gap to that width, or include it in the error of
+   kern_measured_options(). Outlines of drawings and of polygon clipping have
+   steps of rounding: simplify them within half a gap. The density is that of
+   the material times the thickness. examples/copy/contour.c shows these steps.
 
    Error. kern_measured_options() takes the standard errors of a stone's place
    and of its angle. To combine the errors of pixel, simplification and
-   registration, add their squares. Margins of a stone of 40, 200 or 1000
-   vertices then agree within 2 %; without these options the discretisation
-   decides them. Overlaps beyond the error are modelling errors
-   (kern_overlaps()): measure again, or set options.overlap.
+   registration, add their squares. With these options margins of a stone with
+   40, 200 or 1000 vertices agree within 2 %; without them margins depend on the
+   number of vertices. Overlaps beyond the error (kern_overlaps()) are modelling
+   errors: measure again, or set options.overlap.
 
-   Certainty. A measured structure is near one at rest: its stones settle by a
-   few errors. kern_certain() lets them settle. It returns a lower and an upper
-   end of the margin, whether the verdict is certain within the error, and how
-   far stones may settle. A structure that certainly stands does so on stretches
-   of contact that no error along them takes away. It also comes to rest after a
-   small motion with every third stretch open. tests/TRUST.md tells how often
-   these answers are right.
+   Certainty. A structure at rest is measured with errors, so its stones must
+   settle by a few errors before they rest again. kern_certain() computes this
+   settling. It returns a lower and an upper end of the margin, whether the
+   verdict is certain within the error, and how far stones may settle. A
+   structure certainly stands if it stands on stretches of contact that are
+   longer than the errors, and if it comes to rest after a small motion with
+   every third stretch open. tests/TRUST.md tells how often these answers are
+   right.
 
    LIMITS                                                            >>limits
 
@@ -357,83 +371,87 @@
              whether the load raises such forces.
    Unsafe    Mechanisms are those of limit analysis: blocks that slide also part
              (dilatant sliding). Where a wall's own joints slide, load factor
-             and tilt are too high. Against a simulator they were so by 11 to
-             26 % on four published brick walls with openings
-             (tests/PUBLISHED.md), by a factor of up to 2.5 on random ones, and
-             never on settled rubble. Where columns topple in a row they are up
-             to five times too high, and the least friction of the verdict is up
-             to 31 % too low. There is no bound where the base of a row slopes
-             as the row does: one load factor was 100 times too high, and one
-             verdict stands at a friction of .44 where 2.07 is needed.
+             and tilt are too high. Compared with a simulator they were too high
+             by 11 to 26 % on four published brick walls with openings
+             (tests/PUBLISHED.md), by a factor of up to 2.5 on random brick
+             walls, and never on settled rubble. For rows of columns that topple
+             they are up to five times too high, and the least friction of the
+             verdict is up to 31 % too low. If the base of a row slopes as the
+             row does, the error has no bound: one load factor was 100 times too
+             high, and one verdict was "stands" with a friction of .44 where
+             2.07 is needed.
              kern_raised_load() has no dilatancy. kern_let_go() tells whether
-             such a row stays: of 600 random slopes below the friction of limit
-             equilibrium it says so for none. Both follow one path of loading,
-             so use the lower answer. Bricks that hang in a flat arch do not
-             count as raised.
+             such a row stays: it returned KERN_STANDS for none of 600 random
+             slopes with less friction than limit equilibrium needs. Both
+             functions follow one path of loading, so use the lower answer.
+             Bricks that hang in a flat arch do not count as raised.
    Search    KERN_NOT_SHOWN is no proof of falling. kern_work.end tells whether
-             no equilibrium was found, as where blocks run away, or a limit of
-             work ended the search. Of 90 rows of 20 to 90 columns all reach
-             87 % of limit equilibrium, and 75 reach 97 %. Of 360 slopes within
-             10 % of critical friction 326 reach 97 %, and one is not shown.
-             Near critical friction, or where a structure has several equilibria
-             close to each other, turning, mirroring or rounding the input may
-             change the raised load. It did so by more than 2 % for 28 of these
-             slopes, and for 13 of 969 placements, 10 of which move in the
-             simulator.
-   Ambiguous The reserve does not see equilibria that depend on the history of
+             no equilibrium was found, or a limit of work ended the search. The
+             raised load of 90 rows of 20 to 90 columns is at least 87 % of that
+             of limit equilibrium, and at least 97 % for 75 of them. The raised
+             load is at least 97 % for 326 of 360 slopes within 10 % of critical
+             friction. For one of these slopes kern_raised() returns
+             KERN_NOT_SHOWN. Near critical friction, or if a structure has
+             several equilibria close to each other, the raised load may change
+             when the input is turned, mirrored or rounded. The raised load
+             changed by more than 2 % for 28 of these slopes, and for 13 of 969
+             placements, 10 of which move in the simulator.
+   Ambiguous The reserve does not cover equilibria that depend on the history of
    forces    loading. Of 181 rows of wedges between cliffs that fall in a
-             simulator though forces exist, 2 get the largest reserve
-             nevertheless (tests/TRUST.md). A stone that is pushed out from
-             under a longer one may count on a weight that the longer one can
-             pass elsewhere: of 51 walls under .6 to .9 of the load that they
-             bear, 7 move in a simulator.
-   Loads     stay: what kern_block_load() adds neither grows with a horizontal
-             load nor turns with gravity.
-   Not       Where kerns are not nested (points of different normals), the path
-   nested    is searched first without these points. If that proves neither
-             verdict, it is searched in steps of at most d_max / 1001. Tilts
-             with loads are searched in steps of pi / 1001. A range in which the
-             structure falls may be missed if it is narrower than a step.
-   Undecided A verdict may be undecided within 1e-9 of the mean size of the
-             critical value. In jams, whose forces grow without bound toward the
-             critical value, it may be so within 1e-7, rarely 1e-4: of 800
-             hoppers, rows between walls, zigzag beds and packed discs of up to
-             120 stones, seven measures were. It may be so farther away if one
-             block weighs more than 1e4 times another. Of bricks held by loads
-             up to 1000 times their weight, none of 288 was undecided with mu up
-             to 100, and 2 of 96 with mu 1000. A level is undecided only if the
-             verdict at a step that it depends on is.
-   Brackets  At most 2e-6 mean sizes wide (load factor 2e-6, tilt 8e-6 rad). In
-             jams up to 50 times as wide. Up to 3e-5 if there are more than 256
-             blocks and many of them move at once. If more than 64 blocks move
-             at once, the true value may lie anywhere in the bracket.
-   Slow      Structures of which many blocks move at the margin: ragged walls,
-             fitted masonry, long arches (tests/BENCH.md).
-   Float     Proofs are weaker (>>tune) and more is undecided near critical. A
-             deficit is exact to 3e-6 sizes. Above 64 blocks a value is exact to
-             0.05. Where wedges jam a margin may be off by 1/3 size. Stay near
-             the origin.
+             simulator although forces exist, 2 have the largest reserve
+             (tests/TRUST.md). A stone that is pushed out from under a longer
+             one may be held only by weight that the longer stone can shift
+             elsewhere: of 51 walls under .6 to .9 of their raised load, 7 move
+             in a simulator.
+   Loads     Loads of kern_block_load() neither grow with a horizontal load nor
+             turn with gravity.
+   Not       If kerns are not nested (points of different normals), the path
+   nested    is first searched without these points. If this proves nothing for
+             all points, the path is searched in steps of at most d_max / 1001.
+             Tilts with loads are searched in steps of pi / 1001. An interval in
+             which the structure falls may be missed if it is narrower than a
+             step.
+   Undecided A verdict may be undecided closer to the critical value than 1e-9
+             mean sizes. In jams, whose forces grow without bound toward the
+             critical value, this distance may be 1e-7, and rarely 1e-4. Seven
+             measures were undecided among 800 hoppers, rows between walls,
+             zigzag beds and packed discs of up to 120 stones. The distance may
+             be larger if one block weighs more than 1e4 times another. Of
+             bricks held by loads up to 1000 times their weight, none of 288 was
+             undecided with mu up to 100, and 2 of 96 with mu 1000. A level is
+             undecided only if it depends on an undecided verdict.
+   Brackets  Brackets are at most 2e-6 mean sizes wide (load factor 2e-6, tilt
+             8e-6 rad), in jams up to 50 times as wide, and up to 3e-5 if there
+             are more than 256 blocks and many of them move at once. If more
+             than 64 blocks move at once, the true value may lie anywhere in the
+             bracket.
+   Slow      Structures in which many blocks move at the margin take long:
+             ragged walls, fitted masonry, long arches (tests/BENCH.md).
+   Float     Proofs are weaker (>>tune), and more verdicts near critical are
+             undecided. A deficit is exact to 3e-6 sizes. Above 64 blocks a
+             value is exact to 0.05. If wedges jam, a margin may be wrong by 1/3
+             size. Use coordinates near the origin.
 
    DETERMINISM                                                  >>determinism
 
-   The same input gives the same bits on every machine, if the compiler keeps to
-   IEEE arithmetic:
+   The same input gives the same bits on every machine if the compiler follows
+   IEEE arithmetic. Flags:
 
        -ffp-contract=off     where the target has fused multiply-add (AArch64,
                              PowerPC, s390x, x86 with -mfma). By default gcc
                              contracts in GNU modes, and clang from version 14
-       -fno-tree-vectorize   with gcc as well, where the target has fused
-                             multiply-add for vectors: gcc fuses pairs of
+       -fno-tree-vectorize   also with gcc where the target has fused
+                             multiply-add for vectors, since gcc fuses pairs of
                              products despite the first option. On x86 kern.h
-                             sets this for its own code
+                             sets this option for its own code
        -msse2 -mfpmath=sse   on 32-bit x86
-       never -ffast-math, -Ofast or -funsafe-math-optimizations, not even where
+       never -ffast-math, -Ofast or -funsafe-math-optimizations, not even when
                              the program is linked: they flush small numbers to
                              0
 
-   Only + - * / and square root are used, and they must round as IEEE demands;
-   sums of doubles by libgcc for ARM do not always. tests/golden.c detects wrong
-   flags. */
+   kern uses only + - * / and square root, which must round as IEEE 754
+   requires. Sums of doubles by libgcc for ARM do not always do so.
+   tests/golden.c detects wrong flags. */
 
 /* ==== Part II: Declarations ======================================== >>decl */
 
@@ -450,8 +468,9 @@
 
 #ifdef KERN_SINGLE
 typedef float kern_real;
-/* Names for float. A file compiled in the other precision then fails when it is
-   linked, not when it runs, and one program may hold both precisions. */
+/* Gives public functions other names in float. A file compiled in the other
+   precision then fails when it is linked, not when it runs, and one program may
+   use both precisions. */
 #define kern_bearing kern_bearing_f32
 #define kern_block_init kern_block_init_f32
 #define kern_block_load kern_block_load_f32
@@ -571,16 +590,16 @@ typedef enum kern_status {
 #define KERN_STATUS_NAME(name, value, text) name = value,
     KERN_STATUS_LIST(KERN_STATUS_NAME)
 #undef KERN_STATUS_NAME
-        KERN_STATUS_LEAST = -25 /* the same number */
+        KERN_STATUS_LEAST = -25 /* least value of a status */
 } kern_status;
 
 /* Where the fault of a negative status lies. */
 typedef struct kern_fault {
-    int block;         /* index of a block; -1: none                        */
+    int block;         /* index of the block at fault; -1: none             */
     int other;         /* the other block of an overlap; -1: none           */
     int index;         /* vertex of the polygon or contact point; -1: none  */
     kern_real value;   /* the overlap is at least this deep [m]; 0: none    */
-    kern_real allowed; /* deepest overlap that is a contact [m]; 0: none    */
+    kern_real allowed; /* deepest overlap that is allowed [m]; 0: none      */
 } kern_fault;
 
 /* A force [N] and a counter-clockwise torque [N m] about a centre of mass. */
@@ -593,12 +612,12 @@ typedef struct kern_wrench {
 typedef struct kern_block {
     const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none   */
     int vertices;           /* >= 3; 0 if vertex is NULL; -1: was refused     */
-    int fixed;              /* nonzero: ground, exerts any force needed       */
+    int fixed;              /* nonzero: ground; it bears any force and rests  */
     kern_real area;         /* [m^2], < 0: clockwise; "size": sqrt(|area|)    */
-    kern_box box;           /* of the polygon; read only if it has vertices   */
+    kern_box box;           /* bounds of the polygon; read if it has vertices */
     kern_real mass;         /* [kg] > 0; not read if the block is fixed       */
     kern_vec centre;        /* centre of mass [m]                             */
-    kern_wrench load;       /* acts besides the weight, at the centre         */
+    kern_wrench load;       /* [N], [N m]: added to the weight, at the centre */
 } kern_block;
 
 /* A contact point. Block b feels the force  f n + r t  at p and block a the
@@ -611,7 +630,7 @@ typedef struct kern_contact {
     kern_vec p;       /* place [m]                                        */
     kern_vec n;       /* unit normal from a into b                        */
     kern_real mu;     /* coefficient of friction >= 0                     */
-    kern_real travel; /* along t to the closed kern, signed [m]: >>rules  */
+    kern_real travel; /* signed distance along t to the closed kern [m]   */
 } kern_contact;
 
 /* Two blocks that overlap deeper than the options allow. */
@@ -625,29 +644,31 @@ typedef struct kern_structure {
     const kern_block *block;
     int blocks;
     const kern_contact *contact;
-    int contacts;     /* contact points                                   */
+    int contacts;     /* number of contact points                         */
     kern_vec gravity; /* acceleration [m/s^2], on Earth (0, -9.81)        */
 } kern_structure;
 
-typedef struct kern_options { /* always start from kern_defaults()            */
-    kern_real mu;         /* friction of contacts found from polygons; 0.4    */
+typedef struct kern_options { /* start from kern_defaults(); defaults are 0
+                                 unless a comment names one                   */
+    kern_real mu;         /* friction of contacts that are found; default 0.4 */
     kern_real gap;        /* widest gap that is a contact [m]; 0: 1e-3 of the
                              size of the pair's smaller free block            */
     kern_real angle;      /* widest angle between touching edges [rad], < 0.5;
-                             0.0174533                                        */
-    kern_real epsilon;    /* step of Algorithm 1 [m]; 0: 0.02 mean block size;
-                             relative: a share, 0: 0.05                       */
+                             default 0.0174533                                */
+    kern_real epsilon;    /* step of Algorithm 1 [m; relative: share of the
+                             travel]; 0: 0.02 mean sizes [relative: 0.05]     */
     int relative;         /* nonzero: shrinkage is a share of each travel     */
     int limit;            /* most units of work of one call (>>verdicts);
-                             10,000,000; 0: 2,000,000,000, also the largest   */
+                             default 10,000,000; largest, as 0: 2e9           */
     kern_real overlap;    /* deepest overlap that is a contact [m]; 0: gap    */
     kern_real pose_error; /* standard error of the blocks' places [m] and     */
     kern_real pose_turn;  /* angles [rad]: kern_measured_options(); 0: exact  */
-    kern_real narrow;     /* rate at which friction cones narrow as kerns
-                             shrink [1/m; relative: 1]; 0, see kern_measure() */
-    kern_real reserve;    /* largest that kern_raised() tries, <= 0.1; 0: 0.1 */
-    kern_vec lone;        /* gravity, of any length: a single contact point of
-                             two blocks travels (>>rules); (0, 0): it stays   */
+    kern_real narrow;     /* rate at which friction cones narrow as kerns shrink
+                             [1/m; relative: 1]: kern_measure()               */
+    kern_real reserve;    /* largest push of kern_raised(), <= 0.1; 0: 0.1    */
+    kern_vec lone;        /* direction of gravity, any length: a single contact
+                             point of two blocks travels (>>rules); (0, 0): it
+                             stays                                            */
 } kern_options;
 
 /* The force at a contact point [N], along n and t. */
@@ -659,31 +680,31 @@ typedef struct kern_motion {
     kern_real vx, vy, spin;
 } kern_motion;
 
-/* Where to write the proof: arrays of the caller, each may be NULL. Measures
-   also use them for intermediate results, so after a negative status their
-   contents mean nothing. */
+/* Arrays of the caller for a proof. Each may be NULL. Measures also use these
+   arrays for intermediate results, so after a negative status their contents
+   mean nothing. */
 typedef struct kern_proof {
-    kern_force *force;   /* one a contact point: written with KERN_STANDS    */
-    kern_motion *motion; /* one a block, 0 for fixed ones: with KERN_FALLS   */
+    kern_force *force;   /* one per contact point: written with KERN_STANDS  */
+    kern_motion *motion; /* one per block, 0 for fixed ones: with KERN_FALLS */
 } kern_proof;
 
 typedef struct kern_margin {
-    kern_real margin;  /* d*, the shrinkage up to which it stands [m]      */
-    kern_real holds;   /* largest shrinkage known to stand, proven         */
-    kern_real fails;   /* smallest known to fall, proven; `most`: none     */
+    kern_real margin;  /* d* [m]: it stands at all smaller shrinkages      */
+    kern_real holds;   /* largest shrinkage at which it provably stands    */
+    kern_real fails;   /* smallest at which it provably falls; or `most`   */
     kern_real most;    /* d_max: every kern is closed [m]; relative: 1     */
-    kern_real epsilon; /* step that was used                               */
-    int level;         /* Algorithm 1; -1: a verdict it needs is undecided */
-    int saturated;     /* nonzero: stands with every kern closed           */
+    kern_real epsilon; /* step of Algorithm 1 that was used [m]            */
+    int level;         /* of Algorithm 1; -1: one verdict is undecided     */
+    int saturated;     /* nonzero: it stands even with every kern closed   */
 } kern_margin;
 
-/* An interval of the margin of a measured structure: kern_certain(). In [m],
-   relative: 1. */
+/* Result of kern_certain(): an interval of the margin of a measured structure
+   [m; relative: 1]. */
 typedef struct kern_interval {
-    kern_real low;     /* 0: the structure may fall                       */
-    kern_real high;    /* 0: it falls; KERN_INFINITY: not known           */
-    kern_real settles; /* how far its blocks may move [m]; KERN_INFINITY: not
-                          known, or farther than is allowed */
+    kern_real low;     /* lower end; 0: the structure may fall            */
+    kern_real high;    /* upper end; 0: it falls; KERN_INFINITY: unknown  */
+    kern_real settles; /* how far its blocks may move [m]; KERN_INFINITY:
+                          unknown, or too far                             */
 } kern_interval;
 
 /* Derivatives of the margin with respect to the data of a contact point: its
@@ -703,51 +724,54 @@ typedef struct kern_block_rate {
     kern_wrench load;     /* [m/N], [1/N] */
 } kern_block_rate;
 
-/* What is known of the forces in a structure that stands. */
+/* Result of kern_raised(). */
 typedef enum kern_raising {
-    KERN_NOT_SHOWN, /* neither is shown; this is no proof of falling    */
-    KERN_RAISED,    /* its load raises forces that hold it              */
-    KERN_HANGS      /* some blocks rest on nothing; the others stand
-                       without them                                     */
+    KERN_NOT_SHOWN, /* neither of these; this is no proof of falling    */
+    KERN_RAISED,    /* the load raises forces that hold the structure   */
+    KERN_HANGS      /* some blocks rest on nothing; the others stand without
+                       these                                            */
 } kern_raising;
 
 /* Why a search for forces that the load raises ended (kern_work.end). */
 typedef enum kern_end {
-    KERN_END_NONE,  /* there was no search                            */
-    KERN_END_SHOWN, /* all is shown; of a load: up to its load factor */
-    KERN_END_LOST,  /* no equilibrium was found: blocks run away, or
-                       the search makes no progress                   */
+    KERN_END_NONE,  /* no search has run                              */
+    KERN_END_SHOWN, /* forces were found (kern_raised_load(): up to the load
+                       factor)                                        */
+    KERN_END_LOST,  /* no equilibrium was found: blocks move away, or the search
+                       makes no progress                              */
     KERN_END_WORK   /* a limit of work was reached                    */
 } kern_end;
 
-/* A profile in four numbers: of margins [m] or load factors of free blocks. */
+/* A profile in four numbers. The values are the margins [m] or the load factors
+   of the free blocks. */
 typedef struct kern_collapse {
-    kern_real least; /* the weakest block's: the margin, the load factor */
-    kern_real mean;  /* progressive margin, or progressive load factor   */
-    kern_real weak;  /* mean of the lower half                           */
+    kern_real least; /* smallest value: the margin or the load factor    */
+    kern_real mean;  /* mean value: progressive margin or load factor    */
+    kern_real weak;  /* mean of the lower half of the values             */
     kern_real drop;  /* expected drop: mean of h exp(-value / 0.07), where h is
                              the height of the centre above the lowest block in
-                             mean sizes, at least 0.3; 0 for margins          */
+                             mean sizes, at least 0.3; 0 for margins     */
 } kern_collapse;
 
-/* What a mechanism does at a contact point. */
+/* Motion of the two blocks at a contact point. */
 typedef enum kern_meeting {
-    KERN_RESTS,  /* its blocks move as one, or not at all            */
-    KERN_HINGES, /* its blocks turn about it                         */
-    KERN_SLIDES, /* its blocks slide, and part as sliding does
-                    (dilatancy: >>limits)                            */
-    KERN_OPENS   /* its blocks part                                  */
+    KERN_RESTS,  /* they move as one body, or not at all             */
+    KERN_HINGES, /* they turn relative to each other about the point */
+    KERN_SLIDES, /* they slide, and part at the friction angle (dilatancy:
+                    >>limits)                                        */
+    KERN_OPENS   /* they part                                        */
 } kern_meeting;
 
-/* What limits a measure, and what moves first: kern_critical_of(). The arrays
-   are the caller's, and each may be NULL. */
+/* Result of kern_critical_of(): the contacts that limit a measure, and the
+   blocks that move. The arrays are the caller's, and each may be NULL. */
 typedef struct kern_critical {
-    kern_meeting *meeting; /* one a contact point                             */
-    kern_real *limit;      /* one a contact point: how much it limits, as a
-                             share of the limit of `contact`; up to 1.0001    */
-    int *group;            /* one a block: number of its group, which moves as
-                             one body, 0 the fastest; -1: it rests            */
-    int contact; /* the first point that limits most, to 1e-4; -1: none */
+    kern_meeting *meeting; /* per contact point                               */
+    kern_real *limit;      /* per contact point: how much it limits, as a
+                              share of the limit of point `contact`; up to
+                              1.0001                                          */
+    int *group;            /* per block: its group, which moves as one body;
+                              0: the fastest; -1: the block rests             */
+    int contact; /* first point of the largest limit (to 1e-4); -1: none     */
     int groups;  /* number of groups; 0 if `group` is NULL              */
 } kern_critical;
 
@@ -758,41 +782,43 @@ typedef struct kern_work {
     int *index;
     int indices; /* KERN_INTS(blocks, contacts)                      */
     /* counters: the library adds to them, the caller may set them to 0       */
-    int pivots;       /* of all linear programs                           */
-    int solves;       /* top-down passes and linear programs              */
-    int units;        /* work of the last call, of a plan's question without
-                             the search for contacts; limit + 1 after
-                             KERN_LIMIT                                     */
-    kern_real error;  /* largest error of a proof / allowed error: <= 1   */
-    kern_fault fault; /* of the last call with a negative status          */
-    kern_end end;     /* of the last call that searched for raised forces */
+    int pivots;       /* pivots of the simplex method                     */
+    int solves;       /* top-down passes and linear programs solved       */
+    int units;        /* work of the last call, without a plan's search for
+                         contacts; limit + 1 after KERN_LIMIT             */
+    kern_real error;  /* largest error of a proof, as a share of the allowed
+                         error: <= 1                                      */
+    kern_fault fault; /* fault of the last call with a negative status    */
+    kern_end end;     /* why the last search for raised forces ended      */
 } kern_work;
 
-/* Warm start: what kern_measure() remembers of a structure for the next
-   question about a similar one. Measures use the bracket and the motion. The
-   questions of a plan and kern_stays() use the forces, too. The caller provides
-   both arrays or none. Their contents are verified before use: they change the
-   time of an answer, not the answer. */
+/* Warm start: results of kern_measure() that speed up the next call for a
+   similar structure. Measures use the bracket and the motion. kern_plan_*() and
+   kern_stays() also use the forces. The caller provides both arrays or neither.
+   Their contents are verified before use: they change the time of an answer,
+   not the answer. */
 typedef struct kern_known {
-    kern_motion *motion; /* one a block: the mechanism at `fails`            */
-    kern_force *force;   /* one a contact point: forces at `holds`          */
-    kern_real holds, margin, fails; /* of the last measure; fails 0: none   */
+    kern_motion *motion; /* per block: the mechanism at `fails`              */
+    kern_force *force;   /* one per contact point: forces at `holds`        */
+    kern_real holds, margin, fails; /* of the last kern_measure(); fails = 0:
+                                       none                                   */
 } kern_known;
 
-/* What a call needs: kern_task_of(). Fields may be changed between calls. */
+/* Arguments of a call, from kern_task_of(). Fields may be changed between
+   calls. */
 typedef struct kern_task {
     kern_structure s;
     kern_options options; /* kern_defaults()                                  */
     kern_work *work;      /* not NULL                                         */
-    kern_known known;     /* arrays NULL: nothing is remembered               */
+    kern_known known;     /* warm start; arrays NULL: none                    */
 } kern_task;
 
 /* A structure that a planner changes by one block at a time: kern_plan_of().
    Set task.options and task.s.gravity before you add blocks. You may append
    contacts of your own to contact[task.s.contacts]. */
 typedef struct kern_plan {
-    kern_task task;    /* the structure as it is now                       */
-    kern_block *block; /* arrays of the caller, which task.s reads         */
+    kern_task task;    /* the present structure                            */
+    kern_block *block; /* the caller's array, which task.s reads           */
     int block_room;
     kern_contact *contact;
     int contact_room;
@@ -800,25 +826,25 @@ typedef struct kern_plan {
 
 /* Where a stone comes to rest: kern_rest(). */
 typedef struct kern_pose {
-    kern_block block; /* the stone there, with its own vertices        */
-    kern_vec turn;    /* cosine and sine of its turn                   */
+    kern_block block; /* the stone at rest, with vertices of its own   */
+    kern_vec turn;    /* cosine and sine of the angle of its turn      */
     int motions;      /* number of motions, the first one downward     */
 } kern_pose;
 
 /* A place for a stone, and the numbers by which kern_place_compare() ranks it.
    A number that was not computed must be the same in all places, such as 0. */
 typedef struct kern_place {
-    kern_real stays;   /* chance that it stays: kern_plan_stays()         */
-    kern_real margin;  /* of the structure with it: kern_plan_try()       */
+    kern_real stays;   /* chance that the stone stays: kern_plan_stays()  */
+    kern_real margin;  /* margin with the stone added: kern_plan_try()    */
     kern_real own;     /* the stone's value in a profile: kern_profile()  */
     kern_real load;    /* the least load factor: kern_load_factor()       */
-    kern_real x, turn; /* the place itself, in any units                  */
+    kern_real x, turn; /* the stone's position and angle, in any units    */
 } kern_place;
 
 /* Sides of a horizontal load or tilt: right is +x for gravity (0, -9.81). */
 typedef enum kern_side {
     KERN_LEFT = -1,
-    KERN_SHRINK = 0, /* no load, kerns shrink: for kern_profile() alone  */
+    KERN_SHRINK = 0, /* only for kern_profile(): kerns shrink, no load   */
     KERN_RIGHT = 1
 } kern_side;
 
@@ -826,8 +852,8 @@ typedef enum kern_side {
 typedef struct kern_lp {
     int rows, cols;
     const kern_real *a;    /* rows x cols, column by column                   */
-    const kern_real *rhs;  /* one a row                                       */
-    const kern_real *cost; /* one a column; NULL: any solution will do        */
+    const kern_real *rhs;  /* one per row                                     */
+    const kern_real *cost; /* one per column; NULL: any solution will do      */
     int limit;             /* most units of work, as in kern_options          */
 } kern_lp;
 /* Infinity. Other compilers than gcc and clang compute it by a product that
@@ -875,44 +901,47 @@ typedef struct kern_lp {
    return KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000, contacts up to
    1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL, _SHARE (a relative
    shrinkage above 1), KERN_SAME_BLOCK, KERN_NO_BLOCK, KERN_NO_AREA,
-   KERN_NO_FREE, KERN_NO_LOAD and KERN_LIMIT. If the number of contacts is below
-   -1 it is a status of kern_contacts(), which every function returns, with its
-   fault. After KERN_LIMIT a measure is the largest value proven to stand so
-   far, or negative if there is none.
+   KERN_NO_FREE, KERN_NO_LOAD and KERN_LIMIT. A number of contacts below -1 is a
+   status of kern_contacts(): every function returns it and keeps its fault.
+   After KERN_LIMIT a measure is the largest value at which the structure is
+   proven to stand so far, or negative if there is none.
 
    Numbers that cannot be squared or multiplied safely are refused, and the
    fault names the block. With F = 1e60 (float: 1e10) the bounds are
      KERN_BAD_MASS    a mass outside [1 / F, F] [kg]
      KERN_NO_AREA     an area below 1 / F^2 [m^2]
      KERN_BAD_NUMBER  an area above F^2 [m^2]; an option, vertex, centre, place
-                      or travel above F [m]; a wrench of a pattern above F;
-                      weight and load of a block together above F [N], or
-                      below 1 / F [N] and not 0 */
+                      or travel above F [m]; a wrench of a pattern above F; the
+                      sum of weight and load of a block above F [N], or below 1
+                      / F [N] and not 0 */
 
-/* Returns the meaning of a status in words, also of a negative count. */
+/* Returns the meaning of a status in words. A negative count is a status,
+   too. */
 KERN_API const char *kern_status_text(int status);
 
-/* Returns the defaults that stand beside each field of kern_options. */
+/* Returns the default options. The comments of kern_options name them. */
 KERN_API kern_options kern_defaults(void);
 
-/* Returns *options (NULL: the defaults) that also find contacts which a little
-   rocking closes: gap at least 4 % of the mean size [m], angle at least 0.15
-   rad. */
+/* Returns *options (NULL: the defaults) with a gap of at least 4 % of the mean
+   size [m] and an angle of at least 0.15 rad. With these options
+   kern_contacts() also finds contacts that a slight rocking motion would
+   close. */
 KERN_API kern_options kern_near(const kern_options *options,
                                 kern_real mean_size);
 
 /* Returns options for measured structures (>>measured), from *options (NULL:
    the defaults). e is the standard error of a stone's place [m], theta that of
-   its angle [rad]. The vertices are taken to be exact to e / 2 within their
-   stone. Sets
+   its angle [rad]. The vertices are assumed to be exact to e / 2 relative to
+   their stone. Sets
      gap      5.25 e, to which 1e-3 of the size is added. At a contact at
               distances r_a and r_b from the centres of its blocks the gap g
               becomes sqrt(g^2 + (3.5 theta)^2 (r_a^2 + r_b^2)) (>>tol)
      angle    7 theta, at least 1 degree and below 0.5. A corner may lie 3 e
               beyond the end of an edge
      overlap  8 e, and 3.5 theta r for r the diagonal of the smaller box;
-              contacts lie at half the depth, inside both blocks: none goes
-              through a part that is thinner. Set it higher to accept more
+              contacts lie at half the depth, inside both blocks, and none goes
+              through a part of a block that is thinner. A larger value accepts
+              deeper overlaps
    Verdicts are then those of the structure as it most likely rests. Every call
    refuses these options (KERN_BAD_OPTION) unless e > 0 and theta >= 0. */
 KERN_API kern_options kern_measured_options(const kern_options *options,
@@ -922,7 +951,8 @@ KERN_API kern_options kern_measured_options(const kern_options *options,
 KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
                                 int indices);
 
-/* Writes KERN_REALS and KERN_INTS at run time; 0 if a count is out of range. */
+/* Writes KERN_REALS and KERN_INTS, computed at run time. Writes 0 if a count is
+   out of range. */
 KERN_API void kern_work_need(int blocks, int contacts, int *reals,
                              int *indices);
 
@@ -930,40 +960,41 @@ KERN_API void kern_work_need(int blocks, int contacts, int *reals,
 
 /* Fills a block from a simple polygon, convex or not, turning either way: area,
    box, centroid, mass = density * |area| with the density in kg/m^2, no load.
-   The vertices stay the caller's and must live as long as the block. After they
-   have moved, call this again. fault may be NULL; its index is the vertex. A
-   failed call leaves no block, and other calls return KERN_NO_BLOCK for it.
-   Errors, by the bounds above: KERN_FEW_VERTICES, KERN_BAD_COUNT (above
-   1,000,000), KERN_BAD_NUMBER, KERN_NO_AREA, KERN_CROSSING (also if the last
-   vertex repeats the first, as in closed rings of other formats), KERN_BAD_MASS
-   (also a density not above 0). Time: O(n) for n vertices of a convex polygon;
-   otherwise O(n^2) tests of boxes. */
+   The block points to the caller's vertices, which must live as long as the
+   block. If the vertices move, call this function again. fault may be NULL; its
+   index is the vertex. After a failed call other functions refuse the block
+   with KERN_NO_BLOCK. Errors, by the bounds above: KERN_FEW_VERTICES,
+   KERN_BAD_COUNT (above 1,000,000), KERN_BAD_NUMBER, KERN_NO_AREA,
+   KERN_CROSSING (also if the last vertex repeats the first, as in closed rings
+   of other formats), KERN_BAD_MASS (also a density not above 0). Time: O(n) for
+   n vertices of a convex polygon; otherwise O(n^2) tests of boxes. */
 KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
                                      int vertices, kern_real density,
                                      kern_fault *fault);
 
-/* Fills a fixed block, as kern_block_init(): ground, a wall, a support. */
+/* Fills a fixed block, such as ground, a wall or a support. Errors are those of
+   kern_block_init(). */
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
                                       int vertices, kern_fault *fault);
 
 /* Simplifies a closed outline, such as one from an image: leaves out vertices
    while none is farther than the tolerance [m] from the edge that replaces it
-   (Douglas and Peucker 1973). A step lower than the tolerance goes, unless one
-   of its vertices is the farthest for another reason. A step higher than twice
-   the tolerance stays. Corners where the outline turns and then continues
-   follow the same rule.
+   (Douglas and Peucker 1973). A step lower than the tolerance is removed,
+   unless one of its vertices is the farthest from a longer edge. A step higher
+   than twice the tolerance is kept. Corners follow the same rule.
    Writes the vertices that stay to out[0..room), beginning with the one
    farthest from the centroid, and their indices in `vertex` to kept[0..room).
-   Returns how many there are, which is the least `room` that is enough. They
-   are a simple polygon, ready for kern_block_init(): if edges would cross, the
-   tolerance is halved, up to eight times, and then set to 0. The result does
-   not depend on the vertex with which the outline begins. If two vertices are
-   equally far, a mirrored or turned outline may keep the other one. `vertex`
-   may touch or cross itself. It must not overlap `out`.
+   Returns the number of these vertices, which is the least `room` that is
+   enough. They form a simple polygon, ready for kern_block_init(): if edges
+   would cross, the tolerance is halved, up to eight times, and then set to 0.
+   The result does not depend on the vertex with which the outline begins. If
+   two vertices are equally far from an edge, a mirrored or turned outline may
+   keep the other one. `vertex` may touch or cross itself. `vertex` must not
+   overlap `out`.
    Errors: KERN_NO_SPACE, KERN_FEW_VERTICES, KERN_NO_AREA or KERN_CROSSING (no
    polygon remains; out means nothing), KERN_BAD_COUNT (above 1,000,000),
    KERN_BAD_POINTER, KERN_BAD_NUMBER, KERN_BAD_OPTION (the tolerance is negative
-   or not a number). Time: O(n) for each level of halving, about log n; at worst
+   or not a number). Time: O(n log n) for most outlines of n vertices; at worst
    O(n) for each vertex that stays. */
 KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
                                    kern_real tolerance, kern_vec *out,
@@ -982,204 +1013,213 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
 
 /* Finds the contacts between all blocks (>>rules) and writes them to
    out[0..room): those of block 1 with block 0, of block 2 with 0 and with 1,
-   and so on. A block without vertices has none. Returns how many contact points
-   there are. Errors: KERN_NO_SPACE (out means nothing; the search itself needs
-   about seven points for each short edge of an outline), KERN_OVERLAP (the
-   first pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
+   and so on. A block without vertices has no contacts. Returns how many contact
+   points there are. Errors: KERN_NO_SPACE (out means nothing; the search itself
+   needs about seven points for each short edge of an outline), KERN_OVERLAP
+   (the first pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
    KERN_FEW_VERTICES, KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the block's
    vertices have moved, or their array was used for another block), KERN_LIMIT
    (vertices that are only read are not counted). Uses only the fault and the
    units of the work memory. Time: one test of boxes for each pair of blocks.
-   Where two blocks meet, a few products for each pair of close edges, or tens
-   if no edge separates the blocks. At worst, as for two saws, the square of
-   the edges and contacts of a pair. */
+   Blocks that meet take a few products for each pair of close edges, or tens of
+   products if no edge separates the blocks. The worst case, as of two saws,
+   takes the square of the edges and contacts of a pair. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
                            int room, kern_work *work);
 
-/* Writes the pairs of blocks that overlap too deeply for a contact to
-   out[0..room). Returns how many pairs there are, which may be more than room,
-   or a negative status as kern_contacts(). */
+/* Finds the pairs of blocks that overlap too deeply to be in contact, and
+   writes them to out[0..room). Returns how many pairs there are, which may be
+   more than room, or a negative status as kern_contacts(). */
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work);
 
-/* Finds the stretches of the contacts, from which kern_bearing() tells which
-   lengths of contact the structure needs. It works as kern_contacts() with two
-   differences. A hollow wider than the gap divides a line: a block on two feet
-   has one contact, as wide as the feet are apart, but two stretches. Contacts
-   with any fixed block are written as contacts with the first of these, so that
-   cutting a fixed block in two changes nothing. Compute margins with
-   kern_contacts(). Time: also O(C) for each interface of points and, with
-   several fixed blocks, for each contact. */
+/* Finds the stretches of the contacts: contacts that are divided at hollows.
+   From these kern_bearing() computes which lengths of contact the structure
+   needs. kern_stretches() works as kern_contacts(), with two differences. A
+   hollow wider than the gap divides a line: a block on two feet has one contact
+   from the outer end of one foot to that of the other, but two stretches.
+   Contacts with any fixed block are written as contacts with the first of
+   these, so that cutting a fixed block in two changes nothing. For margins use
+   kern_contacts() instead. Time: that of kern_contacts(), plus O(C) for each
+   interface of points and, with several fixed blocks, for each contact. */
 KERN_API int kern_stretches(const kern_block *block, int blocks,
                             const kern_options *options, kern_contact *out,
                             int room, kern_work *work);
 
-/* Finds the contacts of block b with the blocks before it: those of
-   kern_contacts(), unless a later block lies so far out that the rounding of
-   its coordinates counts. Returns the same as kern_contacts(); it finds
-   KERN_STALE for block b and the blocks that it may touch. With options.lone,
-   only these contacts count as carrying a block. Time: O(b) tests of boxes, and
-   for blocks that meet as kern_contacts(). */
+/* Finds the contacts of block b with the blocks of lower index. These contacts
+   equal those of kern_contacts(), unless a later block lies so far out that the
+   rounding of its coordinates matters. Return values are those of
+   kern_contacts(). KERN_STALE is found only for block b and the blocks that it
+   may touch. With options.lone, only these contacts count as carrying a block.
+   Time: O(b) tests of boxes, and for blocks that meet as kern_contacts(). */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options, kern_contact *out,
                         int room, kern_work *work);
 
-/* Makes a contact of the caller's own. *out has a, b, p, mu and the normal n,
-   from a into b and of any length. The contact goes from p to q; if q equals p
-   it is the point p. Writes one or two contact points to out and returns how
-   many. Errors: KERN_SAME_BLOCK, KERN_BAD_BLOCK (a negative index),
-   KERN_BAD_NUMBER, KERN_BAD_FRICTION, KERN_BAD_NORMAL (no length),
-   KERN_BAD_LINE (p to q leaves the tangent by more than options->angle),
-   KERN_BAD_OPTION. When all contacts are made, call kern_contact_travels(). */
+/* Makes a contact that the caller defines. Set a, b, p, mu and the normal n in
+   *out first; n points from a into b and may have any length. The contact is
+   the line from p to q, or the point p if q equals p. Writes one or two contact
+   points to out and returns how many. Errors: KERN_SAME_BLOCK, KERN_BAD_BLOCK
+   (a negative index), KERN_BAD_NUMBER, KERN_BAD_FRICTION, KERN_BAD_NORMAL (no
+   length), KERN_BAD_LINE (p to q leaves the tangent by more than
+   options->angle), KERN_BAD_OPTION. When all contacts are made, call
+   kern_contact_travels(). */
 KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
                                const kern_options *options);
 
 /* Sets the travel of every contact point (>>rules). The travel of a point
-   depends on the other points of its interface, those between the same two
-   blocks in either order. NULL is allowed and does nothing. Time: O(C) times
-   the number of points, for each run of points of one interface. */
+   depends on the other points of its interface, which are the points between
+   the same two blocks, in either order. Does nothing if `contact` is NULL.
+   Time: O(C) times the number of points, for each run of points of one
+   interface. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
-/* Returns the place at which a contact point acts at a shrinkage [m], or at a
-   growth if it is negative. relative: `shrink` is a share, and from 1 on the
-   point acts at the middle. Returns the origin for NULL. */
+/* Returns the place at which a contact point acts at a shrinkage [m]. A
+   negative shrinkage is a growth. If `relative` is nonzero, `shrink` is a share
+   of the travel, and at 1 and above the point acts at the middle. Returns the
+   origin for NULL. */
 KERN_API kern_vec kern_contact_at(const kern_contact *contact, kern_real shrink,
                                   int relative);
 
 /* -- verdicts and measures -- */
-/* `shrink` is the length [m] by which kerns are shrunk (relative: a share, at
-   most 1). If it is negative they grow. proof may be NULL. */
+/* `shrink` is the length [m] by which kerns are shrunk (options.relative: a
+   share of their travel, at most 1). If it is negative, kerns grow. `proof` may
+   be NULL. */
 
-/* Returns a task with gravity (0, -9.81), kern_defaults() and nothing known. */
+/* Returns a task with gravity (0, -9.81), kern_defaults() and no warm start. */
 KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
                                 const kern_contact *contact, int contacts,
                                 kern_work *work);
 
-/* Returns what task.known needs: two arrays for a warm start, as long as the
-   structure will be. */
+/* Returns a warm start for task.known, still empty. The arrays have room for
+   one motion of each block and one force of each contact point. */
 KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 
 /* Returns whether the structure stands: KERN_STANDS, KERN_FALLS or
    KERN_UNDECIDED. Time: O(B + C) if forces can be passed on from the top down,
-   as in most walls. Otherwise a pivot takes C plus the entries of the factors
-   (>>lp), which are at most B^2. */
+   as in most walls. Otherwise each pivot takes O(C + F) for F entries of the
+   factors (>>lp), F at most B^2. */
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
-/* Writes the interval of the margin of a measured structure, from the error e
-   and the angle theta in its options. Returns the verdict that is certain:
-   KERN_STANDS, KERN_FALLS (it falls with all contacts and friction that `high`
-   allows), or KERN_OK if neither is certain. `margin` is that of
-   kern_measure(), 0 where it falls.
+/* Computes an interval for the margin of a measured structure, from the errors
+   e and theta in its options. Returns the verdict that is certain: KERN_STANDS,
+   KERN_FALLS (it falls even with all contacts and friction that `high` allows),
+   or KERN_OK if neither is certain. Pass the `margin` of kern_measure(), or 0
+   if the structure falls.
      low      The least of `margin` and of two margins on the contact points
               that are closed after the blocks have settled: with every other
-              stretch open by 3 e, then with the other half. It is divided by 1
-              + 200 e / size, or if e is below 0.005 mean sizes by 1 + 40,000 (e
-              / size)^2. It is 0 if the structure may fall. The true margin is
-              above it in about 94 of 100 cases of what stands, in 60 to 73 of
-              stones put where they move. It tends to `margin` as e tends to 0.
+              stretch open by 3 e, then with the other half. `low` is divided by
+              1 + 200 e / size, or if e is below 0.005 mean sizes by 1 + 40,000
+              (e / size)^2. `low` is 0 if the structure may fall. The true
+              margin is above `low` for about 94 of 100 structures that stand,
+              and for 60 to 73 of 100 stones placed where they move. `low` tends
+              to `margin` as e tends to 0.
      high     The margin with kerns that are longer by 3.5 e and friction angles
               that are larger by 3 theta, at least `margin`. If `margin` is 0,
               edges and corners within gaps and angles of twice the error carry
               as well.
-     settles  If it certainly stands: how far its blocks may move [m]. Three
-              tests must pass. It stands on stretches (kern_stretches()) at
-              least 5 e long, or that far inside their edge, with kerns shorter
-              by 3.5 e and friction angles smaller by 3 theta. It comes to rest
-              with every third stretch, each third in turn, open by the gap of
-              the options and 1.75 theta sizes, and no contact that presses
-              becomes shorter by half. And it stands on the stretches that are
-              closed then. `settles` is 1.5 times the longest of these motions,
-              at most 0.45 mean sizes. KERN_INFINITY: it does not pass.
-   KERN_STANDS: out->low is above 0 and out->settles is finite. A structure that
-   stands by forces on the contacts of the task never falls for certain.
-   What it does not see: settling has no inertia, so a block may rock from one
-   support to another. A slender block (4 to 12 times as high as its bed is
-   wide) that lacks support by 2 to 8 e under half of its bed may topple
-   although it certainly stands. Where more than a third of the stretches of a
-   block have gaps that were measured, as a comb with three teeth of five in the
-   air, `settles` tells too little.
+     settles  How far the blocks may move [m], if the structure certainly
+              stands. Three tests must pass. First, the structure stands on
+              stretches (kern_stretches()) at least 5 e long, or that far inside
+              their edge, with kerns shorter by 3.5 e and friction angles
+              smaller by 3 theta. Second, it comes to rest with every third
+              stretch, each third in turn, open by the gap of the options plus
+              1.75 theta sizes, and no contact that presses becomes shorter by
+              half. Third, it stands on the stretches that are closed then.
+              `settles` is 1.5 times the longest of these motions, at most 0.45
+              mean sizes. If a test fails, `settles` is KERN_INFINITY.
+   KERN_STANDS: out->low is above 0 and out->settles is finite. KERN_FALLS is
+   never returned if forces on the contacts of the task hold the structure.
+   Limits: settling has no inertia, so a block may rock from one support to
+   another. A slender block (4 to 12 times as high as its bed is wide) that
+   lacks support by 2 to 8 e under half of its bed may topple although it
+   certainly stands. If more than a third of the stretches of a block are
+   measured with gaps, as under a comb with three of its five teeth in the air,
+   `settles` is too small.
    The order of blocks and contacts does not matter, except for contacts of
-   exactly the same height and place. Errors are absolute in relative mode too.
-   contact[0..room) receives the contacts for `high`; the work memory is for
-   `room` contact points. Errors: those of kern_contacts() and kern_measure(),
-   KERN_BAD_OPTION also if the options are not those of kern_measured_options().
-   *out then means nothing; after KERN_LIMIT, which counts the whole call, it
-   has the ends proven so far.
+   exactly the same height and place. e and theta are absolute even with
+   options.relative. contact[0..room) receives the contacts for `high`. The work
+   memory must be long enough for `room` contact points. Errors: those of
+   kern_contacts() and kern_measure(), KERN_BAD_OPTION also if the options are
+   not those of kern_measured_options(). After an error *out means nothing.
+   After KERN_LIMIT, which limits the work of the whole call, *out has the ends
+   proven so far.
    Time: four searches for contacts, six margins or verdicts, and five settlings
-   of at most 7,200 visits of every contact point. In the median, settled
-   structures that stand take 24 times as long as kern_measure() at errors of 2
-   % of the mean size, and 86 times at 0.2 %. */
+   of at most 7,200 visits of every contact point. For settled structures that
+   stand, the median time is 24 times that of kern_measure() at errors of 2 % of
+   the mean size, and 86 times at 0.2 %. */
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
                                   int room);
 
-/* Finds whether the load, put on contacts without stress, raises forces that
-   hold the structure. Blocks approach wherever a force acts, stick where there
-   is friction to spare, and otherwise slide against the friction. If loads that
-   act at once show nothing, they grow from 0, as in kern_raised_load().
-   KERN_STANDS: writes *out and both arrays of the proof, which passes
-   kern_check_raised() (for KERN_NOT_SHOWN only forces). KERN_FALLS: the motion
-   is that of kern_verdict(), and *out is as it was.
+/* Finds whether the load, applied to unstressed contacts, raises forces that
+   hold the structure. At every contact with a force the two blocks approach. If
+   the force is inside the friction cone the contact sticks, and otherwise it
+   slides against the friction. If no such forces are found for the whole load
+   at once, the load grows from 0, as in kern_raised_load(). KERN_STANDS: writes
+   *out and both arrays of the proof, which passes kern_check_raised(). For
+   KERN_NOT_SHOWN it writes only the forces. KERN_FALLS: the motion is that of
+   kern_verdict(), and *out is unchanged.
    *reserve (may be NULL) is the largest of the shares of gravity 0, .001 ...
    .005, .0055, .006, .007, .008, .01, .015, .02, .03, .05 and .1 for which the
    structure stays raised under a push of that share to either side, with kerns
-   shrunk further by that share of the mean size (relative: by that share). It
-   is 0 where the structure is not raised. Shares above options.reserve are not
-   tried. KERN_BAD_OPTION: a reserve without gravity. work->end tells why the
-   search without a push ended. KERN_NO_SPACE also if a structure is much wider
-   than a wall of squares. Time: 3 margins in the mean of 969 walls; with the
-   reserve 6. */
+   shrunk further by that share of the mean size (relative: by that share).
+   *reserve is 0 if the structure is not raised. Shares above options.reserve
+   are not tried. KERN_BAD_OPTION: `reserve` is not NULL, but there is no
+   gravity. work->end tells why the search without a push ended. KERN_NO_SPACE
+   also if a structure is much wider than a wall of squares. Time: 3 times that
+   of kern_measure() in the mean of 969 walls, 6 times with the reserve. */
 KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof);
 
-/* Computes the chance that block i, placed last, stays where it is released. It
-   follows from statics by a law fitted to placements (>>measures). Blocks more
-   than four contacts away from block i are held. Then
+/* Computes the chance that block i, placed last, stays where it is released.
+   The chance follows from statics by a law fitted to placements (>>measures).
+   Blocks more than four contacts away from block i are held. Then
        chance = .05 + .95 odds / (1 + odds),    odds = (5.5e7 r^3 / s)^2
        r = min(reserve, .01) + .004
        s = max(1, displacement of block i that raises the forces), where the
            mean weight is 1 and the stiffness of a contact point is .1 plus,
-           at the end of a line, its travel in mean sizes. A turn counts by
-           half the size of the block
-   This is a chance among placements like those of the fit, of which 630 stay
-   and 205 move (tests/TRUST.md): most are close to falling. Of the places that
-   stand and that a planner draws at random, more stay than the chance says.
-   KERN_STANDS: writes *chance, from .05 to 1, or 0 if some block hangs.
-   KERN_FALLS: *chance is as it was. KERN_BAD_BLOCK: i is no free block.
-   KERN_BAD_OPTION: no gravity. Time: that of 3 kern_plan_try() in the median,
-   with the known forces of a plan. */
+           at the end of a line, its travel in mean sizes. A turn counts as a
+           displacement of turn times half the size of the block
+   The law was fitted to 835 placements, most of them close to falling: 630 stay
+   and 205 move (tests/TRUST.md). Among places that a planner draws at random
+   and that stand, more stay than the chance says. KERN_STANDS: writes *chance,
+   from .05 to 1, or 0 if some block hangs. KERN_FALLS: *chance is unchanged.
+   KERN_BAD_BLOCK: i is no free block. KERN_BAD_OPTION: no gravity. Time: that
+   of 3 kern_plan_try() in the median, with the known forces of a plan. */
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance);
 
 /* Finds whether the structure stays when all blocks are released at once, from
-   rest, in the given poses. This is the question for a finished structure.
-     KERN_STANDS     It stays: its load raises forces that hold it. Both arrays
-                     of the proof pass kern_check_raised() as KERN_RAISED. A
-                     pencil on its tip stays, too: ask kern_raised() for a
+   rest, in the given poses. Use kern_let_go() for a finished structure.
+     KERN_STANDS     It stays: its load raises forces that hold it. The proof
+                     passes kern_check_raised() as KERN_RAISED. A pencil on its
+                     tip counts as staying, too: kern_raised() computes its
                      reserve.
-     KERN_FALLS      It moves by proof->motion, which passes
-                     kern_check_motion() or, if blocks hang,
-                     kern_check_raised() as KERN_HANGS.
+     KERN_FALLS      It moves, by proof->motion. This motion passes
+                     kern_check_motion() or, if blocks hang, kern_check_raised()
+                     as KERN_HANGS.
      KERN_UNDECIDED  Neither is shown; work->end tells why.
-   *how (may be NULL) is KERN_HANGS where blocks hang, KERN_RAISED where it
-   stays and KERN_NOT_SHOWN elsewhere. To find the least friction with which it
-   stays, bisect options.mu, finding the contacts again; to find its tilt,
-   bisect the angle of s.gravity. Begin at a value at which it stays. The least
-   friction is not below that of the verdict, and the tilt is not above it.
-   Time: that of kern_raised(). */
+   *how (may be NULL) is KERN_HANGS if blocks hang, KERN_RAISED if the structure
+   stays, and otherwise KERN_NOT_SHOWN. To find the least friction with which
+   the structure stays, bisect options.mu, finding the contacts again at each
+   step. To find its tilt, bisect the angle of s.gravity. Begin the bisection at
+   a value at which the structure stays. The least friction is not below that of
+   the verdict, and the tilt is not above it. Time: that of kern_raised(). */
 KERN_API kern_status kern_let_go(const kern_task *task, kern_raising *how,
                                  const kern_proof *proof);
 
 /* Computes the minimum-norm forces (>>measures): of all forces that hold the
    structure, those with the least sum of f^2 + (r / mu)^2 over the contact
    points. KERN_STANDS: writes force[0..contacts), which pass the check of a
-   proof. KERN_UNDECIDED: there are no such forces, as kern_verdict() tells, or
-   none so exact, as where jams are critical or sizes differ by 1e4.
-   KERN_NO_SPACE as in kern_raised(). Time: 1/3 of a margin. */
+   proof. KERN_UNDECIDED: no such forces exist (see kern_verdict()), or none as
+   exact as a proof requires, as in critical jams or where sizes differ by 1e4.
+   KERN_NO_SPACE as in kern_raised(). Time: a third of that of
+   kern_measure(). */
 KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                                  kern_force *force);
 
@@ -1188,106 +1228,113 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                     out->holds, with its kerns shrunk. proof->motion moves it at
                     out->fails (not written if the margin is saturated).
      KERN_FALLS     level, margin, holds, fails and saturated are 0; most and
-                    epsilon are set. proof->motion says how it falls.
+                    epsilon are set. proof->motion is the mechanism.
      KERN_LIMIT     level is -1, saturated 0. margin and holds are the largest
                     shrinkage proven to stand, or -1 if there is none yet. fails
-                    is the smallest proven to fall, or `most`. If the input was
-                    not read fails, most and epsilon are infinite. The proof
-                    means nothing.
-     KERN_UNDECIDED As for KERN_LIMIT: no verdict between these two is proven.
-     KERN_BAD_STEP  *out is kept: most / epsilon > 1,000,000.
-   How wide [holds, fails] may be: >>limits. The level is proven with the margin
-   if kerns are nested, otherwise by a proof of each step.
-   options.narrow = k: in every question about kerns shrunk by d > 0, friction
-   mu is max(0, (mu - k d) / (1 + mu k d)), the tangent of its angle less atan(k
-   d). A robot that places stones within e and theta sets k = tan(theta) / (2
-   e). Then margin / (2 e) is how many times its own error the structure bears;
-   a measure, not a bound. If k is so large that kerns hardly shrink, this mu at
-   the margin is the least friction with which the structure stands.
-   Warm start: the search begins from task->known and remembers its result
-   there. After KERN_UNDECIDED and KERN_LIMIT nothing is known any longer. */
+                    is the smallest shrinkage proven to fall, or `most`. If the
+                    limit ended the call before it read the input, then fails,
+                    most and epsilon are infinite. The proof means nothing.
+     KERN_UNDECIDED As for KERN_LIMIT. No verdict between holds and fails is
+     proven. KERN_BAD_STEP most / epsilon > 1,000,000. *out is unchanged.
+   The width of [holds, fails] is given in >>limits. If kerns are nested, the
+   proofs of the margin also prove the level. Otherwise each step has a proof of
+   its own.
+   If options.narrow = k, a shrinkage d > 0 also reduces friction from mu to
+   max(0, (mu - k d) / (1 + mu k d)), the tangent of the friction angle minus
+   atan(k d). A robot that places stones within e and theta sets k = tan(theta)
+   / (2 e). Then margin / (2 e) estimates, but does not bound, how many times
+   the error e the structure can bear. If k is so large that kerns hardly
+   shrink, the reduced friction at the margin is the least friction with which
+   the structure stands. Warm start: the search begins from task->known and
+   remembers its result there. After KERN_UNDECIDED and KERN_LIMIT task->known
+   is empty. */
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
                                   const kern_proof *proof);
 
-/* Computes how the margin depends on every contact point and block, from the
-   proof that kern_measure() wrote, into contact[0..contacts) and
-   block[0..blocks). It is the derivative of the margin if one mechanism alone
-   is critical, the contacts stay and no kern that carries is about to close.
-   Otherwise it is that of the mechanism of the proof. If corners of two blocks
-   lie together at the end of a contact, either is taken to move it. The travel
-   of single points (options.lone) is taken to stay. options.narrow must be 0.
-   Returns KERN_OK, or KERN_UNDECIDED if the margin is saturated or does not
-   change. Time: O(B + C), 0.03 of that of the margin. */
+/* Computes the derivatives of the margin with respect to every contact point
+   and block, from the proof that kern_measure() wrote. Writes them to
+   contact[0..contacts) and block[0..blocks). The derivatives are exact if only
+   one mechanism is critical, the contacts stay the same and no kern that
+   carries is about to close. Otherwise the derivatives hold only for the
+   mechanism of the proof. If corners of two blocks coincide at the end of a
+   contact, either corner moves the end. The travel of single points
+   (options.lone) is treated as constant. options.narrow must be 0. Returns
+   KERN_OK, or KERN_UNDECIDED if the margin is saturated or does not change.
+   Time: O(B + C), 0.03 of that of kern_measure(). */
 KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       const kern_margin *margin,
                                       const kern_proof *proof,
                                       kern_contact_rate *contact,
                                       kern_block_rate *block);
 
-/* Computes the deficit (>>rules) [m; relative: 1]. KERN_STANDS: it is 0.
-   KERN_FALLS: *deficit is written. KERN_LIMIT: *deficit is a lower bound, -1 if
-   the structure is not proven to fall yet. */
+/* Computes the deficit (>>rules) [m; relative: 1]. KERN_STANDS: *deficit is 0.
+   KERN_FALLS: *deficit is written. KERN_LIMIT: *deficit is a lower bound, or -1
+   if the structure is not proven to fall yet. */
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 
 /* Computes the length [m] of the shortest contact that the structure needs,
    among those of kern_contacts() or, where faces may be hollow, of
    kern_stretches(). The structure stands on its contacts of at least this
    length, but not on the longer ones alone. If several points form an
-   interface, the length of each is twice its travel. A single point that stays
-   is never left out. KERN_STANDS: writes *length, or KERN_INFINITY if no
-   contact that has a length is needed. proof->force holds the structure by
-   those contacts, and proof->motion moves it without the shortest of them; it
-   is 0 where that is undecided and the contact counts as needed. KERN_FALLS: it
-   falls with all contacts. Time: one verdict for each step of a bisection of
-   the lengths, on a logarithmic scale. */
+   interface, the length of each is twice its travel. A single point without a
+   travel is never left out. KERN_STANDS: writes *length, or KERN_INFINITY if no
+   contact that has a length is needed. proof->force holds the structure by the
+   contacts of at least this length. proof->motion moves the structure without
+   the shortest of these contacts. If that verdict is undecided, the contact
+   counts as needed and the motion is 0. KERN_FALLS: the structure falls with
+   all contacts. Time: one verdict for each step of a bisection of the lengths,
+   on a logarithmic scale. */
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
 /* Computes the largest factor of a horizontal load to a side, on top of weights
-   and loads. KERN_STANDS: writes *factor, KERN_INFINITY if the structure stands
-   at 1,000,000; proof as in kern_measure(), for the loads at the factor.
-   KERN_FALLS: it falls at 0. KERN_BAD_OPTION: no gravity, or the side is
-   neither left nor right. */
+   and loads. KERN_STANDS: writes *factor, which is KERN_INFINITY if the
+   structure stands at 1,000,000. The proof is that of kern_measure(), for the
+   loads at the factor. KERN_FALLS: the structure falls at a factor of 0.
+   KERN_BAD_OPTION: no gravity, or the side is neither left nor right. */
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof);
 
-/* Computes the largest factor of pattern[0..blocks), as kern_load_factor(): a
-   wrench about each free block's centre. */
+/* Computes the largest factor of a load pattern[0..blocks), which has a wrench
+   about the centre of each free block. Statuses and proof are those of
+   kern_load_factor(). */
 KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          kern_real shrink,
                                          const kern_wrench *pattern,
                                          kern_real *factor,
                                          const kern_proof *proof);
 
-/* Computes the least factor of the pattern with which the structure stands. It
-   is 0 if the structure stands without the pattern; otherwise it is the
-   smallest load that holds it, as a prop or a hand does. To find the largest
-   factor, call kern_load_factor_of() with this load added to the blocks.
-   KERN_STANDS: writes *factor. proof->force holds the structure at it;
-   proof->motion moves it just below (not written if the factor is 0).
-   KERN_FALLS: it falls at every factor, and *factor is KERN_INFINITY.
-   KERN_UNDECIDED, KERN_LIMIT: it is proven to fall at every factor below
-   *factor. Time: a verdict for each mechanism. */
+/* Computes the least factor of a load pattern with which the structure stands.
+   *factor is 0 if the structure stands without the pattern. Otherwise the
+   pattern times *factor is the smallest load that holds the structure, as a
+   prop or a hand would. To find the largest factor, call kern_load_factor_of()
+   with this load added to the blocks. KERN_STANDS: writes *factor. proof->force
+   holds the structure at the factor. proof->motion moves it just below, and is
+   not written if the factor is 0. KERN_FALLS: the structure falls at every
+   factor, and *factor is KERN_INFINITY. KERN_UNDECIDED, KERN_LIMIT: the
+   structure is proven to fall at every factor below *factor. Time: that of one
+   verdict for each mechanism on the way. */
 KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         const kern_wrench *pattern,
                                         kern_real *factor,
                                         const kern_proof *proof);
 
-/* Computes the load factor of Coulomb friction, from rest: sliding stones need
-   not part. *factor is the largest multiple of the load that raises forces
-   which hold the structure, as in kern_raised(). This is proven while the load
-   grows from 0, each step (>>tune) from those before. With friction equilibrium
-   is not unique: another path of loading may collapse earlier (by 5 % in one
-   case) or later. *factor is never above the load factor, which is computed
-   first. The load is `pattern`, or if that is NULL, horizontal to the side.
-   KERN_STANDS: writes *factor, KERN_INFINITY if the load is raised at
-   1,000,000. Both arrays of the proof pass kern_check_raised() with the loads
-   at the factor. work->end is KERN_END_SHOWN if *factor is the load factor;
-   otherwise it tells why it is less. KERN_FALLS: it falls at 0. KERN_UNDECIDED
-   also if its own weight is not shown to raise forces; *factor is kept. Time: 8
-   load factors in the median of settled stones, 13 on walls that slide (9.5 on
-   those of 40 to 60 blocks). */
+/* Computes the load factor for Coulomb friction, with the load growing from 0:
+   unlike in kern_load_factor(), stones that slide need not part. *factor is the
+   largest multiple of the load that raises forces which hold the structure, as
+   in kern_raised(). Each step of the load (>>tune) is proven, starting from the
+   step before. With friction equilibrium is not unique: another path of loading
+   may collapse earlier (by 5 % in one case) or later. *factor is never above
+   the load factor, which is computed first. The load is `pattern`, or if that
+   is NULL, horizontal to the side. KERN_STANDS: writes *factor, KERN_INFINITY
+   if the load is raised at 1,000,000. Both arrays of the proof pass
+   kern_check_raised() with the loads at the factor. work->end is KERN_END_SHOWN
+   if *factor is the load factor; otherwise work->end tells why *factor is less.
+   KERN_FALLS: the structure falls at a factor of 0. KERN_UNDECIDED also if the
+   weight alone is not shown to raise forces; *factor is unchanged. Time, in
+   multiples of kern_load_factor(): 8 in the median of settled stones, 13 on
+   walls that slide (9.5 on those of 40 to 60 blocks). */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
@@ -1301,89 +1348,92 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                kern_side side, kern_real *angle,
                                const kern_proof *proof);
 
-/* Computes the profile (>>rules), in value[0..blocks): shrinkages [m] for
-   KERN_SHRINK, factors of a horizontal load for a side, KERN_INFINITY for a
-   fixed block. After a negative status *out is as it was, and value means
+/* Computes the profile (>>rules). Writes to value[0..blocks) shrinkages [m] for
+   KERN_SHRINK, factors of a horizontal load for a side, and KERN_INFINITY for a
+   fixed block. After a negative status *out is unchanged and the values mean
    nothing. KERN_BAD_OPTION: no such side, or a load without gravity.
-   KERN_UNDECIDED: a verdict that it depends on is undecided. KERN_LIMIT: the
-   values of blocks that have been taken away are final, others are -1. Time: 3
-   to 5 times that of the margin. */
+   KERN_UNDECIDED: a verdict that the profile depends on is undecided.
+   KERN_LIMIT: the values of blocks that have been removed are final, others are
+   -1. Time: 3 to 5 times that of kern_measure(). */
 KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
                                   kern_real *value, kern_collapse *out);
 
-/* Finds what limits a measure, from its proof. proof->motion, not NULL, moves
-   the structure at about `shrink`; proof->force holds it there or is NULL.
-   After kern_measure() pass out->margin and its proof; if the structure falls,
-   pass 0 and the motion alone. How much a contact point limits is the first of
-   these that is above 0 at any contact:
-     1. the power that the mechanism gains per length by which the point moves
-        inward, if there are forces
-     2. the rate at which its blocks turn about it
-     3. the speed at which its blocks slide
+/* Finds the contacts that limit a measure and the blocks that move, from the
+   measure's proof. proof->motion, not NULL, moves the structure at about
+   `shrink`. proof->force holds the structure at `shrink`, or is NULL. After
+   kern_measure() pass out->margin and its proof. If the structure falls, pass 0
+   and only the motion. The limit of a contact point is the first of these
+   quantities that is above 0 at any contact:
+     1. if there are forces: the increase of the mechanism's power per length
+        [m] by which the contact point moves inward
+     2. the spin of its two blocks relative to each other about the point
+     3. the speed at which its two blocks slide
    Motions slower than 1e-4 (the fastest is 1) count as rest. KERN_OK: out's
    arrays are filled, contact and groups are set. KERN_BAD_POINTER also without
-   a motion, KERN_BAD_NUMBER for one that is not finite (the fault names the
-   block). Time: O(C), and O(B) for each group. */
+   a motion. KERN_BAD_NUMBER also for a motion that is not finite; the fault
+   names the block. Time: O(C), and O(B) for each group. */
 KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
                                       const kern_proof *proof,
                                       kern_critical *out);
 
 /* -- planning -- */
-/* A plan is a structure that changes by a stone at a time. No contact is
-   searched twice, and kern_measure(&plan.task, ...) and the questions below
-   start from its last measure. Measure first: answers are the same without, but
-   slower. Questions leave the plan as it is. Their negative statuses include
-   those of kern_plan_add(). Their proof is of the structure with the block: it
-   has one more motion, and the forces of the block's contacts follow those of
-   the plan. The search for these contacts may use options.limit, and the
-   question that follows may use it again. */
+/* A plan is a structure that changes by one stone at a time. No contact is
+   searched twice. kern_measure(&plan.task, ...) and the queries below start
+   from the last measure of the plan. Without such a measure the answers are the
+   same, but slower. Queries leave the plan unchanged. Negative statuses of a
+   query include those of kern_plan_add(). The proof of a query is for the
+   structure with the block added: the proof has one more motion, and the forces
+   of the block's contacts follow those of the plan. The search for these
+   contacts may use options.limit units, and the query itself as many again. */
 
-/* Returns an empty plan under gravity (0, -9.81). The arrays, those of
-   kern_known_of() and the work memory must be long enough for so many blocks
-   and contact points. */
+/* Returns an empty plan under gravity (0, -9.81). All arrays, also those of
+   kern_known_of() and of the work memory, must be long enough for these numbers
+   of blocks and contact points. */
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
                                 kern_known known, kern_work *work);
 
-/* Adds a block after the others and finds its contacts. Returns how many
-   contact points it has, or a negative status of kern_touch(); KERN_NO_SPACE
-   also if the plan is full, KERN_BAD_POINTER also without arrays for known
-   forces or motions. After a negative status the plan is as it was. The block
-   is copied, its vertices are NOT: they must outlive the plan. Its contacts are
-   found with the present options, and keep their friction. Time: O(B). */
+/* Adds a block after the others and finds its contacts. Returns the number of
+   its contact points, or a negative status of kern_touch(). KERN_NO_SPACE also
+   if the plan is full, KERN_BAD_POINTER also without arrays for known forces or
+   motions. After a negative status the plan is unchanged. The block is copied,
+   but its vertices are NOT: they must outlive the plan. Contacts of the block
+   are found with the present options. Later changes of options.mu do not change
+   the friction of these contacts. Time: O(B). */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 
-/* Removes block i. The blocks after it move up, also in the contacts. KERN_OK:
-   done. KERN_BAD_BLOCK: there is none. Time: O(B + C). */
+/* Removes block i. The indices of later blocks decrease by 1, also in the
+   contacts. KERN_OK: done. KERN_BAD_BLOCK: there is no block i. Time: O(B +
+   C). */
 KERN_API kern_status kern_plan_remove(kern_plan *plan, int i);
 
-/* Computes what kern_measure() would return with the block added. Time: that of
-   one verdict, if the block does not change which stones are the weakest. The
-   search comes from above: a call that options.limit ends proves an upper
-   bound, out->fails, but a lower one, out->holds, only near its end. With half
-   of the work that they need, 963 tries on walls have these bounds:
+/* Computes the results of kern_measure() with the block added. Time: that of
+   one verdict, if the weakest stones stay the weakest. The search starts at an
+   upper bound: if options.limit ends the call, out->fails is an upper bound,
+   but out->holds is above 0 only if the search was nearly done. Shares of 963
+   tries on walls that had these bounds after half of the work that they need:
      upper bound, at most 2 margins    0.73      none       0.06
                   at most 1.1 margins  0.53      any lower  0.03
-   For a lower bound use kern_plan_bears(). With half of the margin it takes
-   0.44 of the work of a try in the median, and 0.13 where a try takes 1,500
-   units. */
+   For a lower bound use kern_plan_bears(). With half of the margin,
+   kern_plan_bears() takes 0.44 of the work of a try in the median, and 0.13
+   where a try takes 1,500 units. */
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof);
 
 /* Returns whether the margin with the block added is at least `margin` [m]
    (relative: a share): KERN_STANDS with forces at that shrinkage, KERN_FALLS
    with a motion. A structure that stands with every kern closed bears any
-   margin, unless options.narrow is set. If kerns are not nested it also falls,
-   with the motion at the margin of kern_plan_try(), if that margin is smaller.
-   KERN_BAD_NUMBER also for a negative margin. Time: that of a verdict; O(B + C)
-   beyond the measured margin if the block does not touch the blocks that limit
-   it. */
+   margin, unless options.narrow is set. If kerns are not nested, KERN_FALLS
+   also if the margin of kern_plan_try() is smaller; the motion is then the one
+   at that margin. KERN_BAD_NUMBER also for a negative margin. Time: that of a
+   verdict. For a margin above the measured one it is O(B + C) if the block does
+   not touch the blocks that limit the margin. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof);
 
-/* Answer kern_stays() and kern_raised() for the plan with a block added.
-   Without a block (NULL) they answer for the plan as it is, kern_stays() for
-   its last block. */
+/* Compute kern_stays() and kern_raised() for the plan with a block added. If
+   `block` is NULL they use the plan as it is: kern_plan_stays() then treats its
+   last block as the one placed last. */
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
                                      kern_real *chance);
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
@@ -1391,90 +1441,99 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
                                       const kern_proof *proof);
 
 /* Copies a plan into `to`, which kern_plan_of() made with arrays and work
-   memory of its own: one plan for each thread. Vertices are not copied, so both
-   plans read the same ones. KERN_OK: the two give the same answers, to the last
-   bit. KERN_NO_SPACE: an array of `to` is too short, and `to` is as it was. */
+   memory of its own. Each thread needs a plan of its own. Vertices are not
+   copied, so both plans read the same ones. KERN_OK: both plans give the same
+   answers, to the last bit. KERN_NO_SPACE: an array of `to` is too short, and
+   `to` is unchanged. */
 KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
 
 /* Finds where a stone comes to rest on a structure, such as plan.task, when it
-   is let down with its centre at x, turned by an angle with this cosine and
-   sine. x is measured along gravity turned by +90 degrees, which is the x of
-   the plane for gravity (0, -9.81). How high the stone is does not matter: it
-   begins above all blocks.
-   The stone goes down without turning to the first touch. Then, from touch to
-   touch, its centre takes the steepest way down that is free: a turn about a
-   point where the stone touches, a slide along an edge that is steeper than
-   options.mu holds, or a turn on which it slides at two touches that options.mu
-   (or 0.01 if that is more) does not hold. No turn is by more than 28 degrees at
-   a time. The stone is at rest where no way leads down. Two convex corners that
-   meet hold nothing. Of 41,000 stones on blocks that cannot move, such as cubes
-   on a grid, stairs and saw teeth, 0.993 stand there; kern_plan_bears() tells
-   whether this one does. Blocks of the structure stay. Each motion ends where
-   the stone meets a block, so it overlaps none by more than 1e-6 (float: 1e-4)
-   of its size. A mirrored stone and structure have the mirrored pose, and the
-   order of blocks does not matter.
-   vertex[0..stone->vertices) receives the vertices there, in their order; it is
-   another array than the stone's own. The structure's contacts are not read.
-   KERN_OK: *out is written; below 0 it means nothing. KERN_NO_SUPPORT: the
-   stone falls past the structure. KERN_NO_REST: it still moves after 64
-   motions. KERN_NO_LOAD: no gravity. KERN_BAD_NUMBER also for x, the stone's
-   centre, and a turn whose length is not 1. Blocks and stone are checked as by
-   kern_touch(); in the fault the stone is block B. Time: O(B) for each motion,
-   and the edges near it: in the mean 32,000 instructions on a wall of 30 rough
-   stones, 19,000 on a bond of 36 bricks. */
+   is lowered with its centre at x, turned by the angle with cosine turn.x and
+   sine turn.y. x is measured along gravity turned by +90 degrees, which is the
+   x of the plane for gravity (0, -9.81). The height of the stone does not
+   matter: the descent begins above all blocks.
+   The stone moves straight down to its first touch. Then it moves on from touch
+   to touch, each time by the motion that lowers its centre most steeply: a turn
+   about a point where the stone touches, a slide along an edge that is steeper
+   than friction holds, or a turn while it slides at two touches that friction
+   does not hold. Friction is options.mu, and at two touches at least 0.01. A
+   motion turns the stone by at most 28 degrees. The stone is at rest where no
+   motion lowers its centre. Two convex corners that meet hold nothing. Of
+   41,000 stones on blocks that cannot move, such as cubes on a grid, stairs and
+   saw teeth, 0.993 stand where they come to rest; check this with
+   kern_plan_bears(). Blocks of the structure do not move. Each motion ends
+   where the stone meets a block, so the stone overlaps no block by more than
+   1e-6 (float: 1e-4) of its size. A mirrored stone and structure have the
+   mirrored pose, and the order of blocks does not matter.
+   vertex[0..stone->vertices) receives the vertices of the stone at rest, in
+   their order. vertex must not be the stone's own array. The structure's
+   contacts are not read. KERN_OK: *out is written. After a negative status *out
+   means nothing. KERN_NO_SUPPORT: the stone falls past the structure.
+   KERN_NO_REST: the stone still moves after 64 motions. KERN_NO_LOAD: no
+   gravity. KERN_BAD_NUMBER also for a bad x or stone's centre, and for a `turn`
+   whose length is not 1. Blocks and stone are checked as by kern_touch(). In
+   the fault the stone has the index B. Time: O(B) for each motion, plus the
+   edges near it. The mean is 32,000 instructions on a wall of 30 rough stones,
+   19,000 on a bond of 36 bricks. */
 KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
                                kern_real x, kern_vec turn, kern_vec *vertex,
                                kern_pose *out);
 
-/* Compares two places for a stone. Returns 1 if a is better, -1 if b is, 0 if
-   no number differs. NULL is worse than any place. `alone` is the margin of the
-   structure without the stone, which most places leave as it is. The first of
-   these numbers that differs decides:
+/* Compares two places for a stone. Returns 1 if a is better, -1 if b is better,
+   and 0 if no number differs. NULL is worse than any place. `alone` is the
+   margin of the structure without the stone; most places do not change it. The
+   first of these numbers that differs decides:
      stays   the larger chance; all from 0.9 on count as equal
      margin  the larger; all within 1e-4 (float: 1e-3) of `alone` count as equal
      own     the larger
      load    the larger
      x turn  the smaller, so that any order of places gives the same best
-   All but x and turn are rounded to 13 bits first, 1e-4 of the number. So the
-   rounding of an answer hardly ever chooses the place, and a structure that is
-   moved has the same best place. So has a mirrored one, unless x decides: then
-   it has the other place of the tie. NaN is the worst of each number.
-   In 111 states of walls some of eight places of kern_rest() stay in all six
-   runs of the simulator of examples/laboratory, and some do not. The best place
-   stays in 107 of these states, and that of the largest margin in 96. */
+   All but x and turn are first rounded to 13 bits, 1e-4 of the number. So
+   rounding hardly ever decides, and moving a structure does not change its best
+   place. Mirroring a structure mirrors its best place, unless x decides between
+   two places. NaN is worse than any number.
+   Tested on 111 walls under construction: at each, some of eight places of
+   kern_rest() stay in all six runs of the simulator of examples/laboratory, and
+   some do not. The best place stays on 107 of these walls, and the place of the
+   largest margin on 96. */
 KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
                                 kern_real alone);
 
 /* -- proofs -- */
 
-/* Return the error of a proof, as a share of the allowed error: up to 1 the
-   proof holds. They return KERN_INFINITY if the forces or the motion prove
-   nothing, and for bad input (NULL, NaN). Forces may leave 1e-9 (float: 1e-4)
-   of the load on a block in each of its equations, plus roundings of the
-   largest force there. Their sum may be 1e6 (1e3) weights. A motion must be one
-   that such forces could not stop, whatever rounding does. Time: O(B + C). Work
-   memory: for forces 4 B reals. */
+/* Return the error of a proof as a share of the allowed error. The proof holds
+   if the result is at most 1. Return KERN_INFINITY if the forces or the motion
+   prove nothing, and for bad input (NULL, NaN). In each equation of a block
+   forces may leave a residual of 1e-9 (float: 1e-4) of the load on the block,
+   plus the rounding of the largest force there. The sum of all forces may be
+   1e6 (float: 1e3) times the total weight. A motion must be one that such
+   forces could not stop, whatever rounding does. Time: O(B + C).
+   kern_check_forces() needs work memory of 4 B reals. */
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
                                      const kern_force *force);
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
                                      const kern_motion *motion);
 
-/* Returns the error of the proof of kern_raised(). For KERN_RAISED it checks
-   the forces. It also checks that the motion approaches at every contact whose
-   force equilibrium needs, and slides by less than 1/500 (float: 1/5) of that
-   where it must stick. For KERN_HANGS it checks that the motion moves blocks
-   without a load, that no contact with another block presses one of them
-   against gravity, and that the forces hold the others without them.
-   KERN_NOT_SHOWN proves nothing: KERN_INFINITY. Work memory: 5 B reals. */
+/* Returns the error of the proof of kern_raised(), as a share of the allowed
+   error. For KERN_RAISED kern_check_raised() checks the forces.
+   kern_check_raised() also checks that the motion closes every contact whose
+   force equilibrium needs. A contact that must stick may slide by at most 1/500
+   (float: 1/5) of the length by which the motion closes it. For KERN_HANGS it
+   checks that the motion moves blocks without a load, that no contact with
+   another block presses one of them against gravity, and that the forces hold
+   the others without them. KERN_NOT_SHOWN proves nothing: KERN_INFINITY. Work
+   memory: 5 B reals. */
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
                                      kern_raising raising,
                                      const kern_proof *proof);
 
 /* -- the linear program alone -- */
 
-/* Solves a small dense linear program. x has cols, y rows numbers.
-     KERN_LP_OPTIMAL     x is a solution, of least cost if there are costs, and
-                         then y are its prices: cost - y.A >= 0, 0 where x > 0
+/* Solves a small dense linear program. x has room for lp->cols numbers, y for
+   lp->rows.
+     KERN_LP_OPTIMAL     x is a solution. If there are costs, it is one of least
+                         cost and y are its prices: cost - y.A >= 0, 0 where x >
+                         0
      KERN_LP_INFEASIBLE  no x exists: y.A >= 0 and y.rhs < 0
      KERN_LP_UNBOUNDED   the cost falls along x: A x = 0, x >= 0, cost.x < 0
      KERN_UNDECIDED      the method did not end, or the check failed, as it may
@@ -1482,8 +1541,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
      KERN_LIMIT          lp->limit was reached
    Each answer is checked against A, every row and column in its own units, so
    that the choice of units does not matter. After a negative status x and y
-   mean nothing. Work memory: KERN_LP_REALS and _INTS(rows, cols). Time: rows^2
-   + rows cols for a pivot. */
+   mean nothing. Work memory: KERN_LP_REALS and _INTS(rows, cols). Time:
+   O(rows^2 + rows cols) for each pivot. */
 KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
                                    kern_real *y, kern_work *work);
 
@@ -1492,7 +1551,7 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #endif
 #endif /* KERN_H */
 
-/* Stop here if you only want to use the library. Below is how it works.      */
+/* Users of the library can stop here. The rest is the implementation. */
 
 /* ==== Part III: Statics and proofs ================================= >>impl */
 
@@ -1515,15 +1574,14 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #error "kern.h: do not compile the implementation with -ffast-math"
 #endif
 
-/* C++ that includes the implementation must not warn of its casts, which are
-   those of C. */
+/* Turns off the warning of C++ compilers for C-style casts. */
 #if defined(__cplusplus) && defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #endif
 
-/* The vectorisers of gcc fuse pairs of products such as a c - b d and a d + b c
-   into one operation, also with -ffp-contract=off. */
+/* Turns off gcc's vectorisers, which fuse pairs of products such as a c - b d
+   and a d + b c even with -ffp-contract=off. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__FMA__)
 #pragma GCC push_options
 #pragma GCC optimize("no-tree-vectorize")
@@ -1533,9 +1591,9 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 extern "C" {
 #endif
 
-/* KERN_ASSERT checks a condition that holds whatever the arguments are.
-   KERN_AUDIT checks the state of an engine (tests/audit.h). Both do nothing
-   unless a test build defines them. */
+/* KERN_ASSERT checks a condition that holds for all arguments of a caller.
+   KERN_AUDIT checks the internal state of an engine (tests/audit.h). Both do
+   nothing unless a test build defines them. */
 #ifndef KERN_ASSERT
 #define KERN_ASSERT(condition) ((void)0)
 #endif
@@ -1564,25 +1622,26 @@ extern "C" {
 /* ---- Constants -------------------------------------------------- >>tune */
 /* All constants of Parts III to V; those of the geometry are in >>tol. Each
    constant has one job. Lengths are shares of a block's size and forces are
-   shares of the total weight, unless a unit stands in brackets. KERN_PICK(a, b)
-   is a in double and b in float. A value that is the name of another constant
+   shares of the total weight, unless a unit is given in brackets. KERN_PICK(a,
+   b) is a in double and b in float. A constant defined by another constant
    bounds the same rounding. */
 
 /* ---- what a proof allows ---- */
 
-/* Largest residual of a row of equilibrium in a proof, as a share of what acts
-   on the block. Coordinates and masses are known far less exactly. */
+/* Largest residual of an equation of equilibrium in a proof, as a share of the
+   loads on the block. Coordinates and masses are known far less exactly. */
 #define KERN_TOL KERN_PICK(1e-9, 1e-4)
-/* Largest sum of forces in a proof, in weights. It excludes jams, whose forces
-   are arbitrarily large. A motion proves a fall only if its power exceeds this
-   sum times the fastest speed at which it closes a contact. */
+/* Largest sum of forces in a proof, as a multiple of the total weight. The
+   bound excludes jams, whose forces are arbitrarily large. A motion proves a
+   fall only if its power exceeds this sum times the fastest speed at which it
+   closes a contact. */
 #define KERN_BOUND KERN_PICK(1e6, 1e3)
 /* Rounding of a sum in a proof, as a share of its terms: a row has some tens of
-   terms. Part VI takes twice as much, as a share of the largest coordinate, for
-   the distance within which two places are the same. */
+   terms. In Part VI two points are the same if they are closer than twice this
+   share of the largest coordinate. */
 #define KERN_ROUNDING (32 * KERN_EPS)
-/* Largest share by which a tangential force may exceed its cone: the rounding
-   of mu f. */
+/* Largest share by which a tangential force may exceed its friction cone, which
+   is the rounding of mu f. */
 #define KERN_CONE_TOL (8 * KERN_EPS)
 /* Least power [W] of a motion in a proof, and an addend to each closing speed
    [m/s]: products of smaller numbers may lose digits by underflow. */
@@ -1590,26 +1649,26 @@ extern "C" {
 /* Largest residual of a row or column in the proof of a caller's linear
    program, as a share of the terms. */
 #define KERN_LP_TOL KERN_TOL
-/* Raised forces: a contact must stick if its tangential force is below the cone
-   by more than this share of the cone. */
+/* Raised forces: a contact must stick if its tangential force is below mu f by
+   more than this share of mu f. */
 #define KERN_SLIDES_TOL KERN_TOL
-/* Raised forces: contacts with smaller forces, as a share of the least load of
-   a block, need not approach. Equilibrium holds without these forces. */
+/* Raised forces: least force, as a share of the least load of a block, of a
+   contact that must approach. Equilibrium holds without smaller forces. */
 #define KERN_PRESSED_LEAST KERN_TOL
 /* Raised forces: largest slide of a contact that must stick, as a share of its
-   approach. The inverse is the stiffness along t of >>raised. */
+   approach. The inverse of KERN_STICKS is the stiffness along t in >>raised. */
 #define KERN_STICKS KERN_PICK(2e-3, 0.2)
-/* Least cosine between a contact's normal and gravity for the contact to hold a
-   block up. A contact below it is a vertical joint, also in a drawing of few
-   digits. As a wedge it would press with thousands of the weights that it
-   holds. */
+/* Least cosine between a contact's normal and gravity at which the contact can
+   hold a block up. A contact with a smaller cosine counts as a vertical joint
+   whose coordinates have few digits. As a wedge it would press with thousands
+   of times the weight that it holds. */
 #define KERN_HOLDS_UP KERN_R(1e-4)
 
 /* ---- what may be asked ---- */
 
 /* Largest coordinate and option [m], largest sum of weight and loads of a block
-   [N], and largest mass [kg] and size [m]. Squares, moments and products with
-   KERN_BOUND of these keep all digits. */
+   [N], and largest mass [kg] and size [m]. Squares and moments of such numbers,
+   and products with KERN_BOUND, keep all digits. */
 #define KERN_FAR KERN_PICK(1e60, 1e10)
 /* Least size [m] of a block: arms divided by it keep all digits. */
 #define KERN_SIZE_LEAST (1 / KERN_FAR)
@@ -1619,10 +1678,10 @@ extern "C" {
 #define KERN_MASS_MOST KERN_FAR
 /* Least sum of weight and loads of a block [N], unless that is 0. */
 #define KERN_LOAD_LEAST (1 / KERN_FAR)
-/* Largest difference between 1 and the square of a normal's length: the
-   rounding of a normal that the caller computed in this precision. */
+/* Largest difference between 1 and the square of a normal's length, by rounding
+   in this precision. */
 #define KERN_NORMAL_TOL (64 * KERN_EPS)
-/* Angle [rad] from which options.angle is refused: it would take a corner for a
+/* Least options.angle [rad] that is refused: with it a corner would count as a
    face, and the series of kern_sine() would lose digits. */
 #define KERN_ANGLE_MOST KERN_R(0.5)
 /* Largest options.reserve, in shares of gravity: the table of
@@ -1630,27 +1689,28 @@ extern "C" {
 #define KERN_RESERVE_MOST KERN_R(0.1)
 /* Default gravity of a task [m/s^2]. */
 #define KERN_GRAVITY KERN_R(9.81)
-/* Largest number of blocks of a task, and of rows of a program: sizes of the
-   work memory and products of its indices are then an int. */
+/* Largest number of blocks of a task, and of rows of a program. Sizes of the
+   work memory and products of its indices then fit into an int. */
 #define KERN_BLOCKS_MOST 20000
 /* Largest number of contact points, vertices, levels and columns, and of blocks
    of a contact search. */
 #define KERN_POINTS_MOST 1000000
-/* Largest number of units of a call, and of entries of a caller's matrix. */
+/* Largest limit of work of a call [units], and largest number of entries of a
+   caller's matrix. */
 #define KERN_WORK_MOST 2000000000
 
 /* ---- what work costs, in units ---- */
-/* Fitted to counts of instructions: a unit is 550 to 2,000 of them
-   (>>verdicts). A constant *_UNIT tells how many things are done in one
-   unit. */
+/* The costs are fitted to counts of instructions: one unit of work is 550 to
+   2,000 instructions (>>verdicts). A constant *_UNIT is the number of items
+   that one unit of work processes. */
 
-/* Entries of sparse columns that are added up in a unit. Of a dense factor it
-   is 8/3 as many, since no indices are read. */
+/* Entries of sparse columns that are added up in a unit. For a dense factor the
+   number is 8/3 times as large, since no indices are read. */
 #define KERN_UNIT 64
 /* Blocks and contacts that a call reads and checks in a unit. */
 #define KERN_CALL_UNIT 5
-/* Blocks and contacts that the proof of a query reads in a unit. Three units
-   are added for each query. */
+/* Blocks and contacts that the check of a proof reads in a unit. Each proof
+   costs three more units. */
 #define KERN_QUERY_UNIT 14
 /* Groups and contacts that are ordered for a short skyline in a unit. */
 #define KERN_ORDER_UNIT 4
@@ -1658,75 +1718,77 @@ extern "C" {
 #define KERN_KNOWN_UNIT 32
 /* Contacts that the line search evaluates at one place in a unit. */
 #define KERN_PLACE_UNIT 16
-/* Products that a step of Newton's method takes for a contact: its row, its law
-   and its block of the matrix. */
+/* Products of a step of Newton's method for one contact: its row, its law and
+   its block of the matrix. */
 #define KERN_CONTACT_PRODUCTS KERN_R(100)
-/* Products that the factor takes for a row, as a multiple of the square of its
+/* Products of the Cholesky factor for one row, divided by the square of its
    number of blocks. Half of all pairs of blocks take 27 products each. */
 #define KERN_PAIR_PRODUCTS KERN_R(14)
 
 /* ---- model ---- */
 
-/* Largest travel of a contact point that counts as 0 [mean size]: a millionth
-   of the shortest line is rounding. */
+/* Travels of contact points below this count as 0 [mean size]: a millionth of
+   the shortest line is rounding. */
 #define KERN_TRAVEL_LEAST (KERN_R(1e-6) * KERN_R(1e-3))
-/* In double, slope of the lines along which blocks count as equally high. A
-   flat arch is then ordered from side to side and not by rounding. */
+/* Slope of the lines along which blocks count as equally high (only in double).
+   A flat arch is then ordered from side to side and not by rounding. */
 #define KERN_LEVEL_SLOPE KERN_R(1e-6)
-/* Runs of at most so many blocks are sorted by insertion: with shorter runs the
-   steps of Shell's sort cost more than they save. */
+/* Longest run of blocks that is sorted by insertion: with shorter runs the
+   passes of Shell's sort cost more than they save. */
 #define KERN_SORT_RUN 32
 
 /* ---- measures ---- */
 
 /* Width of the bracket of a measure [mean block size; load factor; tangent of a
-   quarter of the angle]. Half of it lies before the critical value, and up to
-   all of it may lie beyond. With a narrower one fewer verdicts near critical
-   have a proof. A wider one exceeds the promised 2e-6. */
+   quarter of the angle]. Half of the width lies below the critical value, and
+   up to all of it may lie above. With a narrower bracket fewer verdicts near
+   critical have a proof. A wider bracket exceeds the promised 2e-6. */
 #define KERN_WIDTH KERN_PICK(1.26e-6, 1.8e-3)
-/* Largest distance between the proofs on both sides of the critical value, in
-   widths, at which the search still aims at that value. Beyond it the search
-   cuts the bracket. */
+/* Largest distance between the two places beside a critical value that the
+   search tries, in KERN_WIDTH. Beyond it the search cuts the bracket
+   instead. */
 #define KERN_WIDEST KERN_R(20)
-/* How many times wider a bracket may be and still be an answer: in jams no
-   proof comes closer. */
+/* Widest bracket that is accepted as an answer, in KERN_WIDTH: in jams no proof
+   comes closer. */
 #define KERN_ANSWER KERN_PICK(80, 20)
-/* Most groups that are solved as one linear program; margins are then exact.
-   With more groups its factor costs more than the interior point. */
+/* Most groups that are solved as one linear program, whose margins are exact.
+   With more groups the factor of the program costs more than the interior
+   point. */
 #define KERN_SMALL 64
-/* Number of steps to the largest travel if kerns are not nested, and of half a
-   circle of tilt under loads that stay. A range of falling that is narrower
-   than a step may be missed. A walk or a climb takes at most five times as many
-   steps. */
+/* Steps of a walk to the largest travel if kerns are not nested, or through
+   half a circle of tilt under fixed loads. An interval of falling that is
+   narrower than a step may be missed. A walk or a climb takes at most five
+   times as many steps. */
 #define KERN_SCAN 1001
 /* Default step of a level [mean size]: the paper's steps are of this order. */
 #define KERN_LEVEL_STEP KERN_R(0.02)
 /* Default step of a level where kerns are relative [share of the travel]. */
 #define KERN_LEVEL_SHARE KERN_R(0.05)
-/* Largest load factor; beyond it the load counts as held for ever. */
+/* Largest load factor that is searched. A structure that stands there stands
+   under any multiple of the load. */
 #define KERN_FACTOR_MOST KERN_R(1e6)
-/* Deficit: first growth of the kerns [mean size; share of the travel], less
-   than any deficit that matters. */
+/* Deficit: first growth of the kerns that is tried [mean size; share of the
+   travel], smaller than any deficit that matters. */
 #define KERN_GROW_FIRST KERN_R(0.001)
-/* Deficit: factor of the growth if kerns are nested; few verdicts suffice. */
+/* Deficit: factor from one growth to the next if kerns are nested; few verdicts
+   suffice. */
 #define KERN_GROW_NESTED KERN_R(4)
-/* Deficit: factor of the growth if kerns are not nested, so that a range of
-   standing is seldom missed. */
+/* Deficit: factor from one growth to the next if kerns are not nested, small so
+   that an interval of standing is seldom missed. */
 #define KERN_GROW_EVEN KERN_R(1.1)
-/* Deficit: largest growth, in longest sides of the free blocks' box
-   (>>rules). */
+/* Deficit: largest growth that is tried, in longest sides of the free blocks'
+   box (>>rules). */
 #define KERN_GROW_MOST 1000
 
 /* ---- profile, mechanism, sensitivity ---- */
 
 /* Profile: largest load factor; a stone that reaches it counts as unlimited. */
 #define KERN_PROFILE_MOST KERN_R(10)
-/* Most places beyond a critical value, a bracket's width apart, at which a
-   mechanism with a proof is searched. */
+/* Most places above a critical value, KERN_WIDTH apart, at which the search
+   tries to prove a mechanism. */
 #define KERN_FALL_TRIES 8
-/* Most steps of a collapse that take no block away, besides three for each
-   group. There are such steps since both verdicts may have a proof at one
-   place. */
+/* Most steps of a collapse that remove no block, besides three for each group.
+   Such steps occur since both verdicts may have a proof at one place. */
 #define KERN_FALL_IDLE 8
 /* Expected drop: load factor at which a stone falls with a chance of 1/e.
    Values from 0.05 to 0.1 rank structures as well. */
@@ -1734,28 +1796,31 @@ extern "C" {
 /* Expected drop: least height that counts [mean block size], since the lowest
    stones fall, too. */
 #define KERN_DROP_HEIGHT KERN_R(0.3)
-/* Blocks rest, or do not approach, below this share of the highest speed. */
+/* Speed, as a share of the highest, below which blocks count as resting or as
+   not approaching. */
 #define KERN_REST KERN_R(1e-4)
-/* A limit or a speed is larger than another only by more than this share. Of
-   equals the first is then reported, not the one that rounding raised. */
+/* Limits or speeds that differ by at most this share count as equal. The first
+   of equals is then reported, and not the one that rounding makes largest. */
 #define KERN_TIE KERN_R(1e-4)
 /* Sensitivity: a sum of powers below this share of its terms is rounding. */
 #define KERN_RATE_LEAST KERN_PICK(1e-10, 1e-5)
-/* Sensitivity: a corner moves the end of a contact if it is no farther away
-   than this, the length of the shortest line. */
+/* Sensitivity: largest distance from a corner to the end of a contact at which
+   the corner moves the end [size], the length of the shortest line. */
 #define KERN_CORNER_NEAR KERN_R(1e-3)
-/* Sensitivity: two such distances that differ by less count as equal. */
+/* Sensitivity: two distances from corners to an end count as equal if they
+   differ by less than this [size]. */
 #define KERN_CORNER_TIE KERN_R(1e-6)
 
 /* ---- residuals that rounding leaves ---- */
 
 /* Largest residual of equilibrium of a group that a method may leave, as a
-   share of its load. It is far below KERN_TOL, since residuals of many groups
-   may add up. At 1e-10 in double a light stone beside heavy ones stands
-   although it falls. */
+   share of its load. The value is far below KERN_TOL, since residuals of many
+   groups may add up. With 1e-10 in double, a light stone beside heavy ones is
+   reported to stand although it falls. */
 #define KERN_PASS_TOL KERN_PICK(1e-11, 1e-6)
-/* Largest residual that a program of all groups may leave, a tenth of KERN_TOL:
-   its forces are not passed on, so that residuals do not add up. */
+/* Largest residual that a program of all groups may leave. A tenth of KERN_TOL
+   is small enough, since forces are not passed on from group to group and
+   residuals do not add up. */
 #define KERN_PART_TOL KERN_PICK(1e-10, 1e-5)
 /* Rounding of a residual, as a share of the largest force or value in it. */
 #define KERN_RESIDUAL (4 * KERN_EPS)
@@ -1765,28 +1830,31 @@ extern "C" {
 /* Shift of the diagonal of Newton's matrix, as a share of its mean. Without it
    a row has no pivot if no ray of the group presses. */
 #define KERN_DUAL_SHIFT KERN_ROUNDING
-/* Most rounds of Newton's method. It ends in far fewer, unless digits are
-   lost. */
+/* Most rounds of Newton's method. The method takes far fewer, unless rounding
+   spoils it. */
 #define KERN_NORM_ROUNDS 100
-/* Line search: it ends when the derivative has fallen by this factor. Newton's
-   next step makes up for the rest. */
+/* Line search: factor by which the derivative must fall. Newton's next step
+   makes up for the rest. */
 #define KERN_SHARE_TOL 8
-/* Line search with prices: this factor, since the next prices begin there. */
+/* Line search with prices: factor by which the derivative must fall. This
+   factor is larger since the next prices are computed from the result. */
 #define KERN_SHARE_TOL_PRICED 1000
-/* Line search: most steps, each four times the last, to pass the maximum. */
+/* Line search: most steps until the maximum has been passed, each four times
+   the last. */
 #define KERN_SHARE_GROWS 13
-/* Line search: most places after that; regula falsi needs few. */
+/* Line search: most places that regula falsi tries after the maximum has been
+   passed. Usually few are enough. */
 #define KERN_SHARE_PLACES 20
 
 /* ---- top-down pass ---- */
 
-/* A pivot of a 3 x 3 matrix below this share of its trace is rounding. At 1e-11
-   in double a profile of rubble wrongly starts above the margin. */
+/* A pivot of a 3 x 3 matrix below this share of its trace is rounding. With
+   1e-11 in double, a profile of rubble wrongly starts above the margin. */
 #define KERN_THREE_TOL KERN_PICK(1e-12, 1e-5)
 /* A pivot of a 3 x 3 matrix above this share of its trace needs no refinement
    of the solution. */
 #define KERN_THREE_GOOD KERN_PICK(1e-4, 1e-2)
-/* Most contacts of a group that is balanced alone: the arrays are on the
+/* Most contacts of a group that is balanced alone; length of arrays on the
    stack. */
 #define KERN_ROWS_MOST 12
 /* Most rounds of Newton's method for one group. Usually it ends in four. */
@@ -1794,211 +1862,228 @@ extern "C" {
 /* Factor by which a residual must fall in a round; otherwise no forces
    exist. */
 #define KERN_ALONE_PACE 8
-/* Load on a joint within 30 degrees of upright, as a share of the load that a
-   bed would take. With .3 verdicts of 126 courses of bricks take eight times
-   the work, and with 1 they take 900 times. */
+/* Load that a joint within 30 degrees of upright takes, as a share of the load
+   that a bed takes. With 0.3, verdicts on 126 courses of bricks take eight
+   times the work, and with 1 they take 900 times. */
 #define KERN_SIDE_SHARE KERN_R(0.1)
-/* Norm of the forces, in loads of a cluster, beyond which the cluster counts as
-   infeasible. With a larger norm clusters grow later and Newton's method takes
-   more steps: without this bound a try costs 4 % more. */
+/* Norm of the forces, as a multiple of the cluster's loads, above which the
+   cluster counts as infeasible. With a larger norm clusters grow later and
+   Newton's method takes more steps: without this bound kern_plan_try() costs 4
+   % more. */
 #define KERN_CLUSTER_NORM KERN_R(100)
-/* A contact that closes more slowly than this share of the largest speed counts
+/* Closing speed, as a share of the largest speed, below which a contact counts
    as parting. */
 #define KERN_PARTS_TOL KERN_R(1e-4)
-/* A cluster may have this share of all groups, inverse: a quarter in a verdict,
-   a fifth in a search, a seventh in a search that knows forces. With a fifth
-   verdicts take 7 % more. With a quarter measures take 6 % more. With a fifth
-   tries from known forces take 6 % more. */
+/* Number of groups divided by the largest size of a cluster in a verdict. In a
+   search the number is KERN_CLUSTER + 1, and in a search from known forces
+   KERN_CLUSTER + 3. With 5 verdicts take 7 % more work. With 4 in a search
+   measures take 6 % more. With 5 in a search from known forces kern_plan_try()
+   takes 6 % more. */
 #define KERN_CLUSTER 4
-/* Most groups of a cluster if there are more than KERN_SMALL groups. With
-   fewer, some measures of 100 blocks take four times the work. */
+/* Most groups of a cluster if the structure has more than KERN_SMALL groups.
+   With smaller clusters some measures of 100 blocks take four times the
+   work. */
 #define KERN_CLUSTER_MOST 20
-/* Groups of the structure for each of which such a cluster may have one
-   more. */
+/* A cluster may have one more group for each KERN_CLUSTER_MORE groups of the
+   structure. */
 #define KERN_CLUSTER_MORE 32
-/* Units of work of a pass for each group and contact. With 30, measures of
-   bricks take 1.4 times as long. */
+/* Largest work of a pass for each group and contact [units]. With 30, measures
+   of bricks take 1.4 times as long. */
 #define KERN_PASS_UNITS 9
 
 /* ---- search ---- */
 
-/* Two critical values that differ by less are the same [mean block size]: with
-   less, Newton's method follows rounding. */
+/* Critical values that differ by less count as equal [mean block size]. With a
+   smaller difference Newton's method would follow rounding. */
 #define KERN_VALUE_SAME KERN_PICK(1e-10, 1e-5)
 /* A negative force of a known basis below this share of the weight is
    rounding. */
 #define KERN_BASIS_NOISE KERN_PICK(1e-10, 1e-5)
-/* Most places of a bracket. Four to eight suffice, unless digits are lost. */
+/* Most places at which one bracket is cut. Four to eight suffice, unless
+   rounding spoils the proofs. */
 #define KERN_BRACKET_ROUNDS 100
-/* Most verdicts of a search for a least load; each mechanism takes one. */
+/* Most verdicts of kern_least_load_of(): it takes one for each mechanism. */
 #define KERN_LEAST_ROUNDS 100
-/* Most kinks of a power, where kerns close, that Newton's method passes. */
+/* Most kinks of a power that Newton's method passes. A kink is where a kern
+   closes. */
 #define KERN_BENDS 8
-/* Most falling parts before the whole is solved. */
+/* Most falling parts that a search follows before it solves the whole. */
 #define KERN_PARTS 8
-/* A bracket without a predicted value is cut at a quarter, since mechanisms are
-   found near its lower end more often. */
+/* A bracket without a predicted value is cut at 1 / KERN_CUT of its width,
+   since mechanisms are found near its lower end more often. */
 #define KERN_CUT KERN_R(4)
 /* Largest step of Halley's method, in steps of Newton's. */
 #define KERN_HALLEY_MOST KERN_R(4)
-/* First step of a search [mean size; load factor, tangent of a quarter of the
-   angle]. Chosen on the odd half of the corpus and on walls of 100 to 200
-   blocks. */
+/* First step of a search: KERN_CLIMB [mean size], KERN_CLIMB_PUSH [load factor,
+   tangent of a quarter of the angle]. Both are tuned on the odd half of the
+   corpus and on walls of 100 to 200 blocks. */
 #define KERN_CLIMB KERN_R(0.1)
 #define KERN_CLIMB_PUSH KERN_R(0.5)
-/* Growth of these steps: each is this many times the one before. */
+/* Factor from one step of a search to the next. */
 #define KERN_CLIMB_GROWS KERN_R(1.5)
 
 /* ---- interior point ---- */
 
-/* Most steps. Ten usually suffice, unless digits are lost. */
+/* Most steps of the interior point. Ten usually suffice, unless rounding spoils
+   it. */
 #define KERN_IPM_ROUNDS 100
 /* Shift of the diagonal of M where M is singular, as a share of its mean. */
 #define KERN_IPM_SHIFT KERN_PICK(1e-10, 1e-5)
-/* Share of the way to x, z = 0 that a step leaves, less as the gap closes: no
-   step is possible from the boundary. */
+/* Share of the way to the boundary (x or z = 0) that a step leaves, less as the
+   gap closes. From the boundary itself no step is possible. */
 #define KERN_IPM_BACKOFF KERN_R(1e-3)
-/* Least share of its force that a ray keeps in a step: a force that rounds to 0
-   would never grow again. */
+/* Least share of its force that a ray keeps in a step, since a force that
+   rounds to 0 would never grow again. */
 #define KERN_IPM_KEEP KERN_EPS
 /* Least share of its force that a ray keeps when forces are balanced. */
 #define KERN_IPM_BALANCE KERN_R(1e-3)
-/* Starting point: x and z are raised by this times the magnitude of their least
-   entry, if that is negative (Mehrotra). */
+/* Starting point (Mehrotra): if the least entry of x or z is negative, the
+   vector is raised by this multiple of that entry's magnitude. */
 #define KERN_IPM_LIFT_LEAST KERN_R(1.5)
-/* Starting point: x and z are also raised by this share of their largest
+/* Starting point: the vector is also raised by this share of its largest
    entry. */
 #define KERN_IPM_LIFT_SHARE KERN_R(1e-3)
-/* Least -s with which a query continues from the last one. With s = 0 it could
-   not find that the structure falls. */
+/* Least -s with which a query continues from the solution of the last one. From
+   s = 0 the query could not find that the structure falls. */
 #define KERN_IPM_S KERN_R(1e-3)
-/* Least gap with which a query continues: closer to the boundary it could not
-   turn. */
+/* Least gap with which a query continues from the last solution. Closer to the
+   boundary the method makes no progress in a new direction. */
 #define KERN_IPM_GAP KERN_R(1e-3)
 /* Least product x z after a step, as a share of the mean product. */
 #define KERN_IPM_CENTRE KERN_R(0.03)
-/* Least share of the gap that a step aims at. With less, fewer verdicts are
-   decided. */
+/* Least share of the gap that a step aims at. With a smaller share fewer
+   verdicts are decided. */
 #define KERN_IPM_AIM KERN_R(0.03)
-/* Gap that is rounding: the square of the shift of the diagonal. */
+/* Gap below which a solution is exact but for rounding: the square of the shift
+   of the diagonal. */
 #define KERN_IPM_GAP_LEAST (KERN_IPM_SHIFT * KERN_IPM_SHIFT)
-/* Largest gap of a solution that still has digits. */
+/* Largest gap at which the method continues: beyond it the solution has no
+   digits left. */
 #define KERN_IPM_GAP_MOST KERN_BOUND
 /* A continued query restarts if after k steps its gap exceeds the first gap
-   times KERN_IPM_SLACK KERN_IPM_PACE^k. Otherwise some walls take three times
-   the work. */
+   times KERN_IPM_SLACK * KERN_IPM_PACE^k. Without the restart some walls take
+   three times the work. */
 #define KERN_IPM_PACE KERN_R(0.95)
-/* The factor of that bound before the first step. */
+/* The factor of that bound on the gap before the first step. */
 #define KERN_IPM_SLACK KERN_R(1.1)
 
 /* ---- simplex method ---- */
 
 /* Least violation of x >= 0 that counts, as a share of the largest load. */
 #define KERN_VALUE_TOL KERN_PICK(1e-10, 1e-5)
-/* Least gain of a column that enters, as a share of the largest price. With
-   less the method would follow rounding. */
+/* Least gain of a column that enters, as a share of the largest price. Smaller
+   gains are rounding. */
 #define KERN_PRICE_TOL KERN_VALUE_TOL
 /* Least pivot, as a share of the largest entry of the entering column. */
 #define KERN_PIVOT_LEAST KERN_VALUE_TOL
-/* Rounding of a price, of a slope and of x and y, as a share of the largest. */
+/* Rounding of a price, of a slope and of an entry of x or y, as a share of the
+   largest of its kind. */
 #define KERN_LP_ROUNDING KERN_ROUNDING
-/* Lift of a certificate off the columns that it touches, as a share of its
-   largest entry: the check of a motion allows for as much rounding. */
+/* Amount by which a certificate's y.A_j is raised for basic columns, as a share
+   of its largest entry: the rounding that the check of a motion allows for. */
 #define KERN_LIFT KERN_ROUNDING
 /* Largest residual of a basic solution, as a share of its largest value, before
    the basis is factored again. */
 #define KERN_BASIS_TOL KERN_PASS_TOL
-/* Refinements of a basic solution; each gains most of the digits. */
+/* Number of refinements of a basic solution. Each one gains most of the digits
+   of a number. */
 #define KERN_REFINES 3
-/* Least pivot of a column that is factored after its group's own columns, as a
-   share of its largest entry. Below it the column depends on those before
-   it. */
+/* Least pivot of a column that is factored after the own columns of all groups,
+   as a share of its largest entry. With a smaller pivot it depends on the
+   columns before it. */
 #define KERN_LATE_PIVOT KERN_PICK(1e-4, 1e-2)
 /* Least pivot of a column in its own group, where its entries are about 1. With
-   less the inverse grows from course to course. With more it fills: at 0.01 a
-   call may take more than 2,000 instructions for a unit of its limit. */
+   0.01 the inverse grows from course to course, and a call may take more than
+   2,000 instructions for a unit of its limit. With a larger value the inverse
+   has more entries. */
 #define KERN_OWN_TOL KERN_R(0.03)
-/* Crash basis: most columns of a group that are tried; the arrays are on the
+/* Crash basis: most columns of a group that are tried; length of arrays on the
    stack. */
 #define KERN_CRASH_COLUMNS 12
 /* Crash basis: least determinant of three columns with entries of about 1. */
 #define KERN_CRASH_DET KERN_LATE_PIVOT
-/* Crash basis: largest pull of a column, in loads of its group. */
+/* Crash basis: largest tension in a column, as a multiple of its group's
+   load. */
 #define KERN_CRASH_PULL KERN_R(2)
-/* Prices are refined after KERN_PIVOTS + KERN_PIVOTS_ROW rows pivots. Most
-   programs take fewer. */
+/* Budget of pivots: KERN_PIVOTS + KERN_PIVOTS_ROW for each row. When a budget
+   is used up, prices are refined. Most programs take fewer pivots. */
 #define KERN_PIVOTS 50
-/* The pivots of that budget for each row. */
+/* Pivots of the budget for each row. */
 #define KERN_PIVOTS_ROW 2
-/* Budgets of pivots after which Bland's rule is used: it is safe, and slow. */
+/* Number of budgets of pivots after which Bland's rule is used. Bland's rule
+   cannot cycle, but is slow. */
 #define KERN_PIVOTS_BLAND 5
-/* Budgets of pivots after which a program of a structure ends; one pivot for
-   each column is added. Only jams take more than two budgets, and the interior
-   point answers them sooner. */
+/* Number of budgets of pivots after which a program of a structure ends, plus
+   one pivot for each column. Only jams take more than two budgets, and the
+   interior point solves jams sooner. */
 #define KERN_PIVOTS_JAM 3
-/* Most pivots of other programs, as a constant: it ends cycles of rounding. */
+/* Most pivots of a caller's program are this number plus KERN_PIVOTS_EACH for
+   each row and column. The bound ends cycles that rounding causes. */
 #define KERN_PIVOTS_MOST 200
-/* Most pivots of other programs, for each row and column. */
+/* Pivots of that bound for each row and column. */
 #define KERN_PIVOTS_EACH 20
 
 /* ---- raised ---- */
 
-/* Norm of the forces, in loads of all groups, beyond which the search ends. */
+/* Norm of the forces, as a multiple of the loads of all groups, above which the
+   search ends. */
 #define KERN_RAISE_NORM KERN_R(200)
-/* Largest slide, in approaches, of a contact in a proof: a stone that falls
-   into a jam slides farther. */
+/* Largest slide of a contact in a proof, as a multiple of its approach. A stone
+   that falls into a jam slides farther. */
 #define KERN_SLIDE_MOST KERN_R(100)
-/* Most rounds of Newton's method for one set of prices; usually it takes 4. */
+/* Most rounds of Newton's method for one set of prices. Usually it takes 4. */
 #define KERN_PRICED_ROUNDS 10
-/* A search is lost if u goes this many times as far as in its first round, plus
-   once for each group, since in a row of groups their slides add up. It is also
-   lost if u goes KERN_JUMPS times as far from the last place shown as that is
-   from the unloaded one. */
+/* A search is lost if the displacement u exceeds (KERN_RUNS_AWAY + number of
+   groups) times that of the first round, since slides add up along a row of
+   groups. It is also lost if u differs from the last u with a proof by more
+   than KERN_JUMPS times the size of that u. */
 #define KERN_RUNS_AWAY KERN_R(30)
 #define KERN_JUMPS KERN_R(2)
-/* A search is also lost after this many rounds, plus half as many as there are
-   groups, in which the prices have not settled. With fewer rounds a long row is
-   given up before its other end has moved. */
+/* A search is also lost after this many rounds, plus one for every two groups,
+   in which the change of prices has not become smaller. With fewer rounds the
+   search of a long row ends before the far end of the row has moved. */
 #define KERN_PATIENCE 20
 /* Most work of one search, as a multiple of the cost of a factorisation. */
 #define KERN_SEARCH_COSTS 3000
-/* Prices are extrapolated by KERN_FORWARD of their last changes where the
-   cosine of the last two changes is larger than KERN_COHERENT. */
+/* Prices are extrapolated by KERN_FORWARD times their last change if the cosine
+   between the last two changes is larger than KERN_COHERENT. */
 #define KERN_FORWARD KERN_R(2)
 #define KERN_COHERENT KERN_R(0.7)
-/* Share of the way by which a price falls in a round. */
+/* Share of the difference to its new value by which a falling price changes in
+   a round. */
 #define KERN_PRICE_FALL KERN_R(0.3)
 /* Newton's method begins if at most KERN_FEW_CHANGES contacts changed in the
-   last round, and takes at most KERN_NEWTON_ROUNDS steps. With more steps it
-   costs more and finds no more. */
+   last round, and takes at most KERN_NEWTON_ROUNDS steps. More steps cost more
+   and find no more solutions. */
 #define KERN_FEW_CHANGES 2
 #define KERN_NEWTON_ROUNDS 3
-/* A load grows to the load factor in KERN_LOAD_STEPS steps. A step that fails
-   is divided by KERN_LOAD_FINER, since a failing step takes the work of ten
-   others. No step is below the share KERN_LOAD_NARROW of the load that was
-   shown. As a share of the load factor, which may be several times too high,
-   the least step would stop 3 % before limit equilibrium. */
+/* A load grows to the load factor in KERN_LOAD_STEPS steps. A step that fails,
+   which takes the work of ten others, is divided by KERN_LOAD_FINER. The least
+   step is the share KERN_LOAD_NARROW of the largest load with a proof. As a
+   share of the load factor, which may be several times too high, it would end
+   the search 3 % below limit equilibrium. */
 #define KERN_LOAD_STEPS 10
 #define KERN_LOAD_FINER 4
 #define KERN_LOAD_NARROW KERN_R(0.005)
 /* kern_stays(): distance from the stone, in contacts from block to block, up to
-   which blocks are free. All others are held. With 3 or 5 the chance tells
-   less. */
+   which blocks are free. All other blocks are held. With 3 or 5 the chance
+   separates stones that stay from stones that move less well. */
 #define KERN_STAYS_NEAR 4
-/* kern_stays(): stiffness along t. It is less than where a proof requires that
-   contacts stick within KERN_STICKS. */
+/* kern_stays(): stiffness of contacts along t, as kern_dual.stiff. The
+   stiffness for a proof is larger, since contacts must then stick within
+   KERN_STICKS. */
 #define KERN_STAYS_STIFF KERN_R(4)
-/* kern_stays(): the largest reserve that is searched for, the number added to
-   the reserve, and the scale, all fitted to placements. A larger reserve does
-   not change the chance. */
+/* kern_stays(): constants of its law, fitted to placements. KERN_STAYS_MOST is
+   the largest reserve that counts, KERN_STAYS_ADD is added to the reserve, and
+   KERN_STAYS_ODDS scales the odds. */
 #define KERN_STAYS_MOST KERN_R(0.01)
 #define KERN_STAYS_ADD KERN_R(0.004)
 #define KERN_STAYS_ODDS KERN_R(5.5e7)
 
 /* ---- Vectors ------------------------------------------------------ >>vec */
 
-/* Returns the magnitude of a, and 0 for -0. Compilers do not find the one
-   instruction by themselves. */
+/* Returns the magnitude of a, and 0 for -0. gcc and clang need the builtin to
+   compile this to one instruction. */
 static kern_real kern_abs(kern_real a)
 {
 #ifdef __GNUC__
@@ -2090,7 +2175,7 @@ static int kern_vec_is_moderate(kern_vec a)
 }
 
 /* Returns the sine by its series, since the last digit of libm's sine differs
-   between machines. It is right to eight digits for angles below
+   between machines. The result is exact to eight digits for angles below
    KERN_ANGLE_MOST. */
 static kern_real kern_sine(kern_real angle)
 {
@@ -2098,8 +2183,8 @@ static kern_real kern_sine(kern_real angle)
     return angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42)));
 }
 
-/* Shortens the interval [*low, *high] to those s for which at + s slope lies
-   from least to most. An empty interval has *low > *high. */
+/* Shortens the interval [*low, *high] to those s for which at + s * slope lies
+   in [least, most]. An empty interval has *low > *high. */
 static void kern_clip(kern_real *low, kern_real *high, kern_real at,
                       kern_real slope, kern_real least, kern_real most)
 {
@@ -2132,7 +2217,7 @@ static kern_real kern_wrench_sum(const void *w)
     return kern_abs(of[0]) + kern_abs(of[1]) + kern_abs(of[2]);
 }
 
-/* v := s v, for n numbers, also those of structs of numbers */
+/* v := s v, for an array of n numbers or structs with n numbers in total */
 static void kern_scale(void *v, int n, kern_real s)
 {
     kern_real *to = (kern_real *)v;
@@ -2210,7 +2295,7 @@ static void kern_box_add(kern_box *box, kern_vec p)
 }
 
 /* ---- Statics -------------------------------------------------- >>statics */
-/* Eq. (5) of >>method, as kern_part_set() writes it:
+/* Eq. (5) of >>method, as kern_part_set() assembles it:
 
        \   n   /         f n + r t = x1 (n + mu t) + x2 (n - mu t),
         \  |  /              x1, x2 >= 0
@@ -2218,27 +2303,27 @@ static void kern_box_add(kern_box *box, kern_vec p)
        ---- p ----  t
 
    A has three rows for each free block (force, torque about its centre) and two
-   columns for each contact point. Units are the size of the block and the
-   weight of all. */
+   columns for each contact point. The unit of a length is the size of the
+   block, and the unit of a force is the total weight. */
 
 /* Contacts that may carry: all, or only those with nested kerns. */
 typedef enum kern_carry { KERN_CARRY_ALL, KERN_CARRY_NESTED } kern_carry;
 
-/* A question: which weights and loads the structure has to carry, and how far
-   kerns shrink. */
+/* A query: the weights and loads that the structure has to carry, and the
+   shrinkage of its kerns. */
 typedef struct kern_query {
-    kern_real shrink; /* of all kerns [m; relative: share of each travel]   */
+    kern_real shrink; /* shrinkage of all kerns [m; relative: a share]      */
     int relative;     /* nonzero: shrink is a share                         */
-    kern_real narrow; /* rate at which friction cones narrow                */
+    kern_real narrow; /* options.narrow of the task                         */
     kern_real mean;   /* mean size of the free blocks                       */
     kern_vec gravity;
     const kern_wrench *pattern; /* NULL: side * m |g| horizontally          */
-    kern_real factor;           /* of the pattern                           */
-    kern_real loads;            /* factor of the blocks' own loads          */
-    int side;                   /* 1 or -1, of a NULL pattern or a tilt     */
-    const kern_real *fallen;    /* block i is gone if fallen[i] >= 0; NULL:
-                                           no block is gone                 */
-    kern_real shortest;         /* shorter contacts carry nothing [m]       */
+    kern_real factor;           /* factor of the pattern                    */
+    kern_real loads;            /* factor of the loads of the blocks        */
+    int side;                   /* 1 or -1: side of a NULL pattern or tilt  */
+    const kern_real *fallen;    /* block i has been removed if fallen[i] >= 0;
+                                   NULL: no block                           */
+    kern_real shortest;         /* [m]: shorter contacts carry nothing      */
     kern_carry carry;           /* contacts that may carry                  */
 } kern_query;
 
@@ -2258,7 +2343,7 @@ static inline kern_real kern_friction(const kern_contact *c,
              : c->mu;
 }
 
-/* Returns 1 if block i has been taken away. */
+/* Returns 1 if block i has been removed. */
 static inline int kern_is_gone(const kern_query *q, int i)
 {
     return q->fallen && q->fallen[i] >= 0;
@@ -2272,15 +2357,15 @@ KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
     return kern_abs(c->travel) < KERN_TRAVEL_LEAST * mean ? 0 : c->travel;
 }
 
-/* Returns the length of a contact's line, or about that of the interface of its
-   points. Returns 0 for a single point. */
+/* Returns the length of a contact's line, or the approximate length of the
+   interface of its points. Returns 0 for a single point. */
 static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
 {
     return 2 * kern_abs(kern_travel(c, mean));
 }
 
-/* Returns 1 if a contact carries nothing: it is too short, one of its blocks is
-   gone, or it is a travelling point and these are left out. */
+/* Returns 1 if a contact carries nothing: it is too short, one of its blocks
+   has been removed, or q->carry excludes it as a point that travels. */
 static inline int kern_is_out(const kern_query *q, const kern_contact *c)
 {
     const kern_real len = q->shortest > 0 ? kern_contact_length(c, q->mean) : 0;
@@ -2310,8 +2395,8 @@ static void kern_pattern_on(const kern_structure *s, const kern_query *q, int i,
                    s->block[i].mass * KERN_R(q->side), w);
 }
 
-/* Returns the magnitude of a force. It is not 0 if only the squares
-   underflow. */
+/* Returns the magnitude of a force. The result is not 0 if only the squares of
+   the components underflow. */
 static kern_real kern_force_size(const kern_wrench *w)
 {
     const kern_vec f = kern_vec_make(w->fx, w->fy);
@@ -2330,8 +2415,9 @@ static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
          * (kern_force_size(w) + kern_abs(w->torque) / kern_block_size(b));
 }
 
-/* Writes the sum of all wrenches on block i except those of its contacts.
-   Returns the sum of their magnitudes, the scale of the block's residual. */
+/* Writes the sum of all wrenches on block i except those of its contacts to
+   *sum. Returns the sum of their magnitudes, the scale of the block's
+   residual. */
 static inline kern_real kern_wrench_on(const kern_structure *s,
                                        const kern_query *q, int i,
                                        kern_wrench *sum)
@@ -2371,9 +2457,9 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
 }
 
 /* Writes the arms from the centres of blocks a and b to the place where contact
-   c acts. Returns how far along t the shrinkage has moved it. The centre is
-   subtracted before that motion is added, since far from the origin a place has
-   fewer digits than an arm. A tenth of the time is spent here. */
+   c acts. Returns how far along t the shrinkage has moved the contact. The
+   centre is subtracted before that motion is added, since far from the origin a
+   place has fewer digits than an arm. A tenth of the time is spent here. */
 static inline kern_real kern_arms(const kern_structure *s,
                                   const kern_contact *c, const kern_query *q,
                                   kern_vec arm[2])
@@ -2421,9 +2507,10 @@ KERN_SHARED static int kern_same_interface(const kern_contact *c,
 }
 
 /* ---- Work arrays ------------------------------------------------- >>work */
-/* The work memory that is left. Slices are taken from it one after the other.
-   If a slice does not fit, the count that is left becomes -1 and stays
-   negative. That slice and all later ones must not be used. */
+/* kern_take is the part of the work memory that is still free. Slices are taken
+   from it one after the other. If a slice does not fit, the count of free
+   numbers or indices becomes -1 and stays negative. That slice and all later
+   ones must not be used. */
 
 typedef struct kern_take {
     kern_real *real;
@@ -2438,8 +2525,8 @@ KERN_SHARED static void kern_take_open(kern_take *take, const kern_work *work)
     *take = all;
 }
 
-/* Takes n numbers, or n indices. If they do not fit the count becomes negative,
-   and no later slice changes that. */
+/* Take a slice of n numbers, or of n indices, and return it. If the slice does
+   not fit, the count becomes negative. */
 static kern_real *kern_take_reals(kern_take *take, int n)
 {
     kern_real *const at = take->real;
@@ -2457,7 +2544,7 @@ static int *kern_take_ints(kern_take *take, int n)
     return at;
 }
 
-/* Takes n numbers from the end of the memory that is left. */
+/* Takes a slice of n numbers from the end of the free memory. */
 static kern_real *kern_take_last(kern_take *take, int n)
 {
     take->reals -= n;
@@ -2472,7 +2559,7 @@ static int kern_take_fits(const kern_take *take)
 
 /* ---- what a call may spend ---- */
 
-/* Returns the limit in units; 0 of the caller means the largest. */
+/* Returns the limit of work [units]; options.limit = 0 means the largest. */
 static int kern_limit_of(int limit)
 {
     return limit > 0 ? limit : KERN_WORK_MOST;
@@ -2490,8 +2577,8 @@ static void kern_work_begin(kern_work *work)
     work->units = 0;
 }
 
-/* Counts work that is about to be done. Returns 0 if the call has not so much
-   left: this and all further work is refused, and the call ends. */
+/* Counts work before it is done. Returns 0 if the work exceeds the limit of the
+   call: this and all further work is refused, and the call ends. */
 static int kern_spend(kern_work *work, int limit, int units)
 {
     const int left = kern_limit_of(limit) - work->units;
@@ -2509,7 +2596,7 @@ static kern_status kern_ended(const kern_task *task, kern_status status)
 }
 
 /* ---- Checks of arguments ---------------------------------------- >>check */
-/* All that the statics reads is checked once, before any memory is used:
+/* All input of the statics is checked once, before any work memory is used:
    numbers are within bounds, indices exist, normals have length 1. */
 
 /* Checks the options. */
@@ -2540,13 +2627,14 @@ static inline kern_status kern_contact_check(const kern_contact *c, int blocks)
         return KERN_SAME_BLOCK;
     if (!kern_vec_is_moderate(c->p)
         || !(kern_abs(c->travel) <= KERN_FAR)
-        /* 0 times a number that is not finite is not a number */
+        /* the sum is NaN if one of these is not finite */
         || !kern_is_finite(0 * c->n.x + 0 * c->n.y + 0 * c->mu))
         return KERN_BAD_NUMBER;
     return c->mu < 0 ? KERN_BAD_FRICTION : KERN_OK;
 }
 
-/* Checks a block. Sets *loaded if it is free and a load acts on it. */
+/* Checks a block. Sets *loaded if the block is free and a weight or load acts
+   on it. */
 static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
                                     int *loaded)
 {
@@ -2602,8 +2690,9 @@ static kern_status kern_structure_check(const kern_structure *s,
 }
 
 /* Checks all arguments except the contents of the arrays. `out` is the address
-   of the result; a verdict has none, and passes the task. Clears the units and
-   the fault of the work memory. Its other counters add up over calls. */
+   of the caller's result; a query without a result passes the task instead.
+   Clears the units and the fault of the work memory. The other counters of the
+   work memory add up over calls. */
 static kern_status kern_task_check(const kern_task *task, kern_real shrink,
                                    const void *out)
 {
@@ -2612,7 +2701,7 @@ static kern_status kern_task_check(const kern_task *task, kern_real shrink,
     if (!task || !task->work || !task->work->real || !task->work->index || !out)
         return KERN_BAD_POINTER;
     s = &task->s;
-    /* a status that kern_contacts() returned; its fault is kept */
+    /* the count is a status of kern_contacts(): its fault is kept */
     if (s->contacts <= (int)KERN_NO_SPACE
         && s->contacts >= (int)KERN_STATUS_LEAST)
         return (kern_status)s->contacts;
@@ -2686,32 +2775,32 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
-/* Proofs read only the caller's data. Their error is a share of the allowed
-   error: a proof with an error of at most 1 holds.
+/* Proofs read only the caller's data. The error of a proof is a share of the
+   allowed error. A proof holds if its error is at most 1.
 
-   Forces prove "stands". Each lies in its cone. The residual of each row of
-   equilibrium is within KERN_TOL of the loads on the block, or within the
-   rounding of the contact forces there. The sum of all forces is at most
+   Forces prove "stands". Each force lies in its friction cone. The residual of
+   each row of equilibrium is at most KERN_TOL times the loads on the block plus
+   the rounding of the contact forces there. The sum of all forces is at most
    KERN_BOUND times the weight.
 
-   A motion proves "falls". Its power exceeds its own rounding plus KERN_BOUND
-   times the weight of the moving part times the highest speed at which it
-   closes a contact: forces of that sum could not hold it. The speed includes a
-   bound of its own rounding error, so the proof also holds in exact
-   arithmetic. */
+   A motion proves "falls". The power of the loads exceeds its own rounding
+   error plus KERN_BOUND times the moving weight times the highest speed at
+   which the motion closes a contact. So contact forces with a sum of up to
+   KERN_BOUND weights cannot stop it. The speed includes a bound of its own
+   rounding error, so the proof also holds in exact arithmetic. */
 
-/* Returns the error of equilibrium as a share of the allowed error: the largest
-   residual of free blocks, or the sum `total` of all normal forces. `sum` has
-   the wrenches that contacts exert, four numbers a block. An error above 1 is
-   returned as at least 2. */
+/* Returns the error of equilibrium as a share of the allowed error. Two errors
+   count: the largest residual of a free block, and the sum `total` of all
+   normal forces. `sum` has four numbers per block, as kern_prove_end() adds
+   them up. An error above 1 is returned as at least 2. */
 static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                                  const kern_real *sum, kern_real total)
 {
     kern_real error = 0, weight = 0;
     int i;
 
-    /* The residual of each row of a free block, as a share of the loads on
-       it. */
+    /* Finds the largest residual of a row of a free block, as a share of the
+       allowed residual. */
     for (i = 0; i < s->blocks; i++, sum += 4)
         if (!s->block[i].fixed && !kern_is_gone(q, i)) {
             kern_wrench w;
@@ -2729,17 +2818,17 @@ static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                     error, left / (KERN_TOL * size + KERN_ROUNDING * sum[3]));
         }
 
-    /* The sum of the forces, as a share of the largest in a proof. */
+    /* Computes the sum of the forces as a share of the largest allowed sum. */
     weight *= KERN_BOUND;
-    if (!kern_is_finite(weight)) /* it would allow any forces */
+    if (!kern_is_finite(weight)) /* it allows any forces                */
         return KERN_INFINITY;
     if (total > 0)
         error = kern_max(error, total / weight);
     return error <= 1 ? error : kern_max(error, 2);
 }
 
-/* Adds a force with the normal part f to the sums of a block: fx, torque, fy,
-   and the largest f. */
+/* Adds a force with the normal component f to the four numbers of a block: the
+   sums of fx, torque and fy, and the largest f. */
 KERN_SHARED static void kern_prove_end(kern_real *sum, kern_vec arm,
                                        kern_real fx, kern_real fy, kern_real f)
 {
@@ -2750,8 +2839,8 @@ KERN_SHARED static void kern_prove_end(kern_real *sum, kern_vec arm,
 }
 
 /* Returns the error of forces as a proof that the structure stands, as a share
-   of the allowed error. Returns KERN_INFINITY if they prove nothing. `sum` is
-   scratch, four numbers a block. */
+   of the allowed error. Returns KERN_INFINITY if a force is outside its cone or
+   not finite. `sum` is scratch, four numbers per block. */
 static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
                                    const kern_force *force, kern_real *sum)
 {
@@ -2761,7 +2850,7 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
     KERN_ASSERT(force && sum);
     kern_zero(sum, 4 * s->blocks);
 
-    /* Each force must be in its cone. Its wrenches are added to its two
+    /* Checks that each force is in its cone, and adds its wrenches to its two
        blocks. */
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
@@ -2783,15 +2872,15 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
         total += f;
     }
 
-    /* The residual of equilibrium that the sums leave. */
+    /* Checks the residuals of equilibrium. */
     return kern_prove_rows(s, q, sum, total);
 }
 
 /* Returns an upper bound of the speed at which a motion closes contact c. A
-   force of 1 in the cone takes at most that power out of the motion. The bound
-   includes the rounding of this sum. Each operation may lose half of KERN_EPS
-   of its result. An arm takes three operations, and the spin multiplies its
-   rounding error. */
+   force in the cone with a normal component of 1 takes at most this power out
+   of the motion. The bound includes rounding errors: each operation may lose
+   KERN_EPS / 2 of its result, an arm takes three operations, and the spin
+   multiplies the error of the arm. */
 static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
                               const kern_query *q, const kern_motion *motion)
 {
@@ -2801,7 +2890,7 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
     const kern_real nx = kern_abs(c->n.x), ny = kern_abs(c->n.y);
     kern_real gap;
     int end;
-    for (end = 0; end < 2; end++) { /* velocity of b minus that of a */
+    for (end = 0; end < 2; end++) { /* v: velocity of b minus that of a */
         const kern_motion *m = motion + (end ? c->b : c->a);
         const kern_vec u = kern_velocity(m, arm[end]);
         const kern_real spin = 3 * kern_abs(m->spin);
@@ -2819,8 +2908,8 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
 /* Returns a norm of a motion: 0 only if the block rests. */
 static kern_real kern_speed(const kern_motion *m) { return kern_wrench_sum(m); }
 
-/* Returns the speed of a block's centre, or its spin times its size if that is
-   larger. */
+/* Returns the larger of the speed of a block's centre and its spin times its
+   size. */
 static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
 {
     return kern_max(kern_vec_length(kern_vec_make(v->vx, v->vy)),
@@ -2853,7 +2942,7 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
     int i, first = -1; /* block that moves */
 
     /* Sums the power of the loads on the moving blocks, the magnitudes of its
-       terms, by which it rounds, and the weight of the moving blocks. */
+       terms, which bound its rounding, and the weight of the moving blocks. */
     for (i = 0; i < s->blocks; i++) {
         const kern_motion *m = motion + i;
         kern_wrench w, p;
@@ -2871,12 +2960,13 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
         terms += kern_wrench_sum(&p);
     }
 
-    /* Without a power that is safely above 0 there is nothing to prove. */
+    /* The power must be above 0 despite rounding. */
     weight *= KERN_BOUND;
     if (!(power > KERN_POWER_LEAST) || !kern_is_finite(terms + weight))
         return KERN_INFINITY;
 
-    /* Begins with the contacts of the last stone, which may stop it first. */
+    /* Finds the fastest closing. Begins with the contacts of the last stone,
+       which are the most likely to stop the motion. */
     for (i = s->contacts - 1; i >= 0 && weight * closing <= power; i--) {
         const kern_contact *c = s->contact + i;
         if ((c->a >= first || c->b >= first) && kern_speeds(c, motion) > 0
@@ -2887,15 +2977,16 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
         }
     }
 
-    /* The power that forces and rounding could take, as a share of the
-       power. */
+    /* Returns the power that contact forces and rounding could take, as a share
+       of the power of the loads. */
     return (weight * closing + KERN_ROUNDING * terms) / power;
 }
 
-/* Returns the error of forces and of the displacement that raised them, as a
-   share of the allowed error. Each loaded contact approaches, and slides as its
-   friction says. The two are then a solution for some stiffness of each
-   contact: its force over its approach. */
+/* Returns the error of forces and of the displacement that raises them, as a
+   share of the allowed error. The proof requires that each loaded contact
+   approaches, and that it slides only against its friction, on the cone. Forces
+   and displacement are then a solution for some stiffness of each contact: its
+   force divided by its approach. */
 static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
                                    const kern_force *force,
                                    const kern_motion *motion, kern_real *sum)
@@ -2905,17 +2996,17 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
     kern_wrench w;
     int i;
 
-    /* Fixed blocks must rest. Equilibrium does not need forces that are far
-       below the least load. */
+    /* Checks that fixed blocks rest, and finds the least load on a block:
+       equilibrium does not need forces that are far smaller. */
     for (i = 0; i < s->blocks; i++)
         if (!s->block[i].fixed)
             least = kern_min(least, kern_wrench_on(s, q, i, &w));
         else if (!(kern_speed(motion + i) <= 0))
             return KERN_INFINITY;
 
-    /* Each loaded contact must approach by more than the rounding of its
-       blocks' motions. Inside of its cone it must stick, and on the cone it
-       must slide against its friction. */
+    /* Checks each loaded contact. The contact must approach by more than the
+       rounding of its blocks' motions. With a force inside the cone it must
+       stick. With a force on the cone it must slide against the friction. */
     for (i = 0; i < s->contacts && error <= 1; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real f = force[i].normal, r = force[i].tangential;
@@ -2937,8 +3028,9 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
     return error;
 }
 
-/* Keeps in the set (value >= 0) only free blocks without loads that no block
-   outside of the set holds up against gravity. Returns how many are left. */
+/* Finds the blocks that hang, in the set of blocks i with value[i] >= 0:
+   removes those that are fixed or loaded, or that a block outside of the set
+   holds up against gravity. Returns the number of blocks that are left. */
 static int kern_unsupported(const kern_structure *s, kern_real *value)
 {
     const kern_real pull = kern_vec_length(s->gravity);
@@ -3012,8 +3104,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
     if (raising == KERN_RAISED)
         return kern_prove_raised(s, &q, proof->force, proof->motion, sum);
 
-    /* The motion names the blocks that hang. Nothing may hold them up, and the
-       forces must hold the others without them. */
+    /* The hanging blocks are those that move. Nothing may hold them up, and the
+       forces must hold the other blocks without them. */
     value = sum + 4 * s->blocks;
     for (i = 0; i < s->blocks; i++) { /* every block that moves must hang */
         const int falls = kern_speed(proof->motion + i) > 0;
@@ -3029,46 +3121,44 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* ---- The model ------------------------------------------------- >>model */
 /* Each free block becomes a group of three rows. Groups are numbered along
    gravity from top to bottom, so a group has a larger number than those that it
-   carries. Fixed blocks and blocks that have been taken away are the ground,
-   whose number follows the last group. A contact belongs to its upper group,
-   which it carries. */
+   carries. Fixed blocks and blocks that have been removed are the ground, whose
+   number follows the last group. A contact belongs to its upper group, which is
+   the group that it carries. */
 
 /* Groups and the contacts between them.
 
-   `local` tells which groups are in the open part. It has three phases. While
+   `local` has the groups of the open part. This array has three phases. While
    no part is open it is KERN_OUT for every group. Before a part is opened it is
    KERN_MARKED for the groups of the next part. While a part is open it is the
-   number in the part, and KERN_OUT for all other groups. kern_norm_open() takes
-   the groups with KERN_OUT; any other number then means that the group is
-   held. */
+   number of a group in the part, and KERN_OUT for all other groups. Exception:
+   kern_norm_open() opens the groups with KERN_OUT and holds all others. */
 typedef struct kern_graph {
     int groups;
-    int *group;        /* of a block                                     */
-    int *block;        /* of a group                                     */
+    int *group;        /* per block                                      */
+    int *block;        /* per group                                      */
     int *ends;         /* groups of b (2 i) and a (2 i + 1), contact i   */
-    int *touch;        /* of a group: the first end of a contact there     */
-    int *after;        /* of an end: the next end at the same group        */
-    kern_real *torque; /* two an end: of n and t, as kern_row has them     */
-    int *local;        /* of a group: its number in the open part          */
-    int *carrier;      /* of a group: its only carrier, or KERN_OUT        */
+    int *touch;        /* per group: first end of a contact at it          */
+    int *after;        /* per end: the next end at the same group          */
+    kern_real *torque; /* two per end: torques of n and t, as in kern_row  */
+    int *local;        /* per group: its number in the open part           */
+    int *carrier;      /* per group: its only carrier, or KERN_OUT         */
 } kern_graph;
 
 /* The forces and the motion of the last verdict.
 
-   `force` has two phases. Between verdicts, and in the pass, it holds contact
-   forces: the pass replaces the forces from which it begins by those that it
-   finds. While a program of all groups is solved, it is scratch
-   (kern_model_rays()). `scratch` belongs to the function that runs: none leaves
-   anything in it for another. */
+   `force` has two phases. Between verdicts and in the pass it holds contact
+   forces; the pass starts from them and overwrites them. While a program of all
+   groups is solved it is scratch (kern_model_rays()). `scratch` belongs to the
+   function that runs: no function leaves anything in it for another. */
 typedef struct kern_answer {
     const kern_known *known; /* forces that held a similar structure, or NULL */
-    kern_force *force;       /* one a contact                                */
-    kern_motion *motion;     /* one a block                                  */
-    kern_real *scratch;      /* four a block                                 */
+    kern_force *force;       /* one per contact: contact forces [N]          */
+    kern_motion *motion;     /* one per block: the mechanism                 */
+    kern_real *scratch;      /* four per block                               */
 } kern_answer;
 
-/* States of a cluster: it must be balanced; its groups have been balanced as
-   one part before. Both may be set. */
+/* State of a cluster. KERN_OPEN: it must be balanced. KERN_TRIED: its groups
+   have been balanced as one part before. Both may be set. */
 enum { KERN_OPEN = 1, KERN_TRIED = 2 };
 
 /* A value of graph.local: the group will belong to the next part. */
@@ -3076,14 +3166,14 @@ enum { KERN_MARKED = 0 };
 
 /* Disjoint sets of groups that are balanced together. */
 typedef struct kern_clusters {
-    int *last;       /* of a group: the last group of its cluster    */
-    int *next;       /* of a group: the next of its cluster, cyclic  */
-    int *open;       /* of a last group: the state of its cluster    */
+    int *last;       /* per group: the last group of its cluster     */
+    int *next;       /* per group: the next of its cluster, cyclic   */
+    int *open;       /* per last group of a cluster: its state       */
     int front;       /* no open cluster ends before this group       */
     int groups_most; /* largest number of groups of a cluster        */
-    int budget_end;  /* units of work at which the pass ends         */
-    int changed;     /* group that known forces may not balance, if the next
-                                 pass begins from them; or KERN_OUT   */
+    int budget_end;  /* value of work->units at which the pass ends  */
+    int changed;     /* the only group that the known forces may not balance;
+                        KERN_OUT: all may not                        */
 } kern_clusters;
 
 typedef struct kern_model {
@@ -3093,19 +3183,22 @@ typedef struct kern_model {
     kern_answer answer;
     int relative;
     kern_real mean;      /* mean size of the free blocks                 */
-    kern_real weight;    /* unit of force: all loads on free blocks      */
-    kern_real *unit;     /* of a group: 1 / the unit of its torques      */
-    kern_real *load;     /* three a group: what contacts must exert [N]  */
-    kern_real *size;     /* of a group: magnitude of its loads           */
-    kern_real shrunk;    /* shrinkage of graph.torque, or infinity       */
-    kern_real reduction; /* of friction cones, of the last query         */
+    kern_real weight;    /* unit of force: sum of the loads on free blocks [N]
+                                                                         */
+    kern_real *unit;     /* per group: 1 / unit of its torques [1/m]     */
+    kern_real *load;     /* three per group: wrench of its contacts [N]  */
+    kern_real *size;     /* per group: magnitude of its loads [N]        */
+    kern_real shrunk;    /* shrinkage for which graph.torque is set; or infinity
+                                                                         */
+    kern_real reduction; /* kern_reduction() of the last query           */
     kern_clusters cluster;
     int whole;        /* nonzero: all groups are one part             */
-    kern_take common; /* work memory after the arrays of every method */
-    kern_take rest;   /* work memory that is left                     */
+    kern_take common; /* work memory for a program of all groups      */
+    kern_take rest;   /* work memory for parts                        */
 } kern_model;
 
-/* Structs that are copied, cleared and scaled as arrays of numbers. */
+/* Checks at compile time that these structs can be copied, cleared and scaled
+   as arrays of numbers. */
 typedef char kern_structs_are_numbers
     [sizeof(kern_force) == 2 * sizeof(kern_real)
              && sizeof(kern_motion) == 3 * sizeof(kern_real)
@@ -3157,10 +3250,11 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     return known;
 }
 
-/* Sorts the blocks of all groups along gravity, and those of equal height from
-   side to side. If rounding decided, few columns of a flat arch would be own
-   columns of their groups (>>lp). In float rounding is too large for that, and
-   the index decides. Shell's sort needs neither memory nor recursion. */
+/* Sorts the blocks of all groups along gravity, and blocks of equal height from
+   side to side. If rounding ordered blocks of equal height, few columns of a
+   flat arch would be own columns of their groups (>>lp). In float, rounding is
+   too large for an order from side to side, and the index decides. Shell's sort
+   needs neither memory nor recursion. */
 static void kern_model_order(const kern_model *m)
 {
     const kern_block *block = m->s->block;
@@ -3169,7 +3263,7 @@ static void kern_model_order(const kern_model *m)
                              ? down
                              : kern_vec_step(down, KERN_LEVEL_SLOPE,
                                              kern_vec_turn(down));
-    kern_real *const height = m->answer.scratch; /* of a block */
+    kern_real *const height = m->answer.scratch; /* per block  */
     int *const list = m->graph.block, groups = m->graph.groups;
     int gap, i, j;
     for (i = 0; i < m->s->blocks; i++)
@@ -3196,24 +3290,25 @@ static void kern_model_unload(kern_model *m)
     kern_zero(m->answer.force, 2 * m->s->contacts);
 }
 
-/* Returns an array of two numbers for each contact, one for each ray of its
-   cone, for programs of all groups. It is the memory of the answer's forces,
-   which mean nothing until kern_part_forces() writes them again. */
+/* Returns an array of two numbers for each contact, one for each edge of its
+   friction cone, for programs of all groups. The array uses the memory of
+   answer.force, which means nothing until kern_part_forces() writes it
+   again. */
 static kern_real *kern_model_rays(const kern_model *m)
 {
     return (kern_real *)(void *)m->answer.force;
 }
 
-/* Gives every free block that is not gone a group, and lists the contacts of
-   each group. */
+/* Makes a group of every free block that has not been removed, and lists the
+   contacts of each group. */
 static void kern_model_group(kern_model *m, const kern_query *q)
 {
     kern_graph *const graph = &m->graph;
     const kern_structure *s = m->s;
     int i, g, none = 0;
 
-    /* The groups are the free blocks. All data of groups are reset: the
-       torques, the forces, the groups that the pass balances. */
+    /* Lists the free blocks as groups. Resets all data of the last groups:
+       torques, forces, and the group that the pass must balance again. */
     for (i = s->blocks - 1; i >= 0; i--)
         if (!s->block[i].fixed && !kern_is_gone(q, i))
             graph->block[none++] = i;
@@ -3224,8 +3319,8 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     kern_model_unload(m);
     kern_model_order(m);
 
-    /* A block's group is its place in the order. The ground has the number
-       after the last. */
+    /* Numbers the groups in their order. The ground has the number after the
+       last group. */
     for (i = 0; i < s->blocks; i++)
         graph->group[i] = none;
     for (g = 0; g < none; g++) {
@@ -3233,7 +3328,8 @@ static void kern_model_group(kern_model *m, const kern_query *q)
         graph->touch[g] = KERN_OUT;
     }
 
-    /* A contact that carries nothing has both of its ends on the ground. */
+    /* Sets the groups at both ends of each contact. A contact that carries
+       nothing has both ends on the ground. */
     for (i = s->contacts - 1; i >= 0; i--) {
         const kern_contact *c = s->contact + i;
         const int gone = kern_is_out(q, c);
@@ -3260,13 +3356,13 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     kern_take *const take = &m->rest;
     int i, groups = 0;
 
-    /* There is room for all free blocks: later queries may take some of them
-       away, but never add one. */
+    /* Counts the free blocks. Later queries may remove blocks, but never add
+       one. */
     for (i = 0; i < s->blocks; i++)
         groups += !s->block[i].fixed;
 
-    /* First the arrays that every method needs. A program of all groups begins
-       at `common`. */
+    /* Takes the arrays that every method needs. A program of all groups uses
+       the memory from `common` on. */
     KERN_ASSERT(groups > 0);
     kern_take_open(take, task->work);
     graph->group = kern_take_ints(take, s->blocks + groups);
@@ -3282,7 +3378,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
                                                + 4 * s->blocks);
     m->common = *take;
 
-    /* After that the arrays of the pass and of parts. */
+    /* Takes the arrays of the pass and of parts. */
     graph->touch = kern_take_ints(take, 6 * groups + 1);
     graph->carrier = graph->touch + groups;
     m->cluster.last = graph->carrier + groups;
@@ -3303,16 +3399,17 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     return KERN_OK;
 }
 
-/* The row of a contact at one of its ends: three equations of the group there.
-   It gives the speed of a motion at the contact, and the wrench of a force.
-   Every method that looks for forces uses it. Proofs have code of their own, so
-   that no fault is in both. */
+/* The row of a contact at one of its ends: its coefficients in the three
+   equations of the group there. The row maps a motion of the group to speeds
+   along n and t, and forces along n and t to a wrench. Every method that looks
+   for forces uses it. Proofs have code of their own, so that they share no
+   fault with it. */
 typedef struct kern_row {
     kern_real n[3]; /* wrench of a unit of normal force             */
-    kern_real turn; /* along t it is (-n[1], n[0], turn)            */
+    kern_real turn; /* unit along t: (-n[1], n[0], turn)             */
 } kern_row;
 
-/* Returns the row of a normal n that acts at an arm, its torque times
+/* Returns the row of a normal n that acts at an arm. Torques are multiplied by
    `unit`. */
 static inline kern_row kern_row_of(kern_vec n, kern_vec arm, kern_real unit)
 {
@@ -3321,7 +3418,7 @@ static inline kern_row kern_row_of(kern_vec n, kern_vec arm, kern_real unit)
     return row;
 }
 
-/* w += the speed of motion v along n and t. */
+/* w += the speeds of motion v along n and t. */
 static inline void kern_row_speed(const kern_row *c, const kern_real *v,
                                   kern_real w[2])
 {
@@ -3347,7 +3444,8 @@ static inline void kern_row_exert(const kern_row *c, kern_real f, kern_real r,
     b[2] += f * c->n[2] + r * c->turn;
 }
 
-/* Writes the rows of contact i, of block b and of block a, for a query. */
+/* Writes the rows of contact i for a query: row[0] of block b, row[1] of block
+   a. */
 static inline void kern_model_rows(const kern_model *m, const kern_query *q,
                                    int i, kern_row row[2])
 {
@@ -3369,8 +3467,8 @@ static inline kern_row kern_model_row(const kern_model *m, int end)
     return row;
 }
 
-/* Sets the cones of a query, and the torques of all rows unless they are for
-   the same shrinkage already. */
+/* Sets the reduction of cones for a query. Sets the torques of all rows, unless
+   they are already those of this shrinkage. */
 static void kern_model_arms(kern_model *m, const kern_query *q)
 {
     kern_real *to = m->graph.torque;
@@ -3450,10 +3548,10 @@ static int kern_model_loaded(const kern_model *m)
     return 0;
 }
 
-/* Returns 1 if kerns are nested, as those of lines are: a larger kern carries
-   every load that a smaller one carries. Points that move toward each other
-   along different tangents are not nested. Writes the shortest travel and the
-   longest, d_max, to range. */
+/* Returns 1 if kerns are nested: a larger kern carries every load that a
+   smaller one carries. Kerns of lines are nested. Kerns of points that move
+   toward each other along different tangents are not. Writes the shortest
+   travel and the longest, d_max, to range. */
 static int kern_is_nested(const kern_model *m, kern_real range[2])
 {
     const int *ends = m->graph.ends, none = 2 * m->graph.groups;
@@ -3474,28 +3572,28 @@ static int kern_is_nested(const kern_model *m, kern_real range[2])
     return points == 0;
 }
 
-/* Sets the known forces of a similar structure, if there are any. */
+/* Sets the known forces of a similar structure, or NULL if there are none. */
 KERN_SHARED static void kern_model_know(kern_model *m, const kern_known *known)
 {
     m->answer.known = known->fails > 0 && known->force ? known : NULL;
 }
 
-/* Charges units of work. Returns 0 if they are refused. */
+/* Charges units of work. Returns 0 if the work is refused. */
 static int kern_model_spend(const kern_model *m, int units)
 {
     return kern_spend(m->task->work, m->task->options.limit, units);
 }
 
-/* Charges n verdicts. Even for a small part a proof reads all blocks. Returns 0
-   if they are refused. */
+/* Charges the work of `queries` verdicts. Even for a small part a proof reads
+   all blocks. Returns 0 if the work is refused. */
 static int kern_model_ask(const kern_model *m, int queries)
 {
     return kern_model_spend(
         m, queries * (3 + (m->s->blocks + m->s->contacts) / KERN_QUERY_UNIT));
 }
 
-/* Returns 1 if the whole may be solved as one linear program: at most
-   KERN_SMALL groups, and all of the work memory. */
+/* Returns 1 if the whole may be solved as one linear program: it has at most
+   KERN_SMALL groups, and the work memory has its full size. */
 static int kern_model_is_small(const kern_model *m)
 {
     const kern_work *work = m->task->work;
@@ -3505,8 +3603,8 @@ static int kern_model_is_small(const kern_model *m)
         && work->indices >= indices;
 }
 
-/* Returns 1 if a proof with this error holds, and records the largest such
-   error. */
+/* Returns 1 if a proof with this error holds, and then records the error in
+   work->error if it is the largest so far. */
 static int kern_model_proven(const kern_model *m, kern_real error)
 {
     if (error <= 1)
@@ -3521,8 +3619,8 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
         m, kern_prove_forces(m->s, q, m->answer.force, m->answer.scratch));
 }
 
-/* Moves the forces of each line from its ends at the shrinkage `from` to its
-   ends at `shrink` < `from`, with the same wrench. */
+/* Moves the two forces of each line from its ends at the shrinkage `from` to
+   its ends at `shrink` < `from`. The wrench of the two forces is unchanged. */
 static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
 {
     int i, k;
@@ -3563,98 +3661,98 @@ KERN_SHARED static void kern_proof_out(const kern_model *m,
 /* ==== Part IV: How forces and motions are found ========================== */
 
 /* ---- The simplex method -------------------------------------------- >>lp */
-/* Minimises cost . x  where  A x = rhs,  x >= 0,  by the revised simplex
-   method. Variables are the columns, then the place (see kern_program), then a
-   logical for each row: a variable whose column is a unit vector. Logicals must
-   be zero.
+/* Minimises cost . x where A x = rhs, x >= 0, by the revised simplex method.
+   The variables are the columns, then the place (see kern_program), then one
+   logical for each row. A logical is a variable whose column is a unit vector,
+   and it must be zero.
 
    The inverse of the basis B is a product of factors:
 
        B^-1 = E_n ... E_2 E_1 B_0^-1.
 
    Rows come in groups of three. A column of a network (`ends` given) touches
-   one or two groups. It is an own column of the first of them, in the order in
-   which groups carry each other. B_0 has three own columns of each group, or
-   logicals, so it is block triangular. For each group only its 3 x 3 inverse is
-   stored, and what its three columns exert on other groups. Without `ends` B_0
-   is the unit matrix.
+   one or two groups. The column is an own column of the upper of these groups.
+   B_0 has three own columns, or logicals, of each group, so it is block
+   triangular. For each group B_0 stores only a 3 x 3 inverse, and the entries
+   of its three columns in the rows of other groups. Without `ends` B_0 is the
+   unit matrix.
 
-   E_i lets one more column enter (the product form of the inverse). It is the
-   unit matrix except for one column. Let alpha be the entering column in terms
-   of the basis, and p the row in which it pivots: then that column is -alpha /
-   alpha_p, with 1 / alpha_p in row p. Its entries are stored in threes, from
-   the first that is not zero to the last.
+   Each E_i makes one more column enter (the product form of the inverse). E_i
+   is the unit matrix except for column p. Let alpha = B^-1 A_j for the entering
+   column j, and let p be the row in which it pivots. Then column p of E_i is
+   -alpha / alpha_p, with 1 / alpha_p in row p. Its entries are stored in
+   threes, from the first that is not zero to the last.
 
-   Vectors over the rows have three more places at their end, the rows of the
-   ground. A column that touches no other group has the ground as its other
-   group: reading gives 0 and writing has no effect, so no loop has to test for
-   it. */
+   Vectors over the rows have three more entries at their end, the rows of the
+   ground. The ground is the other group of a column that touches only one: it
+   reads as 0 and is written without effect, so no loop has to test for such
+   columns. */
 
-/* A program. It is dense, or its columns are those of a network, two for each
-   contact. Columns 2 i and 2 i + 1 touch the groups ends[2 i] and ends[2 i +
-   1]; the number rows / 3 is the ground. Such a column has four entries (u, v,
-   r, s): (u, v, r) in the rows of the first of these groups, (-u, -v, s) in
-   those of the second.
+/* A linear program. It is dense, or its columns are those of a network: two
+   columns for each contact. Columns 2 i and 2 i + 1 touch the groups ends[2 i]
+   and ends[2 i + 1]; the number rows / 3 is the ground. Such a column has four
+   entries (u, v, r, s): (u, v, r) in the rows of the first of these groups,
+   (-u, -v, s) in those of the second.
 
-   The place is one more variable. Its column is `rate`, and its value tells how
-   far rhs has moved along a path. */
+   The place is one more variable. Its column is `rate`, and its value is the
+   distance by which rhs has moved along a path. */
 typedef struct kern_program {
     int rows, cols;
-    const kern_real *a; /* dense: by columns; network: four a column   */
+    const kern_real *a; /* dense: by columns; network: four per column */
     const kern_real *rhs;
     const kern_real *cost; /* NULL: all are 0                              */
     const int *ends;       /* NULL: the program is dense                   */
     const kern_real *rate; /* column of the place: minus the rate of rhs   */
     int follow;            /* 1: the place grows from 0; 0: it is fixed    */
     kern_real most;        /* largest value of a variable; 0: no bound     */
-    int limit;             /* most work->units                             */
+    int limit;             /* largest value of work->units                 */
     kern_work *work;       /* of the call                                  */
 } kern_program;
 
-/* The inverse of a basis: B_0, by groups, and the factors E_i. Each row of B_0
-   has six numbers: a row of the inverse of its group, and the entries of its
-   column in the three rows of the other group. `to` is the first of these
-   rows. */
+/* The inverse of a basis: the inverse of B_0, group by group, and the factors
+   E_i. Each row of B_0 has six numbers: a row of the inverse of its group, and
+   the entries of its column in the three rows of the other group. `to` is the
+   first of these rows. */
 typedef struct kern_factors {
     int size;         /* rows, rounded up to a multiple of three            */
-    int groups;       /* in B_0; all of a network, 0 if B_0 is the unit     */
-    kern_real *block; /* of a row: six numbers                              */
-    int *to;          /* of a row: first row of its column's other group    */
+    int groups;       /* of B_0: all of a network, 0 if B_0 is the unit     */
+    kern_real *block; /* per row: six numbers                               */
+    int *to;          /* per row: first row of its column's other group     */
     int most, room;   /* largest number of factors, and of their entries    */
     int count;        /* of factors                                         */
-    int *pivot;       /* of a factor: the row of its pivot                  */
-    int *from;        /* of a factor: its first row with an entry           */
-    int *first;       /* of a factor: its first entry; then the end of all  */
-    kern_real *entry; /* of factors, in threes of rows                      */
+    int *pivot;       /* per factor: the row of its pivot                   */
+    int *from;        /* per factor: its first row with an entry            */
+    int *first;       /* per factor: its first entry; last: end of all      */
+    kern_real *entry; /* entries of all factors, in threes of rows          */
 } kern_factors;
 
 typedef enum kern_basis {
-    KERN_BASIS_NONE,  /* none: begin with logicals                      */
+    KERN_BASIS_NONE,  /* no basis: the next solve begins with logicals  */
     KERN_BASIS_STALE, /* its columns have changed since it was factored */
     KERN_BASIS_READY
 } kern_basis;
 
-/* Solvers that may be used: also the backend (KERN_USE_GLPK), or only this
-   one. */
+/* Solvers that may be used. KERN_SOLVER_ANY: the backend (KERN_USE_GLPK), too.
+   KERN_SOLVER_BUILTIN: only the simplex method of this chapter. */
 typedef enum kern_solver { KERN_SOLVER_ANY, KERN_SOLVER_BUILTIN } kern_solver;
 
-/* `alpha` and `list` are scratch, and no phase reads what another left in them.
-   `alpha` is the vector that is solved for: the load that is not yet carried in
-   the crash, a residual while values are refined, otherwise the entering
-   column. `list` has the first column of each group in the crash, the waiting
-   columns while a basis is factored, and the rows of a ratio test. */
+/* `alpha` and `list` are scratch: no phase reads values that another phase left
+   there. In the crash `alpha` is the load that is not carried yet, during
+   refinement it is a residual, and otherwise it is the entering column. In the
+   crash `list` has the first column of each group, during a factorisation the
+   columns that wait, and in a ratio test its rows. */
 typedef struct kern_simplex {
     const kern_program *lp;
     kern_basis state;
     kern_factors factors;
-    int *base;        /* of a row: its variable                            */
-    int *place;       /* of a column, and of the place: its row, or KERN_OUT;
+    int *base;        /* per row: its variable                             */
+    int *place;       /* per column, and of the place: its row, or KERN_OUT;
                                  in the crash: the next column of a group  */
-    kern_real *value; /* of a row: value of its variable                   */
-    kern_real *slope; /* of a row: c of its variable (see below)           */
-    kern_real *price; /* of a row: y                                       */
-    kern_real *alpha; /* of a row                                          */
-    kern_real *ratio; /* of a row of the ratio test: the step to zero      */
+    kern_real *value; /* per row: value of its variable                    */
+    kern_real *slope; /* per row: c of its variable (see "pivots")         */
+    kern_real *price; /* per row: y                                        */
+    kern_real *alpha; /* per row                                           */
+    kern_real *ratio; /* per row of the ratio test: the step to zero       */
     int *list;
     int enters;      /* the entering column                               */
     kern_real least; /* smallest violation that counts                    */
@@ -3685,8 +3783,8 @@ static inline kern_real kern_lp_dot(const kern_program *lp, int j,
     return kern_dot(kern_lp_dense(lp, j), y, lp->rows);
 }
 
-/* One of the two groups of a column: the one of which it is an own column,
-   which comes first in the order, or the other one. */
+/* One of the two groups of a column. KERN_LP_END_OWN: the upper group, of which
+   it is an own column. KERN_LP_END_OTHER: the other group. */
 typedef enum kern_lp_end { KERN_LP_END_OWN, KERN_LP_END_OTHER } kern_lp_end;
 
 /* Writes column j's entries in the rows of one of its groups. Returns the first
@@ -3725,15 +3823,16 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
 
 /* ---- the basis ---- */
 
-/* v := B^-1 v, from rows to variables. */
+/* v := B^-1 v. Input: one number per row. Output: one number per basic
+   variable. */
 static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 {
     const kern_factors *f = &sx->factors;
     int e, g, k;
 
-    /* Multiplies by B_0^-1 from top to bottom: solves the rows of each group
-       for its own columns, and subtracts what these exert on their other
-       groups. */
+    /* Multiplies by B_0^-1, from the top group to the bottom one. Solves the
+       rows of each group for its own columns, and subtracts the products of
+       these columns in the rows of other groups. */
     for (g = 0; g < f->groups; g++) {
         const kern_real *d = f->block + 18 * g;
         kern_real *own = v + 3 * g;
@@ -3750,7 +3849,7 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
         }
     }
 
-    /* E_1 to E_n: each adds a multiple of its column. */
+    /* Multiplies by E_1 to E_n: each adds a multiple of its column. */
     for (e = 0; e < f->count; e++) {
         const kern_real x = v[f->pivot[e]], *a;
         kern_real *w;
@@ -3767,7 +3866,8 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
     }
 }
 
-/* c := B^-T c, from variables to rows; zero after the last row. */
+/* c := B^-T c. Input: one number per basic variable. Output: one number per
+   row, and zeros after the last row. */
 static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
     const kern_factors *f = &sx->factors;
@@ -3793,7 +3893,7 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
     }
 }
 
-/* Writes column j in terms of the basis to sx->alpha. */
+/* Writes B^-1 A_j to sx->alpha: column j in terms of the basis. */
 static void kern_basis_column(kern_simplex *sx, int j)
 {
     kern_zero(sx->alpha, sx->factors.size + 3);
@@ -3808,7 +3908,7 @@ static int kern_basis_full(const kern_simplex *sx)
     return f->count == f->most || f->first[f->count] + f->size > f->room;
 }
 
-/* Makes column q basic in row p. sx->alpha is the column in terms of the
+/* Makes column q basic in row p. sx->alpha must be column q in terms of the
    basis. */
 static void kern_basis_enter(kern_simplex *sx, int q, int p)
 {
@@ -3846,11 +3946,11 @@ typedef enum kern_crash {
     KERN_CRASH_ANY      /* any column, and the logical of the torque     */
 } kern_crash;
 
-/* Chooses three columns of group g from the list that begins with j, makes them
-   basic, and adds what they exert to the loads of other groups. They carry the
-   load of the group such that the least of their three shares is as large as
-   possible. With KERN_CRASH_PUSHING no column may pull more than
-   KERN_CRASH_PULL loads. Returns 0 if no three columns will do. */
+/* Chooses three columns of group g from the list that begins with j, and makes
+   them basic. The three columns carry the load of the group, and the least of
+   their three forces is as large as possible. Adds these forces to the loads of
+   other groups. With KERN_CRASH_PUSHING no column may pull by more than
+   KERN_CRASH_PULL loads. Returns 0 if there are no such columns. */
 static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
 {
     const int logical = sx->lp->cols + 1 + 3 * g + 2;
@@ -3884,8 +3984,9 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
         mine[n++] = logical;
     }
 
-    /* Tries all triples of columns. Cramer's rule gives the shares. The share
-       of the third is computed first, since it excludes most triples. */
+    /* Tries all triples of columns. Computes the force of each column as a
+       share of the load by Cramer's rule. The share of the third column comes
+       first, since it excludes most triples. */
     for (i = 0; i < n; i++)
         for (j = i + 1; j < n; j++) {
             const kern_real *a = part[i], *b = part[j];
@@ -3913,16 +4014,16 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
             }
         }
 
-    /* What the three exert on other groups is added to the loads there. A share
-       that would pull counts as 0. */
+    /* Adds the forces of the three columns to the loads of their other groups.
+       A column that pulls counts as 0. */
     for (k = 0; k < 3 && found; k++)
         kern_lp_subtract(sx->lp, base[k], kern_max(share[k], 0), sx->alpha);
     return found;
 }
 
-/* Begins with the columns that x uses, if they may be a basis, and fills it
-   with the last columns. If x uses more columns than there are rows the next
-   program begins without a basis. */
+/* Makes a basis of the columns that x uses, and fills it up with the last
+   columns. If x uses more columns than there are rows, the next program begins
+   without a basis. */
 static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
                                kern_real least)
 {
@@ -3940,8 +4041,8 @@ static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
     sx->state = KERN_BASIS_STALE;
 }
 
-/* Makes the basis of logicals. For a network three columns of each group then
-   replace them, from top to bottom. */
+/* Makes a basis of logicals. For a network, three columns of each group then
+   replace its logicals, from top to bottom. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -3966,9 +4067,9 @@ static void kern_simplex_crash(kern_simplex *sx)
 
 /* ---- factors ---- */
 
-/* Makes column j basic in one of its own rows that still has its logical: the
-   row where its entry is largest in terms of the columns before it. Returns 0
-   if there is none with a large enough entry. */
+/* Makes column j basic in a row of its own group that still has its logical.
+   Takes the row with the largest entry of the column in terms of the columns
+   that are already basic. Returns 0 if no such entry is large enough. */
 static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
@@ -3977,8 +4078,8 @@ static int kern_own_enter(kern_simplex *sx, int j)
     if (!lp->ends || j == lp->cols)
         return 0;
 
-    /* Writes the column in terms of the columns that its group has so far, and
-       finds its largest entry in a row that still has its logical. */
+    /* Computes the column in terms of the basic columns of its group, and finds
+       its largest entry in a row that still has its logical. */
     row = kern_lp_part(lp, j, KERN_LP_END_OWN, part);
     block = sx->factors.block + 6 * row;
     for (k = 0; k < 3; k++) {
@@ -3991,8 +4092,8 @@ static int kern_own_enter(kern_simplex *sx, int j)
     if (best == KERN_OUT)
         return 0;
 
-    /* Eliminates that row from the inverse of the group, and stores what the
-       column exerts on its other group. */
+    /* Eliminates this row from the inverse of the group, and stores the entries
+       of the column in the rows of its other group. */
     own = block + 6 * best;
     for (k = 0; k < 3; k++)
         own[k] /= alpha[best];
@@ -4007,7 +4108,7 @@ static int kern_own_enter(kern_simplex *sx, int j)
 }
 
 /* Makes column j basic in any row that still has its logical. Does nothing if
-   the column depends on those before it, or if there is no room. */
+   the column depends on the basic columns, or if there is no room. */
 static void kern_left_enter(kern_simplex *sx, int j)
 {
     kern_real least;
@@ -4023,8 +4124,8 @@ static void kern_left_enter(kern_simplex *sx, int j)
         kern_basis_enter(sx, j, best);
 }
 
-/* Writes the residual of the right-hand side to sx->alpha. Returns its largest
-   entry as a share of the largest value. */
+/* Writes the residual rhs - A x of the basic solution to sx->alpha. Returns its
+   largest entry as a share of the largest value. */
 static kern_real kern_basis_residual(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4056,15 +4157,16 @@ static int kern_basis_values(kern_simplex *sx)
     return left <= KERN_BASIS_TOL;
 }
 
-/* Factors the basis again: first three own columns of each group, then the
-   others. */
+/* Factors the basis again: first up to three own columns of each group, then
+   the other columns. */
 static void kern_basis_refactorise(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     kern_factors *f = &sx->factors;
     int i, p, left = 0;
 
-    /* Begins with logicals, and keeps the columns of the basis in a list. */
+    /* Moves the columns of the basis to a list, and makes the basis of
+       logicals. */
     for (i = 0; i <= lp->cols; i++)
         sx->place[i] = KERN_OUT;
     for (p = 0; p < lp->rows; p++) {
@@ -4073,7 +4175,7 @@ static void kern_basis_refactorise(kern_simplex *sx)
         sx->value[p] = 0;
     }
 
-    /* B_0 is the unit matrix, and there are no factors. */
+    /* Makes B_0 the unit matrix without factors. */
     kern_zero(f->block, 18 * f->groups);
     for (p = 0; p < 3 * f->groups; p++) {
         f->block[6 * p + p % 3] = 1;
@@ -4081,8 +4183,8 @@ static void kern_basis_refactorise(kern_simplex *sx)
     }
     f->count = f->first[0] = 0;
 
-    /* Own columns of a group take its rows in B_0. Columns that find no row
-       there enter one after the other. */
+    /* Places own columns of each group in its rows of B_0. Columns that find no
+       row there are entered one after the other, each with a factor. */
     for (p = 0; p < lp->rows; p++)
         if (sx->list[p] <= lp->cols && !kern_own_enter(sx, sx->list[p]))
             sx->list[left++] = sx->list[p];
@@ -4102,18 +4204,19 @@ static void kern_basis_renew(kern_simplex *sx)
 }
 
 /* ---- pivots ---- */
-/* Every basis gives an x with A x = rhs. A variable violates x >= 0 if it is
-   negative, or if it is a logical that is not zero. While there are violations
-   their sum is lowered. With
+/* Every basis gives an x with A x = rhs. A variable is in violation if it is
+   negative, or if it is a logical that is not zero. The first phase minimises
+   the sum of violations. With
 
        y = B^-T c,    c = +1 or -1 for a variable that violates, otherwise 0,
 
    y.A_j < 0 is the rate at which the sum falls when column j enters. If no
-   column lowers the sum and it is not zero, y is a Farkas certificate: the one
-   with the largest sum of violations, which a step of Newton's method needs. If
-   there are no violations, c is minus the costs, and y minus their prices. */
+   column lowers the sum and it is not zero, y is a Farkas certificate. It is
+   the certificate with the largest sum of violations, -y.rhs, as a step of
+   Newton's method requires. If there are no violations, c is minus the costs,
+   and y is minus their prices. */
 
-/* How pivots are chosen. */
+/* Rules by which pivots are chosen. */
 typedef enum kern_rule {
     KERN_RULE_LARGEST, /* the column of the largest gain                   */
     KERN_RULE_REFINED, /* the column of the largest gain, prices refined   */
@@ -4127,15 +4230,16 @@ static int kern_lp_fixed(const kern_program *lp, int j)
     return j >= lp->cols + lp->follow;
 }
 
-/* Returns the rate at which the costs fall as variable j grows; 1 for a place
-   that grows. */
+/* Returns the rate at which the costs fall as variable j grows, or 1 for a
+   place that grows. */
 static kern_real kern_lp_worth(const kern_program *lp, int j)
 {
     return lp->cost && j < lp->cols ? -lp->cost[j]
                                     : KERN_R(j == lp->cols ? lp->follow : 0);
 }
 
-/* Writes c to sx->slope. Returns the sum of violations. */
+/* Writes c of each basic variable to sx->slope, and the number of violations to
+   sx->violated. Returns the sum of violations. */
 static kern_real kern_violations(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4157,11 +4261,11 @@ static kern_real kern_violations(kern_simplex *sx)
     return sum;
 }
 
-/* Refines y once by the residual of y.A_j = c for basic columns. Then lifts y
-   until y.A_j >= lift times its largest entry for these columns. A certificate
-   needs the lift, since rounding leaves y.A_j below zero as often as above. The
-   lift costs little of its power. Returns 0 without a basis, as after an answer
-   of the backend. */
+/* Refines y once by the residual of y.A_j = c for basic columns. At the same
+   time raises y.A_j of these columns by `lift` times the largest entry of y. A
+   certificate needs this lift, since rounding leaves y.A_j below zero as often
+   as above. The lift costs little of the certificate's power. Returns 0 without
+   a basis, as after an answer of the backend. */
 static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 {
     const kern_program *lp = sx->lp;
@@ -4181,9 +4285,10 @@ static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 }
 
 /* Computes prices and chooses the entering variable, sx->enters, by the rule.
-   sx->gain = c_j - y.A_j is the rate at which it lowers the sum of violations,
-   or the costs. A variable that would have to exceed lp->most to remove the
-   violations does not enter: it belongs to a jam. Returns 0 if none enters. */
+   sx->gain = c_j - y.A_j is the rate at which this variable lowers the sum of
+   violations, or the costs. A variable that would have to exceed lp->most to
+   remove the violations does not enter: it belongs to a jam. Returns 0 if no
+   variable enters. */
 static int kern_entering(kern_simplex *sx, kern_rule rule)
 {
     const kern_program *lp = sx->lp;
@@ -4200,14 +4305,15 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
     if (rule > KERN_RULE_LARGEST)
         kern_prices_mend(sx, sx->price, 0);
 
-    /* The least gain that counts is above rounding. If variables are bounded it
-       must also be able to remove the violations within their bound. */
+    /* Computes the least gain that counts, which is above rounding. If
+       variables are bounded, a variable must also be able to remove the
+       violations within its bound. */
     size = kern_largest(sx->price, lp->rows);
     least = costs || !(lp->most > 0) ? KERN_PRICE_TOL * size : sum / lp->most;
     least = kern_max(least, KERN_LP_ROUNDING * size);
 
-    /* Finds the largest gain of all columns that are not basic, or the first
-       gain. */
+    /* Finds the largest gain of all columns that are not basic, or with Bland's
+       rule the first gain. */
     sx->gain = 0;
     for (j = 0; j < all; j++) {
         kern_real d;
@@ -4224,10 +4330,11 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
     return sx->gain > least;
 }
 
-/* Returns by how much the slope of the sum rises when the basic variable of row
-   p passes zero. The variable approaches zero at the rate alpha, and reaches it
-   at *at. Returns 0 if it never does. A variable that violates may only move
-   towards zero, and one that must be zero leaves zero at once. */
+/* Returns the increase in the slope of the sum of violations where the basic
+   variable of row p passes zero. The variable approaches zero at the rate alpha
+   and reaches it after a step of *at. Returns 0 if the variable never reaches
+   zero, as when it is in violation and moves away from zero. A variable that
+   must be zero leaves zero at once. */
 static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 {
     const int fixed = kern_lp_fixed(sx->lp, sx->base[p]);
@@ -4247,13 +4354,14 @@ static int kern_lp_spend(const kern_program *lp, int units)
     return kern_spend(lp->work, lp->limit, units);
 }
 
-/* Chooses the row that the entering column takes, among rows whose variables
-   reach zero, and writes the length of the step to *step. The ratio test passes
-   such rows as long as the sum of violations still falls: a long step, which
-   passes through degenerate corners. With Bland's rule, and for costs, it stops
-   at the first. Of equals it takes the largest pivot, with Bland's rule the
-   least index. Returns KERN_OUT if no variable reaches zero. If its work is
-   refused kern_pivot_spend() refuses the pivot. */
+/* Chooses the row that the entering column takes, and writes the length of the
+   step to *step. Candidates are the rows whose variables reach zero. The ratio
+   test passes a candidate if the sum of violations still falls after it: such a
+   long step passes through degenerate corners. With Bland's rule, and for
+   costs, the step ends at the first candidate. Of equal candidates it takes the
+   largest pivot, or with Bland's rule the least index. Returns KERN_OUT if no
+   variable reaches zero. If the work of the test is refused, kern_pivot_spend()
+   refuses the pivot. */
 static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
 {
     const kern_real least = KERN_PIVOT_LEAST
@@ -4269,7 +4377,7 @@ static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
             n += kern_break(sx, i, at + n) > 0;
         }
 
-    /* Passes the closest of them until the sum no longer falls. */
+    /* Passes the closest of these rows until the sum no longer falls. */
     for (; n > 0 && left > 2 * KERN_LP_ROUNDING * sx->gain; n--) {
         seen += n;
         next = 0;
@@ -4293,8 +4401,8 @@ static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
     return best;
 }
 
-/* Charges a pivot: a column and prices, each of which passes all factors.
-   Returns 0 if the work is refused. */
+/* Charges the work of a pivot: one column and one set of prices, each
+   multiplied by all factors. Returns 0 if the work is refused. */
 static int kern_pivot_spend(const kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4307,16 +4415,17 @@ static int kern_pivot_spend(const kern_simplex *sx)
                         : lp->rows * (lp->cols / (4 * KERN_UNIT))));
 }
 
-/* Lowers the sum of violations, then the costs, until no column does. The sum
-   falls with every step whose length is not zero, unless prices are rounding.
-   So prices are refined after a budget of pivots, and Bland's rule, which
-   cannot cycle, is used after five. The limit ends cycles that rounding causes.
-   Programs of structures take less than two budgets, except in jams. Their
-   limit is three, plus one pivot for each column.
+/* Pivots until no column lowers the sum of violations, and then until no column
+   lowers the costs. The sum falls with every step whose length is not zero,
+   unless rounding spoils the prices. So prices are refined after one budget of
+   pivots, and Bland's rule, which cannot cycle, is used after five. A limit
+   ends cycles that rounding causes. Programs of structures take less than two
+   budgets of pivots, except in jams. Their limit is three budgets, plus one
+   pivot for each column.
 
-   Returns KERN_LP_OPTIMAL; KERN_LP_INFEASIBLE; KERN_LP_UNBOUNDED if the
-   entering column may grow for ever; KERN_NO_SPACE or KERN_LIMIT if there is no
-   room or no work left for a pivot; otherwise KERN_UNDECIDED. */
+   Returns KERN_LP_OPTIMAL, KERN_LP_INFEASIBLE or KERN_LP_UNBOUNDED. Returns
+   KERN_NO_SPACE if there is no room for a pivot, KERN_LIMIT if its work is
+   refused, and otherwise KERN_UNDECIDED. */
 static kern_status kern_simplex_run(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4330,35 +4439,34 @@ static kern_status kern_simplex_run(kern_simplex *sx)
         kern_real step = 0;
         int enters, p = KERN_OUT;
 
-        /* After a budget of pivots prices may be rounding. After five only
-           Bland's rule is sure to end. */
+        /* Chooses the rule. After one budget of pivots prices may be spoilt by
+           rounding. After five budgets only Bland's rule is sure to end. */
         if (count > budget)
             rule = count > KERN_PIVOTS_BLAND * budget ? KERN_RULE_BLAND
                                                       : KERN_RULE_REFINED;
         enters = kern_entering(sx, rule);
 
-        /* Writes the entering column in terms of the basis, and finds its
+        /* Computes the entering column in terms of the basis, and chooses its
            row. */
         if (enters) {
             kern_basis_column(sx, sx->enters);
             p = kern_leaving(sx, rule, &step);
         }
 
-        /* The method may end only with refined values. If they are not, it
-           refines them and tries again. */
+        /* Refines the values before the method may end, and tries again. */
         if (p == KERN_OUT && !sx->refined) {
             kern_basis_renew(sx);
             continue;
         }
 
-        /* The end: no column lowers the sum or the costs, or a column may grow
-           for ever. */
+        /* Ends if no column lowers the sum or the costs, or if a column may
+           grow without bound. */
         if (!enters)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
         if (p == KERN_OUT)
             return sx->violated ? KERN_UNDECIDED : KERN_LP_UNBOUNDED;
 
-        /* A pivot needs room for a factor, and work. */
+        /* Ends if there is no room for one more factor, or no work left. */
         if (kern_basis_full(sx))
             return KERN_NO_SPACE;
         if (!kern_pivot_spend(sx))
@@ -4384,7 +4492,7 @@ static kern_status kern_simplex_run(kern_simplex *sx)
 
 /* ---- opening, starting, reading ---- */
 
-/* Lays out the arrays of a simplex, with room for `room` entries of factors. */
+/* Takes the arrays of a simplex, with room for `room` entries of factors. */
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take)
 {
@@ -4412,8 +4520,8 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->ratio = kern_take_reals(take, m);
 }
 
-/* Makes the next program begin without a basis (KERN_BASIS_NONE), or factor the
-   same one again (KERN_BASIS_STALE). */
+/* Makes the next program begin without a basis (KERN_BASIS_NONE), or with the
+   same basis factored again (KERN_BASIS_STALE). */
 static void kern_simplex_change(kern_simplex *sx, kern_basis to)
 {
     if (sx->state > to)
@@ -4425,7 +4533,7 @@ static void kern_simplex_change(kern_simplex *sx, kern_basis to)
 #include "kern_lp.h"
 #endif
 
-/* x := the variables, of which the basic ones have the values v */
+/* x := all variables. The basic ones have the values v, the others are 0. */
 static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
                             kern_real *x)
 {
@@ -4436,7 +4544,8 @@ static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
             x[sx->base[i]] = v[i];
 }
 
-/* x := B^-1 v as variables. Destroys v. Returns 0 without a basis. */
+/* Writes B^-1 v as a vector of variables to x. Destroys v. Returns 0 without a
+   basis. */
 static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
 {
     if (sx->state == KERN_BASIS_NONE)
@@ -4446,11 +4555,12 @@ static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
     return 1;
 }
 
-/* Solves a program, beginning with the last basis, or with that of
-   kern_simplex_crash(). It is the only entry of the engine. Writes x for every
-   status: x of an infeasible program is the last basic solution, A x = rhs with
-   negative entries, from which Newton's step along a path is taken. Writes y: a
-   certificate for KERN_LP_INFEASIBLE, minus the prices for KERN_LP_OPTIMAL. */
+/* Solves a program, beginning with the last basis or with that of
+   kern_simplex_crash(). All solves go through this function. Writes x for every
+   status. For an infeasible program x is the last basic solution: A x = rhs
+   with negative entries, from which Newton's step along a path is taken. Writes
+   to y a certificate for KERN_LP_INFEASIBLE, and minus the prices for
+   KERN_LP_OPTIMAL. */
 static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
                                       kern_real *x, kern_real *y)
 {
@@ -4466,15 +4576,15 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
 #endif
     (void)solver;
 
-    /* Charges the start: reading the columns for a crash basis, or solving with
-       the factors of the last one. */
+    /* Charges the start, unless the last basis is ready: reading the columns
+       and factoring a basis. */
     sx->least = KERN_VALUE_TOL * kern_largest(lp->rhs, lp->rows);
     if (sx->state != KERN_BASIS_READY
         && !kern_lp_spend(lp, lp->ends ? (lp->rows + lp->cols) / 2
                                        : lp->rows * (lp->cols / KERN_UNIT)))
         return KERN_LIMIT;
 
-    /* Begins with the last basis or makes one, and pivots from there. */
+    /* Starts from the last basis, or makes a crash basis, and pivots. */
     if (sx->state == KERN_BASIS_NONE)
         kern_simplex_crash(sx);
     kern_basis_renew(sx);
@@ -4484,11 +4594,12 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
     return status;
 }
 
-/* Numbers that kern_lp_clean() keeps: of both signs, or only positive ones. */
+/* Signs of the numbers that kern_lp_clean() keeps: only positive ones, or
+   both. */
 typedef enum kern_sign { KERN_SIGN_PLUS, KERN_SIGN_ANY } kern_sign;
 
-/* Sets to 0 those of n numbers that are no larger than a share of the largest,
-   and those of a sign that is not kept. */
+/* Sets numbers to 0 whose magnitude is at most `share` of the largest of all n,
+   and numbers of a sign that is not kept. */
 KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
                                       kern_sign sign)
 {
@@ -4499,9 +4610,9 @@ KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
             v[i] = 0;
 }
 
-/* Returns from + u.v over n numbers, as a share of the sum of the terms'
-   magnitudes. The numbers of v lie `apart` from each other. Returns a result
-   that is not a number if a term is not finite. */
+/* Returns from + u.v, divided by the sum of the magnitudes of its terms.
+   Vectors have n numbers, and those of v lie `apart` from each other. Returns
+   NaN if a term is not finite. */
 static kern_real kern_lp_sum(kern_real from, const kern_real *u,
                              const kern_real *v, int apart, int n)
 {
@@ -4514,9 +4625,9 @@ static kern_real kern_lp_sum(kern_real from, const kern_real *u,
     return terms > 0 ? from / terms + (terms - terms) : from;
 }
 
-/* Returns 1 if x and y prove the status by products with the matrix alone, each
-   row and column to KERN_LP_TOL of its own terms. A value that is not a number
-   proves nothing.
+/* Returns 1 if x and y prove the status. The check uses only products with the
+   matrix, and each row and column must hold to KERN_LP_TOL of its own terms.
+   NaN proves nothing.
 
        optimal      A x = rhs,  cost + y A >= 0, = 0 where x > 0
        infeasible   y A >= 0,  y.rhs < 0
@@ -4547,8 +4658,8 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
 }
 
 /* Sets negative entries of x to 0. Returns 1 if x and y then prove the status.
-   If not, sets entries that are rounding to 0 and checks once more: a row
-   without other entries consists of rounding. */
+   Otherwise sets entries of the size of rounding to 0, since they spoil a row
+   that has no other entries, and checks once more. */
 static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
@@ -4587,8 +4698,7 @@ static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
     if (status < 0)
         return status;
 
-    /* If x may grow for ever along the entering column, that ray is the
-       proof. */
+    /* For an unbounded program the proof is the ray of the entering column. */
     if (status == KERN_LP_UNBOUNDED && sx.state != KERN_BASIS_NONE) {
         kern_scale(sx.alpha, p.rows, -1);
         kern_basis_read(&sx, sx.alpha, x);
@@ -4615,28 +4725,29 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 }
 
 /* ---- Contact law and skyline factor --------------------------- >>skyline */
-/* The force with which a contact answers a motion (wn, wt) along n and t is
-   piecewise linear: f = nn wn + nt wt, r = nt wn + tt wt. So A x = b leads to a
-   matrix with the pattern of the groups. It is factored in their order (skyline
-   Cholesky). Minimum-norm forces, >>ipm and >>raised differ only in the law. */
+/* A contact law gives the force (f, r) of a contact for an approach (wn, wt)
+   along n and t. The law is piecewise linear: f = nn wn + nt wt, r = nt wn + tt
+   wt. So A x = b leads to a symmetric matrix with one row of 3 x 3 blocks for
+   each group. The matrix is factored in the order of the groups (skyline
+   Cholesky). >>norm, >>ipm and >>raised differ only in the law. */
 
 /* A symmetric matrix of 3 x 3 blocks, one row of blocks for each group, or its
    factor. Each row is stored from its first nonzero block to the diagonal. */
 typedef struct kern_skyline {
     int groups;
-    int *first;  /* of a row: its first block column             */
-    int *offset; /* of a row: its first entry                    */
+    int *first;  /* per row: its first block column              */
+    int *offset; /* per row: its first entry                     */
     kern_real *entry;
 } kern_skyline;
 
 typedef struct kern_law {
     kern_real nn, nt, tt;
-    kern_force force; /* within the cone despite rounding             */
+    kern_force force; /* force for the approach, within its cone      */
 } kern_law;
 
-/* Returns the law of a contact that has the stiffness `stiff` along n, and mu
-   `shear` times that along t until it slides. With stiff = 2 and shear = mu it
-   is the law of two rays of stiffness 1 that cannot pull. */
+/* Returns the law of a contact that has the stiffness `stiff` along n, and mu *
+   shear * stiff along t until it slides. With stiff = 2 and shear = mu it is
+   the law of two rays of stiffness 1 that cannot pull. */
 static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
                                       kern_real stiff, kern_real shear)
 {
@@ -4657,10 +4768,10 @@ static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
     return s;
 }
 
-/* Takes room for the matrix of `groups` groups. Each of n contacts couples two
-   groups: the row of the later group reaches to the column of the other.
-   Returns the number of products of a factorisation, if there is room. It is a
-   real, since long rows have more than an int holds. */
+/* Takes memory for the matrix of `groups` groups. Each of n contacts couples
+   two groups: the row of the later group begins at or before the column of the
+   other. Returns the number of products of one factorisation, as a real, since
+   it may exceed an int. */
 static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
                                    int n, kern_take *take)
 {
@@ -4696,9 +4807,9 @@ static void kern_skyline_clear(kern_skyline *a)
         kern_zero(a->entry + a->offset[g], 9 * (g - a->first[g] + 1));
 }
 
-/* Adds a contact's law to the matrix: to the diagonal block of each of its
-   groups, and to the block that couples them, in the row of the later group.
-   Held blocks have the last number and no row. */
+/* Adds a contact's law to the diagonal blocks of its two groups, and to the
+   block that couples them, in the row of the later group. Held blocks have the
+   number a->groups and no row. */
 static void kern_skyline_law(kern_skyline *a, const int ends[2],
                              const kern_row row[2], const kern_law *s)
 {
@@ -4710,7 +4821,7 @@ static void kern_skyline_law(kern_skyline *a, const int ends[2],
             const kern_row *other = row + 1 - 2 * k;
             const int wide = 3 * (g - a->first[g] + 1);
             kern_real *to = a->entry + a->offset[g] + wide - 3;
-            kern_row_wrench(row, s->nn, s->nt, v); /* adds n v' + t w' */
+            kern_row_wrench(row, s->nn, s->nt, v); /* += n v' + t w'       */
             kern_row_wrench(row, s->nt, s->tt, w);
             kern_row_exert(row, v[0], w[0], to);
             kern_row_exert(row, v[1], w[1], to + wide);
@@ -4744,9 +4855,9 @@ static void kern_skyline_shift(kern_skyline *a, kern_real share)
     }
 }
 
-/* c -= a b', for a 3 x 3 block c of the rows a, and n columns that rows a and
-   rows b have in common. Successive rows are wide_a and wide_b numbers
-   apart. */
+/* c -= a b'. c is a 3 x 3 block of the rows of a. Sums over the n columns that
+   the rows of a and of b have in common. Successive rows are wide_a and wide_b
+   numbers apart. */
 static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
                                 const kern_real *b, int wide_b, int n)
 {
@@ -4758,7 +4869,8 @@ static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
     kern_real s20 = c2[0], s21 = c2[1], s22 = c2[2];
     int i;
 
-    /* Nine sums in registers: most of a factor's time goes here. */
+    /* Keeps nine sums in registers, since a factorisation spends most of its
+       time here. */
     for (i = 0; i < n; i++) {
         const kern_real x = b[i], y = b1[i], z = b2[i];
         s00 -= a[i] * x;
@@ -4783,8 +4895,8 @@ static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
     c2[2] = s22;
 }
 
-/* Replaces the matrix by Cholesky's L. Pivots below rounding are raised to
-   it. */
+/* Replaces the matrix by its Cholesky factor L. Raises pivots below rounding to
+   the size of rounding. */
 static void kern_skyline_factor(kern_skyline *a)
 {
     int g, h, r, k;
@@ -4793,9 +4905,9 @@ static void kern_skyline_factor(kern_skyline *a)
         kern_real *row = a->entry + a->offset[g], *d = row + wide - 3;
         const kern_real was[3] = {d[0], d[wide + 1], d[2 * wide + 2]};
 
-        /* Computes the row's blocks from its first column to the diagonal. From
-           each it subtracts the products of the columns that this row has in
-           common with row h. */
+        /* Computes the blocks of row g from its first column to the diagonal.
+           Subtracts from block h the products of the columns that rows g and h
+           have in common. */
         for (h = a->first[g]; h <= g; h++) {
             const int from = a->first[g] > a->first[h] ? a->first[g]
                                                        : a->first[h];
@@ -4807,8 +4919,8 @@ static void kern_skyline_factor(kern_skyline *a)
                                 other + 3 * (from - a->first[h]), wide_h,
                                 3 * (h - from));
 
-            /* Divides by the diagonal block of row h. For h = g that block is
-               computed at the same time. */
+            /* Divides block h by the diagonal block of row h. For h = g,
+               computes that diagonal block at the same time. */
             for (r = 0; r < 3; r++, c += wide) {
                 if (h < g || r > 0)
                     c[0] /= l[0];
@@ -4830,7 +4942,7 @@ static void kern_skyline_factor(kern_skyline *a)
     KERN_AUDIT(factor, a);
 }
 
-/* out := the solution of matrix * out = b, by the factor */
+/* Solves L L' out = b by the Cholesky factor L. */
 static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
                                kern_real *out)
 {
@@ -4849,9 +4961,8 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
     }
 }
 
-/* Adds the law of a contact that answers the motion w . (wn, wt) by the force
-   f: an outer product, whose rows are those of f and whose columns are those of
-   w. */
+/* Adds the law of a contact that exerts the force f (w . (wn, wt)), the outer
+   product f w', to a matrix that is not symmetric. */
 static void kern_skyline_outer(kern_skyline *a, const int ends[2],
                                const kern_row row[2], const kern_real f[2],
                                const kern_real w[2])
@@ -4873,10 +4984,10 @@ static void kern_skyline_outer(kern_skyline *a, const int ends[2],
     }
 }
 
-/* Factors a matrix that is not symmetric, in place. `low` has its rows up to
-   the diagonal. `up` has its columns, each stored as a row. The factors are L U
-   = matrix, where the diagonal of L is 1 and not stored. Pivots below rounding
-   are raised to it. */
+/* Factors a matrix that is not symmetric, in place. `low` has the rows of the
+   matrix up to the diagonal. `up` has the columns of the matrix, each stored as
+   a row. The factors are L U = matrix, where the diagonal of L is 1 and not
+   stored. Raises pivots below rounding to the size of rounding. */
 static void kern_skyline_split(kern_skyline *low, kern_skyline *up)
 {
     int i, j;
@@ -4902,7 +5013,7 @@ static void kern_skyline_split(kern_skyline *low, kern_skyline *up)
     }
 }
 
-/* out := the solution of L U * out = b */
+/* Solves L U out = b. */
 static void kern_skyline_split_solve(const kern_skyline *low,
                                      const kern_skyline *up, const kern_real *b,
                                      kern_real *out)
@@ -4924,40 +5035,41 @@ static void kern_skyline_split_solve(const kern_skyline *low,
 
 /* ---- Parts ------------------------------------------------------ >>part */
 /* A part is some of the groups with all contacts that touch them. All other
-   blocks are held. Held blocks can exert any force, so if a part falls the
-   whole structure falls: the motion of the part, with all other blocks at rest,
-   proves it. */
+   blocks are held. Held blocks can exert any force. So if a part falls, the
+   whole structure falls, and its proof is the motion of the part with all other
+   blocks at rest. */
 
-/* How the contacts of a part answer a motion. */
+/* Laws of the contacts of a part (>>skyline). */
 typedef enum kern_law_of {
     KERN_LAW_RAYS, /* two rays of stiffness 1 that cannot pull           */
     KERN_LAW_STIFF /* stiff along n and t, with a price: >>raised        */
 } kern_law_of;
 
-/* Where Newton's method begins: at u = 0, or at the present u. A cold start has
-   one more round, the first, in which all contacts press. */
+/* Starting point of Newton's method. KERN_START_COLD: u = 0, with one more
+   round, the first, in which all contacts press. KERN_START_WARM: the present
+   u. */
 typedef enum kern_start { KERN_START_COLD, KERN_START_WARM } kern_start;
 
 /* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
 typedef struct kern_dual {
-    kern_law_of law;            /* of the contacts                         */
-    kern_skyline matrix;        /* of the contacts that carry              */
-    kern_real *u, *step, *grad; /* three a group, then three of 0          */
-    kern_real *b;               /* loads, three a group                    */
-    kern_real *way, *turn;      /* two a contact: u and step along n and t */
-    int cost;                   /* units of work of a step                 */
-    kern_real *price;           /* of a stiff contact: mu slip (>>raised)  */
-    kern_real *stiff_n;         /* of a stiff contact: stiffness along n   */
+    kern_law_of law;            /* law of the contacts                     */
+    kern_skyline matrix;        /* matrix of Newton's method               */
+    kern_real *u, *step, *grad; /* three per group, then three of 0        */
+    kern_real *b;               /* loads, three per group                  */
+    kern_real *way, *turn;      /* two per contact: u, step along n and t  */
+    int cost;                   /* work of a step [units]                  */
+    kern_real *price;           /* per stiff contact: mu slip (>>raised)   */
+    kern_real *stiff_n;         /* per stiff contact: stiffness along n    */
     kern_real stiff;            /* stiffness along t / (mu stiff_n)        */
 } kern_dual;
 
-/* Eq. (5) of a part as a linear program (>>verdict). The interior point has no
-   columns and uses only rhs, rate and shrink. */
+/* Eq. (5) of a part as a linear program (>>verdict). The interior point stores
+   no columns and uses only rhs, rate and shrink. */
 typedef struct kern_equations {
     kern_real *arc;   /* columns                                      */
     kern_real *rhs;   /* loads                                        */
     kern_real *rate;  /* minus the rate of rhs along a path           */
-    kern_real shrink; /* of the columns; infinity: there are none     */
+    kern_real shrink; /* shrinkage of the columns; or infinity        */
     kern_program lp;
     kern_simplex simplex;
 } kern_equations;
@@ -4967,20 +5079,20 @@ typedef struct kern_part {
     kern_dual dual;
     kern_model *m;
     int groups, contacts;
-    int supports; /* number of contacts that carry groups of the part. They
-                                 come first; the others carry groups above    */
+    int supports; /* number of contacts that carry groups of the part, which
+                     come first; the others carry groups above                */
     int *group;   /* groups of the part; >>norm has its own order  */
     int *contact; /* contacts of the part                         */
-    int *ends;    /* two a contact: groups of the part, or `groups` */
-    kern_real *x; /* two a contact: forces along the edges of its
+    int *ends;    /* two per contact: groups in the part, or `groups` */
+    kern_real *x; /* two per contact: forces along the edges of its
                                  cone; then the value of the place            */
-    kern_real *y; /* three a group: prices of equilibrium, a motion */
+    kern_real *y; /* three per group: prices, which are a motion      */
     kern_equations eq;
     kern_status found; /* result of the method, proven or not          */
 } kern_part;
 
-/* Lists the groups of the part at the ends of its contacts. Returns 0 if there
-   is no room. */
+/* Writes the groups of the part at both ends of its contacts to p->ends.
+   Returns 0 if there is no room. */
 static int kern_part_ends(kern_part *p)
 {
     const kern_model *m = p->m;
@@ -5003,8 +5115,9 @@ static void kern_part_list(kern_part *p)
     p->contacts = 0;
     p->contact = kern_take_ints(&p->rest, 0);
 
-    /* Round 1 lists the contacts to groups below and to the ground, round 0
-       those to groups above that are not in the part. */
+    /* Lists the contacts with groups below and with the ground (supporting =
+       1), then the contacts with groups above that are not in the part
+       (supporting = 0). */
     for (supporting = 1; supporting >= 0; supporting--) {
         for (n = 0; n < p->groups; n++) {
             const int g = p->group[n];
@@ -5026,9 +5139,9 @@ static void kern_part_list(kern_part *p)
     }
 }
 
-/* Writes the loads of a part's groups for a query, three numbers each, in units
-   of force, as a program has them. Returns the residual of equilibrium that is
-   allowed. */
+/* Writes the loads of a part's groups for a query as the right-hand side of a
+   program: three numbers per group, divided by the unit of force. Returns the
+   largest residual of equilibrium that is allowed. */
 static kern_real kern_part_load(const kern_part *p, const kern_query *q,
                                 kern_real *to)
 {
@@ -5058,8 +5171,8 @@ static int kern_part_begin(kern_part *p, kern_model *m, int groups,
     return kern_take_fits(&p->rest);
 }
 
-/* Opens the part of the `groups` groups that graph.local marks, the last of
-   which is `last`. Returns 0 if the work memory does not hold it. */
+/* Opens a part of the groups that graph.local marks. `groups` is their number
+   and `last` the last of them. Returns 0 if the work memory is too small. */
 static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 {
     int g, n = groups;
@@ -5067,7 +5180,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     if (!kern_part_begin(p, m, groups, &m->rest))
         return 0;
 
-    /* Numbers the marked groups in their order, beginning with the last. */
+    /* Numbers the marked groups in their order, from the last to the first. */
     for (g = last; n > 0; g--)
         if (m->graph.local[g] != KERN_OUT) {
             m->graph.local[g] = --n;
@@ -5095,7 +5208,7 @@ static void kern_part_motion(kern_part *p)
     kern_motion_scale(m->s, m->answer.motion);
 }
 
-/* Writes y as a motion. Returns 1 if that proves that the part falls. */
+/* Writes y as a motion. Returns 1 if the motion proves that the part falls. */
 static int kern_part_falls(kern_part *p, const kern_query *q)
 {
     const kern_model *m = p->m;
@@ -5103,8 +5216,8 @@ static int kern_part_falls(kern_part *p, const kern_query *q)
     return kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion));
 }
 
-/* Writes x of a program of all groups as contact forces. Negative rounding
-   becomes 0. */
+/* Writes x of a program of all groups as contact forces. Negative numbers,
+   which are rounding, become 0. */
 static void kern_part_forces(kern_part *p)
 {
     kern_model *m = p->m;
@@ -5119,7 +5232,8 @@ static void kern_part_forces(kern_part *p)
     }
 }
 
-/* Writes x as forces. Returns 1 if they prove that the structure stands. */
+/* Writes x as contact forces. Returns 1 if the forces prove that the structure
+   stands. */
 static int kern_part_stands(kern_part *p, const kern_query *q)
 {
     kern_part_forces(p);
@@ -5132,10 +5246,10 @@ static int kern_part_stands(kern_part *p, const kern_query *q)
        min |x|^2 / 2,  A x = b,  x >= 0.
 
    The dual, max b.u - |max(0, A'u)|^2 / 2, has three unknowns for each group,
-   and x = max(0, A'u). It is concave and its curvature is piecewise constant,
-   so that Newton's method ends after a few steps. Its matrix is A_S A_S', of
-   the rays S that press at u. If no forces exist the dual grows without
-   limit. */
+   and x = max(0, A'u). The dual is concave and its curvature is piecewise
+   constant, so that Newton's method ends after a few steps. The matrix of
+   Newton's method is A_S A_S', where S is the set of rays that press at u. If
+   no forces exist, the dual grows without bound. */
 
 /* Writes to `way` the approach at which the law of contact i exerts the
    answer's force. Newton's method begins there, and so finds the least change
@@ -5189,8 +5303,8 @@ static inline void kern_part_rows(const kern_part *p, int k, kern_row row[2])
     row[1] = kern_model_row(p->m, 2 * p->contact[k] + 1);
 }
 
-/* w += the approach of the part's contact k along n and t by the motion v. The
-   difference of velocities is formed first, so that a rigid motion gives
+/* w += the approach of the part's contact k along n and t under the motion v.
+   The difference of velocities is formed first, so that a rigid motion gives
    exactly 0. */
 static inline void kern_part_speed(const kern_part *p, int k,
                                    const kern_real *v, kern_real *w)
@@ -5205,8 +5319,8 @@ static inline void kern_part_speed(const kern_part *p, int k,
     w[1] += row[1].turn * t[2];
 }
 
-/* b += the wrenches of the part's contact k with f along n and r along t. Those
-   on held blocks go to the last three numbers. */
+/* b += the wrenches of the part's contact k with force f along n and r along t.
+   Wrenches on held blocks go to the last three numbers. */
 static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
                                    kern_real r, kern_real *b)
 {
@@ -5216,13 +5330,14 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
     kern_row_exert(row + 1, f, r, b + 3 * p->ends[2 * k + 1]);
 }
 
-/* Of which motion an approach is: of the whole u, or of a step added to it. */
+/* The motion of which an approach is computed: a step added to u, or u
+   itself. */
 typedef enum kern_way_of { KERN_WAY_OF_STEP, KERN_WAY_OF_U } kern_way_of;
 
-/* Writes the approach of the supports along n and t: that of u to `way`, that
-   of the step to `turn`. The approach of u begins at minus the price of a stiff
-   contact, otherwise at the approach of the force that the contact has
-   already. */
+/* Writes the approach of the supports along n and t. The approach under u goes
+   to dual.way, and that under the step to dual.turn. The approach under u
+   begins at minus the price for a stiff contact, and otherwise at the approach
+   that gives the present force of the contact. */
 KERN_SHARED static void kern_norm_ways(kern_part *p, kern_way_of of)
 {
     const kern_dual *d = &p->dual;
@@ -5239,8 +5354,9 @@ KERN_SHARED static void kern_norm_ways(kern_part *p, kern_way_of of)
     }
 }
 
-/* Writes the gradient of the dual at u: b less the wrenches of the forces of u.
-   Returns the dual's value, and writes the largest force to *most. */
+/* Writes the gradient of the dual at u, which is b minus the wrenches of the
+   forces at u. Returns the value of the dual, and writes the largest force to
+   *most. */
 static kern_real kern_norm_gradient(kern_part *p, kern_real *most)
 {
     const kern_dual *d = &p->dual;
@@ -5271,8 +5387,8 @@ static void kern_part_add(kern_part *p, int k, const kern_law *s)
     kern_skyline_law(&p->dual.matrix, p->ends + 2 * k, row, s);
 }
 
-/* Writes the matrix of the contacts that press at u, or on a cold start of all
-   contacts, and shifts its diagonal. */
+/* Writes the matrix of the contacts that press at u (cold start: of all
+   contacts), and shifts its diagonal. */
 static void kern_norm_matrix(kern_part *p, kern_start start)
 {
     const int all = start == KERN_START_COLD;
@@ -5286,7 +5402,8 @@ static void kern_norm_matrix(kern_part *p, kern_start start)
             s = kern_part_law(p, k, 1, 0);
         if (all
             && p->dual.law
-                   == KERN_LAW_STIFF) /* as stiff along t for every friction */
+                   == KERN_LAW_STIFF) /* the same stiffness along t for all mu
+                                                                             */
             s.tt = p->dual.stiff * s.nn;
         if (s.nn > 0)
             kern_part_add(p, k, &s);
@@ -5294,8 +5411,8 @@ static void kern_norm_matrix(kern_part *p, kern_start start)
     kern_skyline_shift(a, KERN_DUAL_SHIFT);
 }
 
-/* Returns the derivative of the dual along the step at u + share * step. `push`
-   is the contribution of the loads. */
+/* Returns the derivative of the dual along the step, at u + share * step.
+   `push` is the part of the derivative that the loads contribute. */
 static kern_real kern_norm_slope(const kern_part *p, kern_real push,
                                  kern_real share)
 {
@@ -5310,9 +5427,10 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
 }
 
 /* Returns the share of the step at which the dual is largest, by regula falsi,
-   since the dual is concave. It ends where the derivative is at most an eighth
-   of the first one, or with stiff contacts a thousandth, since the next prices
-   begin there. With stiff contacts each place is charged as work. */
+   since the dual is concave. The search ends where the derivative is at most an
+   eighth of the first one (KERN_SHARE_TOL), or with stiff contacts a thousandth
+   (KERN_SHARE_TOL_PRICED). With stiff contacts each place is charged as
+   work. */
 KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_dual *d = &p->dual;
@@ -5325,7 +5443,7 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
     kern_real at = 1;
     int round;
 
-    /* Grows the share until the derivative changes its sign, then cuts the
+    /* Increases the share until the derivative changes its sign. Then cuts the
        bracket where a linear derivative would be 0. */
     for (round = 0;
          round < (hi < KERN_INFINITY ? KERN_SHARE_PLACES : KERN_SHARE_GROWS);
@@ -5343,9 +5461,10 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
                                      (p->supports + 12) / KERN_PLACE_UNIT)))
             break;
 
-        /* The end with the same sign of the derivative moves. */
+        /* Moves the end of the bracket that has the same sign of the
+           derivative. */
         if (slope > 0) {
-            at_hi /= 3; /* or the upper end might stay for many rounds */
+            at_hi /= 3; /* else hi stays for many rounds               */
             lo = at;
             at_lo = slope;
         } else {
@@ -5357,8 +5476,9 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 }
 
 /* Finds the minimum-norm forces of a part's supports under the loads p->dual.b.
-   Returns KERN_STANDS with u; KERN_FALLS, which is no proof, if the norm
-   exceeds `bound`; KERN_UNDECIDED after `rounds` rounds; or KERN_LIMIT. */
+   Returns KERN_STANDS with u in p->dual.u, KERN_FALLS if the norm exceeds
+   `bound` (this is no proof), KERN_UNDECIDED after `rounds` rounds, or
+   KERN_LIMIT. */
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                   kern_real bound, kern_start start, int rounds)
 {
@@ -5367,20 +5487,19 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     int i, round;
     KERN_ASSERT(p->supports <= p->contacts);
 
-    /* A cold start begins at rest. The three numbers of held blocks are always
+    /* Sets u to 0 for a cold start. The three numbers of held blocks are always
        0. */
     for (i = start == KERN_START_COLD ? 0 : n; i < n + 3; i++)
         d->u[i] = d->step[i] = 0;
     kern_norm_ways(p, KERN_WAY_OF_U);
 
-    /* Each round balances the contacts that press now. */
+    /* Each round solves for the contacts that press at the present u. */
     for (round = (int)start; round < rounds; round++) {
         kern_real most, share;
         const kern_real value = kern_norm_gradient(p, &most);
 
-        /* Ends in equilibrium, or if the dual exceeds bound^2 / 2, half the
-           square of the largest norm: then there are no forces within the
-           bound. */
+        /* Ends if the forces are in equilibrium. Also ends if the dual exceeds
+           bound^2 / 2: then no forces have a norm within the bound. */
         if (kern_largest(d->grad, n) <= tolerance + KERN_RESIDUAL * most)
             return KERN_STANDS;
         if (!(value <= bound * bound / 2))
@@ -5388,8 +5507,8 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
         if (!kern_model_spend(p->m, d->cost))
             return KERN_LIMIT;
 
-        /* Takes Newton's step. That of a cold start is taken in full, since all
-           contacts are assumed to press. */
+        /* Takes Newton's step. The first step of a cold start is taken in full,
+           since all contacts are assumed to press. */
         kern_norm_matrix(p, round == 0 ? KERN_START_COLD : KERN_START_WARM);
         kern_skyline_factor(&d->matrix);
         kern_skyline_solve(&d->matrix, d->grad, d->step);
@@ -5410,9 +5529,10 @@ static int kern_graph_degree(const kern_graph *graph, int g)
     return n;
 }
 
-/* Lists the groups that contacts connect to `first`, from place n of the part
-   down, by breadth-first search. Of the new neighbours of a group those with
-   fewer contacts come first. Returns the place below the last group. */
+/* Lists the groups that contacts connect to `first` by breadth-first search.
+   Writes them to p->group from index n down. Of the new neighbours of a group
+   those with fewer contacts come first. Returns the index below the last group
+   written. */
 static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
@@ -5437,9 +5557,9 @@ static int kern_norm_layers(kern_part *p, int first, int n)
     return n;
 }
 
-/* Lists the groups that are not marked, which become the part, in an order that
-   makes rows of the factor short: breadth-first layers from a group at an end
-   of the structure, from the last place down (reverse Cuthill-McKee). */
+/* Makes a part of the groups that are not marked. To make rows of the factor
+   short, lists them in breadth-first layers from a group at an end of the
+   structure, from the last index down (reverse Cuthill-McKee). */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
@@ -5479,7 +5599,7 @@ static int kern_norm_open(kern_part *p, kern_model *m)
     return kern_part_ends(p) && kern_norm_lay(p, &p->rest);
 }
 
-/* Writes the forces of u. */
+/* Writes the contact forces for the approaches in dual.way. */
 static void kern_norm_write(kern_part *p)
 {
     kern_model *m = p->m;
@@ -5493,18 +5613,18 @@ static void kern_norm_write(kern_part *p)
 }
 
 /* ---- The top-down pass ------------------------------------------- >>pass */
-/* The pass balances the groups from top to bottom. A group passes its load, and
-   the forces from above, on to the contacts that carry it, by the least change
-   of their forces: a problem in three unknowns. A group that cannot be balanced
+/* The pass balances the groups from top to bottom. Each group is balanced by
+   the least change of the forces that carry it, under its load and the forces
+   from above: a problem in three unknowns. A group that cannot be balanced
    alone forms a cluster with the groups that rest on it. A group whose load
    changes is balanced again. Forces that balance every group prove that the
-   structure stands. If a cluster cannot be balanced, and its motion parts it
-   from all groups that rest on it, no forces from above could hold it: then it
-   is a part that falls.
+   structure stands. If a cluster cannot be balanced, and its motion separates
+   it from all groups that rest on it, no forces from above could hold the
+   cluster. Then the cluster is a part that falls.
 
    A cluster, or the whole pass, has one of three outcomes. KERN_STANDS: its
-   groups are balanced. KERN_FALLS: a part that seems to fall is open.
-   KERN_UNDECIDED: it has no work memory or budget left. */
+   groups are balanced. KERN_FALLS: a part is open and seems to fall.
+   KERN_UNDECIDED: no work memory or budget is left. */
 
 /* Marks that the cluster of group g must be balanced. */
 static void kern_pass_mark_open(kern_model *m, int g)
@@ -5515,8 +5635,8 @@ static void kern_pass_mark_open(kern_model *m, int g)
         m->cluster.front = last;
 }
 
-/* Writes the force of contact i. If it changed, the cluster of group `carrier`
-   must be balanced again. */
+/* Writes the force of contact i. If it changes by more than the tolerance,
+   marks that the cluster of group `carrier` must be balanced again. */
 static void kern_pass_write(kern_model *m, int i, int carrier, kern_force f,
                             kern_real tolerance)
 {
@@ -5529,8 +5649,9 @@ static void kern_pass_write(kern_model *m, int i, int carrier, kern_force f,
     *to = f;
 }
 
-/* x := H^-1 b, from the lower half of a symmetric 3 x 3 matrix h. The unknown
-   of a pivot that is rounding becomes 0. Returns 1 if no pivot is small. */
+/* Solves h x = b for a symmetric 3 x 3 matrix h, of which it reads the lower
+   half. If a pivot is rounding, its unknown becomes 0. Returns 1 if no pivot is
+   small. */
 static int kern_pass_three(const kern_real h[9], const kern_real b[3],
                            kern_real x[3])
 {
@@ -5548,14 +5669,14 @@ static int kern_pass_three(const kern_real h[9], const kern_real b[3],
     return kern_min(d1, d2) > KERN_THREE_GOOD * (h[0] + h[4] + h[8]);
 }
 
-typedef struct kern_ray { /* an edge of a friction cone at the group      */
-    kern_real a[3];       /* wrench of a unit of x                        */
-    kern_real x;          /* its force, in units; below 0: no force       */
-    int press;            /* nonzero: it is in the matrix                 */
+typedef struct kern_ray { /* force along an edge of a friction cone       */
+    kern_real a[3];       /* its wrench on the group for x = 1            */
+    kern_real x;          /* magnitude, in units; below 0: no force       */
+    int press;            /* nonzero: the ray is in the matrix            */
 } kern_ray;
 
-/* Writes the two rays of a row, with their forces at the approach `way`, in
-   units. */
+/* Writes the two rays of a row, with their forces at the approach `way` divided
+   by `unit`. */
 static inline void kern_ray_pair(kern_ray *to, const kern_row *row,
                                  kern_real mu, const kern_real way[2],
                                  kern_real unit)
@@ -5568,10 +5689,10 @@ static inline void kern_ray_pair(kern_ray *to, const kern_row *row,
     to[0].press = to[1].press = 1;
 }
 
-/* Returns the unit of the forces of contact i, which is smaller for upright
-   joints, so that they take less of a load than beds. Otherwise each stone of a
-   course would push the next, and the last of a long course could not be
-   balanced alone. */
+/* Returns the unit of the forces of contact i. The unit of upright joints is
+   smaller, so that they take less of a load than beds. Otherwise each stone of
+   a course would push the next, and the last stone of a long course could not
+   be balanced alone. */
 static kern_real kern_pass_unit(const kern_model *m, int i)
 {
     const kern_vec g = m->s->gravity;
@@ -5579,8 +5700,8 @@ static kern_real kern_pass_unit(const kern_model *m, int i)
     return 4 * up * up < kern_vec_dot(g, g) ? KERN_SIDE_SHARE : KERN_R(1);
 }
 
-/* Writes b less the wrenches of the pressing rays, and the matrix of these
-   rays. */
+/* Writes b minus the wrenches of the pressing rays to `left`, and the matrix of
+   these rays to h. */
 static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
                          kern_real left[3], kern_real h[9])
 {
@@ -5602,17 +5723,18 @@ static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
     }
 }
 
-/* Finds the least change of the rays' forces after which they exert b, by
-   Newton's method with full steps. Returns KERN_STANDS; KERN_FALLS if the rays
-   cannot exert b; or KERN_UNDECIDED if the method does not end. */
+/* Finds the least change of the forces of the rays with which they exert the
+   wrench b, by Newton's method with full steps. Returns KERN_STANDS; KERN_FALLS
+   if the rays cannot exert b; or KERN_UNDECIDED if the method does not end. */
 static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
                                    kern_real tolerance)
 {
     kern_real left[3], h[9], step[3], u[3] = {0, 0, 0}, last = KERN_INFINITY;
     int k, round, same = 0; /* 1: the same rays press as in the last round */
     for (round = 0; round < KERN_ALONE_ROUNDS; round++) {
-        /* Writes the residual of the rays that press now. If they are those of
-           the last round the problem was linear: it is solved, or cannot be. */
+        /* Computes the residual of the rays that press now. If the same rays
+           pressed in the last round, that step solved a linear problem: if the
+           residual is still large, there is no solution. */
         const kern_real before = last / KERN_ALONE_PACE;
         int good, changed = 0;
         kern_ray_sum(c, n, b, left, h);
@@ -5622,8 +5744,8 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
         if (same && last > before)
             return KERN_FALLS;
 
-        /* Takes a full step. Other rays may press after it, except while a
-           solution is refined. */
+        /* Takes a full step. The set of pressing rays may change, except while
+           a solution is refined. */
         good = kern_pass_three(h, left, step);
         kern_add(u, 1, step, 3);
         for (k = 0; k < n; k++) {
@@ -5634,8 +5756,8 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
             }
         }
 
-        /* If there is nothing to refine, and the same rays press as before, it
-           is solved. */
+        /* Ends if the same rays press as before, and no pivot was small, so
+           that no refinement is needed. */
         if (good && !changed)
             return KERN_STANDS;
         same = !changed;
@@ -5643,8 +5765,9 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
     return KERN_UNDECIDED;
 }
 
-/* Balances group g alone. Returns KERN_FALLS if no forces of its contacts do,
-   KERN_UNDECIDED if it has too many contacts or the method does not end. */
+/* Balances group g alone. Returns KERN_FALLS if no forces of its contacts
+   balance it, KERN_UNDECIDED if it has too many contacts or the method does not
+   end. */
 static kern_status kern_pass_alone(kern_model *m, int g)
 {
     const kern_real tolerance = KERN_PASS_TOL * m->size[g];
@@ -5654,8 +5777,9 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     kern_status status;
     int e, k, n = 0;
 
-    /* The load is that of the group and of the contacts above it. Each contact
-       that carries the group gives two rays, with the forces that it has. */
+    /* Sums the loads of the group and of the contacts above it. Each contact
+       that carries the group gives two rays, which start from its present
+       force. */
     kern_copy(b, m->load + 3 * g, 3);
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
         const kern_row row = kern_model_row(m, e);
@@ -5701,7 +5825,8 @@ static void kern_pass_join(kern_model *m, int g, int h)
     } while (i != g);
 }
 
-/* Writes a mark for each group of g's cluster. Returns how many there are. */
+/* Writes `mark` to graph.local of each group of g's cluster. Returns the number
+   of these groups. */
 static int kern_pass_mark(kern_model *m, int g, int mark)
 {
     int i = g, n = 0;
@@ -5713,16 +5838,16 @@ static int kern_pass_mark(kern_model *m, int g, int mark)
     return n;
 }
 
-/* Joins the clusters that rest on that of `last`, which cannot be balanced, to
-   it, and leaves it open. Returns 0 if there are none, or if the cluster is now
-   too large. */
+/* Grows the cluster of `last`, which could not be balanced, by the clusters
+   that rest on it, and leaves it open. Returns 0 if no cluster rests on it, or
+   if it becomes too large. */
 static int kern_pass_grow(kern_model *m, int last)
 {
     const kern_clusters *c = &m->cluster;
     int g = last, after, e, grown = 0;
 
-    /* Joins the cluster of every group above. `after` is the next group before
-       the join: the groups of a joined cluster are not searched now. */
+    /* Joins the cluster of every group above. `after` is read before the join,
+       so that the groups of a joined cluster are not searched. */
     do {
         after = c->next[g];
         for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
@@ -5740,8 +5865,8 @@ static int kern_pass_grow(kern_model *m, int last)
 }
 
 /* Writes the minimum-norm forces of a part. A group that both rests on the part
-   and carries it joins the part on the second attempt. Otherwise the two would
-   be balanced in turns. */
+   and carries it joins the part on the second attempt. Otherwise the group and
+   the part would be balanced alternately without end. */
 static void kern_pass_keep(kern_part *p, kern_real tolerance)
 {
     kern_model *m = p->m;
@@ -5751,8 +5876,8 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
 
     open[last] |= KERN_TRIED;
 
-    /* Writes the force of each support. A group of the part is balanced now, so
-       only groups outside of it are to be balanced again. */
+    /* Writes the force of each support. The groups of the part are balanced, so
+       only groups outside of it must be balanced again. */
     for (k = 0; k < p->supports; k++) {
         const int i = p->contact[k], *ends = m->graph.ends + 2 * i;
         const kern_real *w = p->dual.way + 2 * k;
@@ -5770,9 +5895,9 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
     }
 }
 
-/* Returns 1 if u, the motion of a part that cannot be balanced, parts it from
+/* Returns 1 if the motion u of a part that cannot be balanced separates it from
    all groups that rest on it, and its loads do work. Then no force from above
-   can hold it. */
+   can hold the part. */
 static int kern_pass_parts(kern_part *p)
 {
     const kern_real most = KERN_PARTS_TOL
@@ -5780,11 +5905,12 @@ static int kern_pass_parts(kern_part *p)
     kern_real power = 0;
     int n, k;
 
-    /* The power of the loads. */
+    /* Sums the power of the loads. */
     for (n = 0; n < p->groups; n++)
         power += kern_dot(p->dual.u + 3 * n, p->m->load + 3 * p->group[n], 3);
 
-    /* No contact from above may close, not even along the edge of its cone. */
+    /* Checks that no contact from above closes, not even along an edge of its
+       cone. */
     for (k = p->supports; k < p->contacts; k++) {
         kern_real w[2] = {0, 0};
         kern_part_speed(p, k, p->dual.u, w);
@@ -5794,8 +5920,8 @@ static int kern_pass_parts(kern_part *p)
     return power > 0;
 }
 
-/* Opens the part of a cluster, and writes its minimum-norm forces if they
-   balance it. Returns KERN_FALLS if no forces would balance it with all other
+/* Opens the cluster of `last` as a part, and writes minimum-norm forces if
+   these balance it. Returns KERN_FALLS if no forces balance it with all other
    blocks held. */
 KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
                                               int last)
@@ -5805,8 +5931,8 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     kern_take take;
     int n;
 
-    /* Ends if there is no room for the part, or if the pass has too small a
-       budget left for a step. */
+    /* Ends if there is no room for the part, or if the rest of the budget is
+       too small for a step. */
     if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last))
         return KERN_NO_SPACE;
     take = p->rest;
@@ -5814,8 +5940,9 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
         || p->dual.cost > m->cluster.budget_end - m->task->work->units)
         return KERN_NO_SPACE;
 
-    /* The loads are those of the groups and of the contacts above them. `load`
-       is the sum of their magnitudes, and `least` sets the largest residual. */
+    /* Sums the loads of the groups and of the contacts above them, and their
+       magnitudes in `load`. `least` is the smallest load of a group, which sets
+       the largest residual. */
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
@@ -5828,8 +5955,9 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.b[n]);
 
-    /* If the norm grows without limit no forces exist. The part falls only if
-       its motion parts it from all groups that rest on it. */
+    /* Finds the forces. If their norm exceeds its bound, no forces exist. Even
+       then the part falls only if its motion separates it from all groups that
+       rest on it. */
     status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_CLUSTER_NORM * load,
                             KERN_START_COLD, KERN_NORM_ROUNDS);
     if (status == KERN_STANDS)
@@ -5840,17 +5968,17 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     return status;
 }
 
-/* Balances the cluster of `last`. After KERN_FALLS a part that falls is
-   open. */
+/* Balances the cluster of `last`. After KERN_FALLS *p is the part that
+   falls. */
 static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
 {
     kern_status status = m->cluster.next[last] == last
                            ? kern_pass_alone(m, last)
                            : KERN_UNDECIDED;
 
-    /* A group that no forces hold falls as a part of its own if nothing rests
-       on it. Otherwise the groups above could hold it: then it is undecided,
-       and the cluster grows. */
+    /* A single group that no forces hold falls as a part of its own if nothing
+       rests on it. If groups rest on it, they could hold it: then the cluster
+       is undecided and grows. */
     if (status == KERN_FALLS) {
         if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last)
             || p->supports < p->contacts)
@@ -5864,8 +5992,8 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
 }
 
 /* Makes the next pass begin with the known forces, if there are any. If the
-   kerns are at least as large as those of the known forces, only the last block
-   is unbalanced. */
+   kerns are at least as large as when the known forces were found, the pass
+   must balance only the last block. */
 static void kern_known_begin(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
@@ -5880,9 +6008,9 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
         m->cluster.changed = m->graph.group[m->s->blocks - 1];
 }
 
-/* Begins a pass with the forces of the answer. All groups are open, or only the
-   one that known forces may not balance. A cluster may have one `share`-th of
-   all groups. */
+/* Begins a pass with the forces of the answer. Opens all groups, or only the
+   one that known forces may not balance. A cluster may have groups / share
+   groups. */
 static void kern_pass_begin(kern_model *m, int share)
 {
     kern_clusters *c = &m->cluster;
@@ -5899,16 +6027,16 @@ static void kern_pass_begin(kern_model *m, int share)
     }
 }
 
-/* Balances all open groups, alone or in clusters, which grow until they are
-   balanced or fall. */
+/* Balances all open groups, alone or in clusters. A cluster grows until it is
+   balanced or falls. */
 static kern_status kern_pass(kern_model *m, kern_part *p)
 {
     kern_clusters *c = &m->cluster;
     c->budget_end = m->task->work->units
                   + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
 
-    /* The front moves down, and back to a cluster that must be balanced again.
-       The budget ends a pass that does not settle. */
+    /* Moves the front down, and back up to a cluster that must be balanced
+       again. The budget ends a pass that does not converge. */
     while (c->front < m->graph.groups) {
         const int g = c->front++;
         kern_status status;
@@ -5929,9 +6057,9 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
 }
 
 /* ---- Interior point ---------------------------------------------- >>ipm */
-/* Gives the verdict on all groups at once, in about ten factorisations. The
-   first forces, x > 0, miss equilibrium by g. The program finds how much of g
-   can be removed:
+/* Finds the verdict on all groups at once, in about ten factorisations. The
+   first forces x > 0 have the residual g = A x - b. A program finds the share
+   of g that can be removed:
 
        max s,  A x + s g = b,  x >= 0,  s <= 0,
 
@@ -5939,30 +6067,31 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
 
        A x = b - s g,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray:
 
-   y is the mechanism by which it falls. A primal-dual method follows x z = mu >
-   0 to mu = 0. Its steps are Newton's,
+   If s stays below 0, the structure falls and y is the mechanism. A primal-dual
+   method follows x z = mu > 0 to mu = 0. Each step is a step of Newton's
+   method,
 
        M dy - g ds = A x~ + s g - b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
 
-   with x~ the forces for this mu. They are solved twice with one factor
-   (Mehrotra). The predictor, with mu = 0, tells how small mu may be and which
-   products dx dz the corrector has to include. Along a path the values x, y, z
-   and s of the last query are the start of the next. */
+   with x~ the forces for this mu. These equations are solved twice with one
+   factor (Mehrotra). The predictor, with mu = 0, gives the mu and the products
+   dx dz of the corrector. Along a path each query starts from x, y, z and s of
+   the last one. */
 
 typedef struct kern_ipm {
     kern_part *p; /* all groups; its x, y and eq.rhs are x, y, b  */
     kern_real s;
-    kern_real gap;     /* sum of x z: distance of s from the maximum   */
-    kern_real *z;      /* of a ray: its opening speed                  */
-    kern_real *dx;     /* of a ray: its step; z has its in dual.turn   */
-    kern_real *d;      /* of a ray: D                                  */
-    kern_real *excess; /* of a row: A x - b + s g                      */
-    kern_real *g;      /* of a row                                     */
-    kern_real *gain;   /* of a row: M^-1 g                             */
+    kern_real gap;     /* sum of x z: distance of s from its maximum   */
+    kern_real *z;      /* per ray: its opening speed                   */
+    kern_real *dx;     /* per ray: step of x; that of z: dual.turn     */
+    kern_real *d;      /* per ray: D                                   */
+    kern_real *excess; /* per row: A x - b + s g                       */
+    kern_real *g;      /* per row: residual of the first forces        */
+    kern_real *gain;   /* per row: M^-1 g                              */
 } kern_ipm;
 
 #ifndef KERN_NO_INTERIOR
-/* out := A'v, two rays a contact. */
+/* out := A'v: approaches of two rays for each contact. */
 static void kern_ipm_ways(const kern_part *p, const kern_real *v,
                           kern_real *out)
 {
@@ -5987,7 +6116,7 @@ static void kern_ipm_carry(const kern_part *p, const kern_real *x,
                         out);
 }
 
-/* Computes A x - b + s g, and the gap. */
+/* Computes in->excess = A x - b + s g, and the gap. */
 static void kern_ipm_excess(kern_ipm *in)
 {
     const kern_part *p = in->p;
@@ -5998,8 +6127,8 @@ static void kern_ipm_excess(kern_ipm *in)
     in->gap = kern_dot(p->x, in->z, 2 * p->contacts);
 }
 
-/* out := M^-1 b, with D = in->d. The diagonal of M is shifted by a share of its
-   mean. */
+/* Factors M with D = in->d and solves M out = b. The diagonal of M is shifted
+   by `shift` times its mean. */
 static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
                             kern_real *out)
 {
@@ -6021,7 +6150,7 @@ static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
     p->m->task->work->pivots++;
 }
 
-/* Returns the largest share of a step, at most 1, that keeps v above 0. */
+/* Returns the largest share of a step, at most 1, that keeps v non-negative. */
 static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
                                 int n)
 {
@@ -6033,7 +6162,7 @@ static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
     return share;
 }
 
-/* Raises products x z that are close to 0 to the mean of a gap. */
+/* Raises products x z below gap / rays to that value. */
 static void kern_ipm_centre(kern_ipm *in, kern_real gap)
 {
     const int rays = 2 * in->p->contacts;
@@ -6046,8 +6175,8 @@ static void kern_ipm_centre(kern_ipm *in, kern_real gap)
     kern_ipm_excess(in);
 }
 
-/* Solves Newton's equations once. in->dx holds x~ - x, and becomes the step of
-   x; writes dy to dual.step and dz to dual.turn. Returns ds. */
+/* Solves Newton's equations once. in->dx must hold x~ - x, and becomes dx.
+   Writes dy to dual.step and dz to dual.turn. Returns ds. */
 static kern_real kern_ipm_solve(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -6071,8 +6200,8 @@ static kern_real kern_ipm_solve(kern_ipm *in)
     return ds;
 }
 
-/* Takes one step: that of the predictor, then that of the corrector. Returns 0
-   if the limit of work or the digits are not enough for a step. */
+/* Takes one step with a predictor and a corrector. Returns 0 if no work is left
+   for a step, or if rounding spoils it. */
 static int kern_ipm_step(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -6086,8 +6215,8 @@ static int kern_ipm_step(kern_ipm *in)
         || !kern_model_spend(p->m, p->dual.cost))
         return 0;
 
-    /* Factors M = A D A', once for both solutions. If M is singular its
-       diagonal is shifted. */
+    /* Factors M = A D A', once for both solutions. Shifts its diagonal if M is
+       singular. */
     for (i = 0; i < rays; i++) {
         in->d[i] = p->x[i] / in->z[i];
         dx[i] = dz[i] = 0;
@@ -6097,8 +6226,9 @@ static int kern_ipm_step(kern_ipm *in)
         kern_ipm_factor(in, KERN_IPM_SHIFT, in->g, in->gain);
     kern_ipm_ways(p, p->y, p->dual.way);
 
-    /* The predictor aims at mu = 0. The corrector aims at the mu that the
-       predictor allows, and includes its products dx dz. */
+    /* Solves for the predictor, which aims at mu = 0, and then for the
+       corrector. The corrector aims at the mu that the predictor allows, and
+       includes the predictor's products dx dz. */
     for (corrects = 0;; corrects = 1) {
         for (i = 0; i < rays; i++)
             dx[i] = (mu - of_x * of_z * dx[i] * dz[i]) / in->z[i]
@@ -6115,14 +6245,14 @@ static int kern_ipm_step(kern_ipm *in)
         mu = in->gap * left * left * left / KERN_R(rays);
     }
 
-    /* Goes almost as far as x and z stay above 0. If the whole step keeps x
-       above 0, it takes all of it. */
+    /* Shortens the step so that x and z stay above 0. A whole step of x that
+       keeps x above 0 is taken in full. */
     left = kern_min(KERN_IPM_BACKOFF * left, KERN_IPM_BACKOFF);
     of_z -= of_z * left;
     if (of_x < 1)
         of_x -= of_x * left;
 
-    /* s is a rounded sum, which must not exceed 0. */
+    /* Takes the step. s must not exceed 0 by rounding. */
     in->s = kern_min(in->s + of_x * ds, 0);
     for (i = 0; i < rays; i++) {
         p->x[i] = kern_max(p->x[i] + of_x * dx[i], p->x[i] * KERN_IPM_KEEP);
@@ -6135,9 +6265,9 @@ static int kern_ipm_step(kern_ipm *in)
     return kern_is_finite(in->gap);
 }
 
-/* Removes A x - b by changing each force in proportion to itself, so that M is
-   far from singular although x / z has entries of all sizes. Returns 1 if the
-   forces then prove that the structure stands. */
+/* Removes the residual A x - b by a correction with D = x, which keeps M far
+   from singular. Returns 1 if the forces then prove that the structure
+   stands. */
 static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
 {
     kern_part *p = in->p;
@@ -6153,8 +6283,9 @@ static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
     return kern_part_stands(p, q);
 }
 
-/* Raises v above 0: by 1.5 times the magnitude of its least entry, if that is
-   negative, and by a small share of its largest. */
+/* Raises all entries of v above 0: by KERN_IPM_LIFT_LEAST times the magnitude
+   of the least entry if that is negative, and by a small share of the
+   largest. */
 static void kern_ipm_lift(kern_real *v, int n)
 {
     kern_real lift = 0;
@@ -6166,9 +6297,9 @@ static void kern_ipm_lift(kern_real *v, int n)
         v[i] += lift;
 }
 
-/* Writes a starting point: minimum-norm forces of both signs and a motion, both
-   raised above 0 (Mehrotra). Returns 0 if the forces are in equilibrium, or no
-   work is left. */
+/* Writes a starting point (Mehrotra): minimum-norm forces of both signs and the
+   opening speeds of a motion, both raised above 0. Returns 0 if the raised
+   forces are in equilibrium, or if no work is left. */
 static int kern_ipm_begin(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -6178,7 +6309,8 @@ static int kern_ipm_begin(kern_ipm *in)
     if (!kern_model_spend(p->m, p->dual.cost))
         return 0;
 
-    /* x: the least-norm solution of A x = b, all rays equally stiff, raised. */
+    /* Computes x: the least-norm solution of A x = b with equal stiffness of
+       all rays, raised above 0. */
     in->s = -1;
     for (i = 0; i < rays; i++) {
         in->z[i] = 0;
@@ -6189,11 +6321,12 @@ static int kern_ipm_begin(kern_ipm *in)
     kern_ipm_ways(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
 
-    /* g: the residual of these forces. */
+    /* Computes g: the residual of these forces. */
     kern_ipm_excess(in);
     kern_copy(in->g, in->excess, n);
 
-    /* y: the least motion with g.y = 1. z: its opening speeds, raised. */
+    /* Computes y, the least motion with g.y = 1, and z, its opening speeds
+       raised above 0. */
     kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
     power = kern_dot(in->g, in->gain, n);
     if (!(power > 0))
@@ -6207,14 +6340,15 @@ static int kern_ipm_begin(kern_ipm *in)
     return 1;
 }
 
-/* Opens all groups for queries like q. Returns 0 if there is no room. */
+/* Opens all groups as one part, for queries on the path of q. Returns 0 if
+   there is no room. */
 static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
                          const kern_query *q)
 {
     int rays, n;
 
-    /* Lists the contacts of all groups again if a program of all groups has
-       taken that memory. */
+    /* Groups the blocks again if a program of all groups has overwritten the
+       lists of their contacts. */
     if (m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
@@ -6229,9 +6363,9 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     if (!kern_take_fits(&p->rest))
         return 0;
 
-    /* The arrays lie one after the other: four of rays, then five of rows.
-       Those of rows have three more numbers for held blocks, except the
-       last. */
+    /* Divides the memory into arrays: four with a number for each ray, then
+       five with a number for each row. Each array of rows but the last has
+       three more numbers for held blocks. */
     in->z = p->x + rays;
     in->dx = in->z + rays;
     in->d = in->dx + rays;
@@ -6241,7 +6375,7 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     in->gain = in->g + n;
     p->eq.rhs = in->gain + n;
 
-    /* The search reads these of a program: no columns, and room for a rate. */
+    /* Sets the fields of p->eq that a search reads. */
     p->eq.rate = p->dual.grad;
     p->eq.shrink = KERN_INFINITY; /* there are no columns */
     kern_zero(p->y, 4 * n);       /* held blocks rest     */
@@ -6249,8 +6383,9 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     return 1;
 }
 
-/* Takes steps until forces with s = 0, or the motion, prove a verdict. Ends if
-   the gap is rounding, or if it falls more slowly than by KERN_IPM_PACE. */
+/* Takes steps until forces with s = 0, or the motion, prove a verdict. Ends
+   without one if the gap is rounding, or exceeds `pace`, which falls by
+   KERN_IPM_PACE with each step. */
 static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
                                 kern_real pace)
 {
@@ -6267,8 +6402,8 @@ static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
     return KERN_UNDECIDED;
 }
 
-/* Returns the verdict for a query. Starts with x, y, z and s of the last query,
-   and if that fails, from the beginning. */
+/* Returns the verdict for a query. Starts from x, y, z and s of the last query.
+   If that fails, starts again from kern_ipm_begin(). */
 static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
 {
     kern_part *p = in->p;
@@ -6281,8 +6416,8 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
     kern_model_arms(m, q);
     kern_part_load(p, q, p->eq.rhs);
 
-    /* Starts with the solution of the last query, which is close. Raising it a
-       little saves some rounds. */
+    /* Starts from the solution of the last query, raised a little above 0,
+       which saves some rounds. */
     if (in->gap <= KERN_IPM_GAP_MOST) {
         in->s = kern_min(in->s, -KERN_IPM_S);
         kern_ipm_centre(in, kern_max(in->gap, KERN_IPM_GAP));
@@ -6310,8 +6445,9 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 
 /* ---- Verdicts ------------------------------------------------- >>verdict */
 
-/* Lays out the linear program of a part, with as much room for factors as there
-   is. Returns 0 if there is not even the least room. */
+/* Takes the arrays for the linear program of a part, with as much room for
+   factors as the work memory has. Returns 0 if that is less than the least
+   room. */
 static int kern_part_lay(kern_part *p)
 {
     kern_equations *const eq = &p->eq;
@@ -6325,8 +6461,8 @@ static int kern_part_lay(kern_part *p)
     eq->lp = lp;
     eq->shrink = KERN_INFINITY; /* there are no columns */
 
-    /* Takes as much room for factors as the work memory has. With less room the
-       basis is factored again more often. */
+    /* Tries smaller and smaller rooms for factors. With less room the basis is
+       factored again more often. */
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
         eq->lp.a = eq->arc = kern_take_reals(&take,
@@ -6344,7 +6480,7 @@ static int kern_part_lay(kern_part *p)
     return 0;
 }
 
-/* Writes Eq. (5) for a query: two columns a contact, along the edges n + mu t
+/* Writes Eq. (5) for a query: two columns per contact, along the edges n + mu t
    and n - mu t of its friction cone, and the loads as the right-hand side. */
 static void kern_part_set(kern_part *p, const kern_query *q)
 {
@@ -6354,13 +6490,13 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     KERN_ASSERT(eq->lp.rows == 3 * p->groups);
     m->reduction = kern_reduction(q);
 
-    /* Units and loads depend on the whole query. */
+    /* Writes units and loads, which depend on the whole query. */
     for (k = 0; k < p->groups; k++)
         kern_model_unit(m, q, p->group[k]);
     kern_part_load(p, q, eq->rhs);
 
-    /* Columns depend on the shrinkage alone. If it has changed the basis must
-       be factored again. */
+    /* Writes the columns, which depend only on the shrinkage. If the shrinkage
+       has changed, the basis must be factored again. */
     if (eq->shrink >= q->shrink && eq->shrink <= q->shrink)
         return;
     eq->shrink = q->shrink;
@@ -6377,15 +6513,15 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     }
 }
 
-/* Returns 1 if the part has all groups: then forces on it prove that the
-   structure stands. */
+/* Returns 1 if the part has all groups. Only then do forces on the part prove
+   that the structure stands. */
 static int kern_part_is_whole(const kern_part *p)
 {
     return p->groups == p->m->graph.groups;
 }
 
-/* Returns the verdict if its proof holds, otherwise KERN_UNDECIDED. A part that
-   stands needs no proof, since it gives no verdict on the whole. */
+/* Returns `status` if its proof holds, and otherwise KERN_UNDECIDED.
+   KERN_STANDS of a part needs no proof, since it is no verdict on the whole. */
 static kern_status kern_part_prove(kern_part *p, const kern_query *q,
                                    kern_status status)
 {
@@ -6394,21 +6530,22 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     if (status < 0 || (status == KERN_STANDS && !whole))
         return status;
 
-    /* The motion proves a fall as it is, or after its prices have been refined
-       and lifted off the columns. */
+    /* Checks the motion y of a fall. If it proves nothing, refines y, lifts it
+       by KERN_LIFT and checks it once more. */
     for (again = 0; status == KERN_FALLS && again < 2; again++)
         if ((!again || kern_prices_mend(&p->eq.simplex, p->y, KERN_LIFT))
             && kern_part_falls(p, q))
             return status;
 
-    /* Forces may hold the structure within the tolerance even if the simplex
-       method found that none exist. */
+    /* Checks the forces x, which may hold the structure within the tolerance
+       even if the simplex method found that no forces exist. */
     return whole && kern_part_stands(p, q) ? KERN_STANDS : KERN_UNDECIDED;
 }
 
-/* Bounds the forces. If their sum exceeds KERN_BOUND, finds the forces of the
-   least sum, by costs of 1. If even that sum is too large, the prices are a
-   motion that proves it. Returns KERN_FALLS then, otherwise KERN_STANDS. */
+/* Bounds the sum of the forces. If it exceeds KERN_BOUND, finds the forces of
+   the least sum, by costs of 1. Returns KERN_FALLS if even that sum is too
+   large: the prices are then a motion that proves it. Otherwise returns
+   KERN_STANDS. */
 static kern_status kern_part_norm(kern_part *p, kern_solver solver)
 {
     kern_equations *const eq = &p->eq;
@@ -6428,7 +6565,8 @@ static kern_status kern_part_norm(kern_part *p, kern_solver solver)
                                                          : KERN_STANDS;
 }
 
-/* Returns how far rhs can move at the rate -eq.rate, or infinity. */
+/* Returns the largest t for which rhs - t eq.rate has a solution, or
+   infinity. */
 static kern_real kern_part_follow(kern_part *p)
 {
     kern_status status;
@@ -6457,8 +6595,8 @@ static kern_status kern_part_ask(kern_part *p, const kern_query *q,
 }
 
 /* Returns the verdict of the simplex method with its proof. If the first solve
-   ends without a proof, a second follows without a basis and without the
-   backend, since a long series of pivots may have lost digits. */
+   ends without a proof, solves again without a basis and without the backend,
+   since a long series of pivots may have lost digits. */
 static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
 {
     kern_status status = kern_part_prove(p, q,
@@ -6473,7 +6611,7 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
 
 /* Runs the top-down pass for a query that has been set, with clusters of at
    most one `share`-th of all groups. Returns KERN_STANDS with a proof;
-   KERN_FALLS with an open part that seems to fall; KERN_UNDECIDED; or
+   KERN_FALLS, where *p is an open part that seems to fall; KERN_UNDECIDED; or
    KERN_LIMIT. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
@@ -6490,17 +6628,17 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
             || (found == KERN_STANDS && kern_answer_holds(m, q)))
             return found;
 
-        /* Every group is balanced, but the forces prove nothing: the known
-           forces of groups that were not balanced again belong to other loads.
-           The pass is repeated without known forces. */
+        /* Every group is balanced, but the forces prove nothing: known forces
+           of groups that were not balanced again may belong to other loads.
+           Repeats the pass without known forces. */
         if (found != KERN_STANDS || !m->answer.known)
             return KERN_UNDECIDED;
         kern_model_unload(m);
     }
 }
 
-/* Opens one linear program of all groups, which answers all later queries, each
-   beginning with the last basis. It overwrites the arrays of the pass. */
+/* Opens one linear program of all groups, which overwrites the arrays of the
+   pass. All later queries use this program, each time from the last basis. */
 static kern_status kern_model_whole(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
@@ -6513,7 +6651,7 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
     if (!kern_take_fits(&p->rest))
         return KERN_NO_SPACE;
 
-    /* The part has all groups and all contacts, in their order. */
+    /* Lists all groups and all contacts in their order. */
     for (g = 0; g < p->groups; g++)
         p->group[g] = g;
     for (k = 0; k < p->contacts; k++)
@@ -6522,9 +6660,9 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
     return m->whole ? KERN_OK : KERN_NO_SPACE;
 }
 
-/* Returns the verdict for a query with a proof, or KERN_UNDECIDED without one,
-   by the methods listed in >>method. After KERN_FALLS the falling part is
-   open. */
+/* Returns the verdict for a query if it has a proof, and otherwise
+   KERN_UNDECIDED. Tries the methods listed in >>method. After KERN_FALLS *p is
+   the falling part. */
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q)
 {
@@ -6534,20 +6672,20 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     if (!m->whole) {
         kern_model_set(m, q);
 
-        /* First the pass: if it balances every group the structure stands. */
+        /* Tries the pass: if it balances every group, the structure stands. */
         status = kern_model_pass(m, p, q, KERN_CLUSTER);
         if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
 
-        /* A part that seems to fall is small. Its own program gives the motion
-           that proves it. If that fails the part proves nothing. */
+        /* Solves a program of the part that seems to fall, which is small. If
+           its motion is no proof, the part is ignored. */
         if (status == KERN_FALLS && kern_part_lay(p)
             && kern_part_evaluate(p, q) == KERN_FALLS)
             return KERN_FALLS;
 
-        /* Then all groups at once. Many groups are solved by the interior
-           point. Few groups, or those that it leaves undecided, are solved by
-           one program, which is kept for later queries. */
+        /* Solves all groups at once. Many groups are solved by the interior
+           point. Few groups, and many that the interior point leaves undecided,
+           are solved by one program, which is kept for later queries. */
         status = m->graph.groups > KERN_SMALL ? kern_ipm_verdict(m, p, q)
                                               : KERN_UNDECIDED;
         if (status != KERN_UNDECIDED)
@@ -6558,9 +6696,9 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     }
     status = kern_part_evaluate(p, q);
 
-    /* The last resort, in double only: the interior point rounds differently
-       and needs other memory. In float its proofs are too coarse near the
-       critical value. */
+    /* Tries the interior point as a last resort: it rounds differently and
+       needs other memory. In float this is not tried, since proofs of the
+       interior point are too coarse near the critical value. */
     if (KERN_PICK(1, 0) > 0
         && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
             || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
@@ -6574,13 +6712,14 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 
 /* ---- The kern -------------------------------------------------- >>kern */
 /* A path leads from a structure that stands to structures that fall: kerns
-   shrink, a load grows or gravity turns. s is the place on it. A mechanism y
-   that falls at s has the power
+   shrink, a load grows or gravity turns. s is the place on the path. A
+   mechanism y that falls at s has the power
 
        P(s) = -y.rhs(s) > 0,   whose derivative is   P' = -y.(rhs' - A' x),
 
-   so it stops falling at s - P / P' (Newton's method). The steps converge
-   quadratically and from the falling side. */
+   so the mechanism stops falling at about s - P / P' (Newton's method). The
+   steps converge quadratically, and from the side on which the structure
+   falls. */
 
 typedef enum kern_path_kind {
     KERN_PATH_SHRINK,
@@ -6588,8 +6727,9 @@ typedef enum kern_path_kind {
     KERN_PATH_TILT
 } kern_path_kind;
 
-/* What a search evaluates: the whole; one part, with all other blocks held; or
-   the whole by its program, until the interior point takes over. */
+/* Structure that a search evaluates. KERN_ASKED_WHOLE: the whole structure.
+   KERN_ASKED_PART: one part, with all other blocks held. KERN_ASKED_PROGRAM:
+   the whole by its linear program, until the interior point takes over. */
 typedef enum kern_asked {
     KERN_ASKED_WHOLE,
     KERN_ASKED_PART,
@@ -6604,19 +6744,23 @@ typedef struct kern_range {
 
 typedef struct kern_path {
     kern_path_kind kind;
-    kern_query q;            /* at s = 0; kern_path_at() changes it for s    */
-    kern_real unit;          /* of s: the mean block size, or 1              */
-    kern_real start, end;    /* of the search                                */
+    kern_query q;            /* query at s = 0; kern_path_at() changes it for s
+                                                                             */
+    kern_real unit;          /* unit of s: the mean block size, or 1         */
+    kern_real start, end;    /* first and last place of the search           */
     kern_real holds, fails;  /* the bracket: >>search                        */
-    kern_real critical;      /* value of the mechanism; <= holds: none       */
+    kern_real critical;      /* critical value of the last mechanism; <= holds:
+                                none                                         */
     kern_real predicted;     /* predicted value of the next mechanism        */
-    kern_range proven;       /* for the whole                                */
-    int never;               /* nonzero: it stands to the end                */
-    kern_part *part;         /* the part that fell last                      */
-    const kern_known *known; /* of a similar structure, or NULL              */
-    kern_asked asked;        /* what is evaluated                            */
-    struct kern_ipm *ipm;    /* evaluates the whole, or NULL                 */
-    const kern_proof *proof; /* the caller's: last proof of each verdict     */
+    kern_range proven;       /* bracket that is proven for the whole         */
+    int never;               /* nonzero: the whole stands at all places to the
+                                end                                          */
+    kern_part *part;         /* the open part: the last one that fell        */
+    const kern_known *known; /* results of a similar structure, or NULL      */
+    kern_asked asked;        /* structure that is evaluated                  */
+    struct kern_ipm *ipm;    /* interior point for the whole, or NULL        */
+    const kern_proof *proof; /* the caller's arrays: last proof of each verdict
+                                                                             */
 } kern_path;
 
 /* Returns the width to which a bracket is narrowed. */
@@ -6625,21 +6769,21 @@ KERN_SHARED static kern_real kern_width(const kern_path *path)
     return KERN_WIDTH * path->unit;
 }
 
-/* Returns the distance between the critical value and the proofs on both
-   sides. */
+/* Returns the distance from the critical value to the places beside it that are
+   to be proven. */
 KERN_SHARED static kern_real kern_half_width(const kern_path *path)
 {
     return kern_width(path) / 2;
 }
 
-/* Returns the largest distance between two proofs at which the search aims at
-   the value between them. */
+/* Returns the largest distance between the two places beside a critical value
+   that the search tries. */
 KERN_SHARED static kern_real kern_widest(const kern_path *path)
 {
     return kern_width(path) * KERN_WIDEST;
 }
 
-/* Returns the place at a distance before the critical value, but not before the
+/* Returns the place at `distance` below the critical value, but not below the
    start. */
 KERN_SHARED static kern_real kern_before(const kern_path *path,
                                          kern_real distance)
@@ -6674,8 +6818,9 @@ static kern_real kern_halved(kern_real t)
 }
 
 /* ---- Searching a path ------------------------------------------ >>search */
-/* The critical value of a path lies between a place that stands and one that
-   falls, the ends of a bracket, each with a proof:
+/* The critical value of a path lies between a place at which the structure
+   stands and a place at which it falls. They are the ends of a bracket, each
+   with a proof:
 
        start         holds     critical     fails                    end
          |-------------[-----------*-----------]----------------------|
@@ -6683,32 +6828,33 @@ static kern_real kern_halved(kern_real t)
                  prove that it          prove that it
                      stands                 falls
 
-   Each verdict moves an end. A mechanism predicts the value at which it stops
-   falling, so the next place lies just beyond that value. When nothing falls
-   there any more, the last place lies just before it. Four to eight verdicts
-   suffice.
+   Each verdict moves an end of the bracket. Each mechanism predicts the value
+   at which it stops falling, and the search tries the place just beyond that
+   value. If the structure falls there, the search tries the place just before
+   the value. Four to eight verdicts suffice.
 
-   Two ends may lack a proof. If kerns are nested, the start of a search is
-   evaluated only if the critical value is close to it. A part that is evaluated
-   alone, with all other blocks held, proves that the whole falls, never that it
-   stands. Its lower end is discarded afterwards.
+   The lower end may lack a proof. If kerns are nested, the start of a search is
+   evaluated only if the critical value is close to it. A part, with all other
+   blocks held, can prove that the whole falls, but not that it stands. So the
+   lower end of a part's bracket is discarded afterwards.
 
    A search tries the cheapest method first:
 
        known       the motion by which a similar structure fell
-       bodies      the value of a block with what rests on it alone
+       bodies      the value of a block with all that rests on it alone
        parts       the pass just before that value: a part that it finds falls
        whole       one program, or the interior point, if the pass finds none
 
-   Each of them gives an upper bound, since fixing blocks never makes a
-   structure fall. Where kerns are not nested, verdicts may change many times. A
-   walk in even steps then finds the first place that falls. */
+   Each method gives an upper bound, since fixing blocks never makes a structure
+   fall. If kerns are not nested, the verdict may change many times along the
+   path. A walk in even steps then finds the first place at which the structure
+   falls. */
 
 /* ---- the value of a mechanism ---- */
 
-/* Returns the array that keeps the change of the forces of a basis from the
-   place where it fell to the predicted value. It is the memory of the answer's
-   forces, which only the verdict KERN_STANDS writes. */
+/* Returns an array for the change of the forces of a basis between the place
+   where it fell and the predicted value. The array uses the memory of
+   answer.force, which only the verdict KERN_STANDS writes. */
 static kern_real *kern_path_change(const kern_model *m)
 {
     return (kern_real *)(void *)m->answer.force;
@@ -6739,9 +6885,9 @@ static void kern_shrink_narrow(const kern_part *p, const kern_query *q, int k,
 }
 
 /* Returns the change of y.rhs if y stays and kerns shrink from q to `to`: y.v
-   with v = -(A(to) - A(q)) x. It is piecewise linear in `to`, with a kink where
-   a kern closes. For a kern that is closed at q the sign is the favourable one.
-   Writes the slope at `to` to *rate, and v to p->eq.rate. */
+   with v = -(A(to) - A(q)) x. The change is piecewise linear in `to`, with a
+   kink where a kern closes. For a kern that is closed at q the sign is the
+   favourable one. Writes the slope at `to` to *rate, and v to p->eq.rate. */
 static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
                                    kern_real to, const kern_real *x,
                                    kern_real *rate)
@@ -6781,10 +6927,10 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
 }
 
 /* Returns the shrinkage at which the mechanism y, which falls at q, stops
-   falling. It is at least path->holds. power: y.rhs < 0. The power of y is
-   piecewise linear, with kinks where kerns close. Writes the value of the next
-   mechanism to path->predicted, since the basis turns y on the way (Halley's
-   method). */
+   falling. The result is at least path->holds. power: y.rhs < 0. The power of y
+   is piecewise linear, with kinks where kerns close. Writes the value of the
+   next mechanism to path->predicted, since the basis changes y on the way
+   (Halley's method). */
 static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
                                       kern_real power)
 {
@@ -6794,7 +6940,7 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     kern_real lo = path->holds, hi = q->shrink, at = hi, rate, step;
     int round;
 
-    /* Newton's method from kink to kink, kept in [lo, hi] */
+    /* Newton's method from kink to kink of the power, kept in [lo, hi] */
     for (round = 0;; round++) {
         const kern_real left = power + kern_shrink_power(p, q, at, p->x, &rate);
         step = left / rate;
@@ -6807,7 +6953,8 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     }
     at = round < KERN_BENDS ? at - step : path->holds;
 
-    /* the change of the forces takes power, which makes the step longer */
+    /* Halley's correction: the change of the forces lowers the power, so that
+       the step becomes longer */
     path->predicted = at;
     if (p->eq.shrink <= q->shrink
         && kern_simplex_along(&p->eq.simplex, p->eq.rate, change)) {
@@ -6820,8 +6967,8 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     return at;
 }
 
-/* Writes the rate at which rhs falls when the load grows, or the tangent of the
-   angle of gravity: to[0..3 groups). */
+/* Writes to to[0..3 groups) the rate at which rhs falls per unit of the load
+   factor, or of the tangent of the angle of gravity. */
 static void kern_path_rate(const kern_part *p, const kern_query *q,
                            kern_real *to)
 {
@@ -6848,8 +6995,8 @@ static kern_real kern_path_pushed(const kern_path *path, kern_real s,
 }
 
 /* Returns the place at which the mechanism p->y, which falls at s, stops
-   falling, by one step of Newton's method. It is exact except for kinks, and
-   for loads that stay when gravity turns. */
+   falling, by one step of Newton's method. The result is exact, except at kinks
+   and for loads that keep their direction when gravity turns. */
 static kern_real kern_path_newton(kern_path *path, const kern_query *q,
                                   kern_real s)
 {
@@ -6866,8 +7013,8 @@ static kern_real kern_path_newton(kern_path *path, const kern_query *q,
 /* ---- verdicts, which move the ends ---- */
 
 /* Returns 1 if the answer's motion proves that the whole falls at s. If the
-   path leaves out points that would stop the motion, it proves only a fall
-   without them. */
+   path leaves out points that travel, checks the motion again with these
+   points, which may stop it. */
 static int kern_path_falls_whole(const kern_model *m, const kern_path *path,
                                  kern_real s)
 {
@@ -6878,9 +7025,9 @@ static int kern_path_falls_whole(const kern_model *m, const kern_path *path,
     return kern_model_proven(m, kern_prove_motion(m->s, &q, m->answer.motion));
 }
 
-/* Records the verdict at s as an end of the bracket. If it is a verdict on the
-   whole its proof goes to the caller. The caller's motion is always that of the
-   closest place that falls. */
+/* Records the verdict at s as an end of the bracket. Copies the proof of a
+   verdict on the whole to the caller. The caller's motion is always that of the
+   lowest place that is proven to fall. */
 static void kern_path_note(const kern_model *m, kern_path *path,
                            kern_status status, kern_real s)
 {
@@ -6898,9 +7045,9 @@ static void kern_path_note(const kern_model *m, kern_path *path,
     kern_proof_out(m, path->proof, status);
 }
 
-/* Returns the verdict at s, and records it if it has a proof. The value of its
-   mechanism becomes the path's even without a proof, since rounding spoils
-   proofs near that value first. */
+/* Returns the verdict at s, and records it if it has a proof. Sets
+   path->critical to the value of a mechanism that falls, even if the mechanism
+   is no proof, since near that value rounding spoils proofs first. */
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s)
 {
@@ -6916,9 +7063,10 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Returns 1 if the forces of the basis that fell just beyond the critical value
-   prove that the structure stands at s, just before it. At s they differ by the
-   change that kern_shrink_critical() wrote, and kerns are larger. */
+/* Returns 1 if the forces of the last basis, which fell just beyond the
+   critical value, prove that the structure stands at s, just before the value.
+   Adds the change that kern_shrink_critical() wrote, and moves the forces to
+   the ends of the larger kerns. */
 static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 {
     kern_part *p = path->part;
@@ -6940,10 +7088,10 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 
 /* ---- the bracket ---- */
 
-/* Returns the place at which a bracket is cut. The first place is close to the
-   lower end, where forces are small. Later places halve the wider of the two
-   ranges below and above the undecided places. Returns infinity if both are
-   narrow. */
+/* Returns the place at which the bracket is cut. The first cut is close to the
+   lower end, where forces are small. Later cuts halve the wider of the two
+   ranges below and above the undecided places. Returns infinity if both ranges
+   are narrow. */
 static kern_real kern_path_cut(const kern_path *path, const kern_range *dark)
 {
     const kern_real lo = path->holds, hi = path->fails;
@@ -6968,17 +7116,18 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     const kern_real critical = path->critical, predicted = path->predicted;
     kern_real aim;
 
-    /* 1. The start has no proof yet, and the critical value is close to it. */
+    /* 1. The start has no proof yet, and the critical value is close to it:
+       prove the start. */
     if (path->asked != KERN_ASKED_PART && path->proven.low < lo
         && kern_min(critical, hi) < lo + 2 * offset)
         return lo;
 
-    /* 2. The bracket is narrow. */
+    /* 2. The bracket is narrow: done. */
     if (hi - lo <= offset / 8)
         return KERN_INFINITY;
 
-    /* 3. The bracket has no value of a mechanism, or proofs fail too far around
-       it. */
+    /* 3. The bracket has no value of a mechanism, or places too far around that
+       value are undecided: cut the bracket. */
     if (!(critical > lo && critical <= hi) || 2 * offset > kern_widest(path))
         return kern_path_cut(path, dark);
 
@@ -6994,11 +7143,11 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     return KERN_INFINITY;
 }
 
-/* Narrows [holds, fails] to the tolerance around path->critical. Returns
-   KERN_STANDS then, or KERN_FALLS if the structure falls at the start, which
-   had no proof. In a jam there are no proofs close to the value. Each place
-   without a proof doubles the distance. From then on the least value is kept,
-   since mechanisms of places farther away predict it less well. */
+/* Narrows [holds, fails] to the tolerance around path->critical and returns
+   KERN_STANDS. Returns KERN_FALLS if the structure falls at the start, which
+   had no proof. In a jam there are no proofs close to the critical value, so
+   each place without a proof doubles the distance of the next. From then on the
+   least value is kept, since places farther away predict it less well. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
     kern_real offset = kern_half_width(path);
@@ -7011,19 +7160,21 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         if (!(at < KERN_INFINITY))
             break;
 
-        /* Just before the value the forces of the last basis may be a proof. */
+        /* Tries the forces of the last basis just before the value, then a
+           verdict. */
         if (!(at < value && kern_path_forces(m, path, at)))
             status = kern_path_evaluate(m, path, at);
         if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
             return status;
 
-        /* After a place without a proof the least value so far is kept. */
+        /* Keeps the least value so far after a place without a proof. */
         if (offset > kern_half_width(path) && value > path->holds)
             path->critical = kern_min(path->critical, value);
         if (path->asked == KERN_ASKED_PROGRAM && !m->whole)
             return KERN_UNDECIDED;
 
-        /* No proof here: go farther away, and record the undecided places. */
+        /* Without a proof, doubles the distance and records the undecided
+           place. */
         if (status == KERN_UNDECIDED) {
             offset *= 2;
             dark.low = kern_min(dark.low, at);
@@ -7031,8 +7182,8 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         }
     }
 
-    /* A bracket that stayed wide is no answer. The value lies inside of the
-       bracket. */
+    /* A bracket that is still wide is no answer. The value must lie inside of
+       the bracket. */
     if (path->fails - path->holds > KERN_ANSWER * kern_width(path)
         && path->asked != KERN_ASKED_PART)
         return KERN_UNDECIDED;
@@ -7052,9 +7203,10 @@ static kern_status kern_path_saturate(kern_path *path)
 }
 
 /* Returns 1 if the structure stands at every place from `at` to path->holds
-   while gravity turns under loads that stay. The gravities under which it
-   stands are a convex set. The arc lies in the triangle of its ends and of the
-   point where their tangents intersect. */
+   while gravity turns under fixed loads. Evaluates one more gravity vector,
+   where the tangents at the two ends of the arc of gravity intersect. The
+   vectors under which the structure stands are a convex set, and the arc lies
+   in the triangle of these three points. */
 static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
 {
     kern_query q = kern_path_at(path, path->holds);
@@ -7065,10 +7217,10 @@ static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
     return kern_model_evaluate(m, path->part, &q) == KERN_STANDS;
 }
 
-/* Climbs from a place that stands until the whole falls, and then finds the
-   critical value. The first step is `first`, later ones grow from `step`, and a
-   step without a proof is halved. even: the least step if verdicts may change
-   more than once, or 0. */
+/* Steps from a place at which the whole stands until the whole falls, and then
+   finds the critical value. The first step is `first`, and later ones grow from
+   `step`. A step without a proof is halved. `even` is the least step, or 0 if
+   the verdict changes only once along the path. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step,
                                    kern_real even)
@@ -7083,7 +7235,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         if (path->asked == KERN_ASKED_PROGRAM && !m->whole)
             return KERN_UNDECIDED;
 
-        /* nothing between the two places falls */
+        /* the structure stands at all places between `at` and `next` */
         if (status == KERN_STANDS && (sure || kern_turn_holds(m, path, at))) {
             if (next >= path->end)
                 return kern_path_saturate(path);
@@ -7092,14 +7244,14 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
             continue;
         }
 
-        /* the verdict changes once between them */
+        /* the verdict changes once between `at` and `next` */
         if (status == KERN_FALLS && sure)
             return kern_path_critical(m, path);
         if (status < KERN_UNDECIDED || small)
             return status;
 
-        /* unknown: a smaller step from the same place, with the proof of that
-           place */
+        /* unknown between them: tries a smaller step from `at`, whose proof is
+           written again */
         step = first /= 2;
         path->holds = at;
         if (status == KERN_STANDS)
@@ -7109,14 +7261,14 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
 }
 
 /* ---- bodies ---- */
-/* A body is a block with all blocks that rest on it alone, moved as one. If a
-   single line carries it, it tips where its load leaves the kern, with all
-   other blocks held, and then the whole falls. Most structures have the
-   critical value of a body. */
+/* A body is a block with all blocks that rest on nothing else, moved as one. A
+   body that is carried by a single line tips where its load leaves the kern,
+   with all other blocks held. Then the whole falls. The critical value of most
+   structures is that of a body. */
 
-/* Returns the end at body g of the first contact of the line that carries it,
-   or KERN_OUT if other contacts carry it. Sets graph.carrier to the group that
-   alone carries the body. */
+/* Returns the end at body g of the first point of the line that carries the
+   body, or KERN_OUT if it is not carried by a single line. Sets graph.carrier
+   to the only group that carries the body, or to KERN_OUT. */
 KERN_SHARED static int kern_body_line(kern_model *m, int g)
 {
     int e, n = 0, first = KERN_OUT, on = KERN_OUT;
@@ -7134,10 +7286,10 @@ KERN_SHARED static int kern_body_line(kern_model *m, int g)
              : KERN_OUT;
 }
 
-/* Returns the place at which body g tips under load b on the line that begins
-   with end *e, and sets *e to the end about which it tips. Returns infinity if
-   the body is not pressed to the line, or still stands when its kern is
-   closed. */
+/* Returns the shrinkage at which body g tips under its load b on the line that
+   begins with the contact end *e. Sets *e to the end about which the body tips.
+   Returns infinity if the load does not press the body to the line, or if the
+   body stands even with its kern closed. */
 static kern_real kern_body_critical(const kern_model *m, int g, int *e,
                                     const kern_real *b, kern_real offset)
 {
@@ -7156,9 +7308,10 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
     if (!(normal > 0))
         return KERN_INFINITY;
 
-    /* Each end moves toward the load at its rate. The end that meets the load
-       first is the hinge. */
-    place = (b[2] - along * row.turn) / normal; /* of the load, as an arm */
+    /* The ends of the kern move toward the load. The end that meets it first is
+       the hinge. */
+    place = (b[2] - along * row.turn) / normal; /* arm at which the load meets
+                                                   the line               */
     crit = (place - row.n[2]) / rate;
     other = (last.n[2] - place) / rate;
     if (other < crit) {
@@ -7166,13 +7319,13 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
         *e += 2;
     }
 
-    /* The kern closes at `most`. If no end has met the load before, none
+    /* The kern closes at `most`. An end that has not met the load by then never
        does. */
     return crit + offset <= most ? crit : KERN_INFINITY;
 }
 
-/* Writes the motion of a body about end e of its line at s, scaled so that its
-   largest speed is 1. */
+/* Writes the motion of a body that tips about end e of its line at shrinkage s,
+   scaled so that its largest speed is 1. */
 static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
 {
     const kern_contact *c = m->s->contact + (e >> 1);
@@ -7197,8 +7350,8 @@ static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
     kern_motion_scale(m->s, m->answer.motion);
 }
 
-/* Adds the load of group g, in its units, to that of the group that carries
-   it. */
+/* Adds the load of group g to the load of group `on` that carries it. Each load
+   is in the units of its own group. */
 static void kern_body_load(const kern_model *m, int g, int on, kern_real *load)
 {
     const kern_real *from = load + 3 * g;
@@ -7211,22 +7364,22 @@ static void kern_body_load(const kern_model *m, int g, int on, kern_real *load)
            * m->unit[on];
 }
 
-/* Finds the body with the least critical value. Writes its value, the places
-   beside it, and its motion, which is the answer's. out->margin is infinity if
-   no body tips. */
+/* Finds the body with the least critical value. Writes this value, the places
+   beside it, and the motion of the body, which is in the answer's array.
+   out->margin is infinity if no body tips. */
 static void kern_body_first(kern_model *m, const kern_path *path,
                             kern_known *out)
 {
     const kern_real offset = kern_half_width(path);
-    kern_real *load = m->answer.scratch; /* three a body, in its units */
+    kern_real *load = m->answer.scratch; /* three numbers per body     */
     int g, first = KERN_OUT, about = 0;
     out->margin = KERN_INFINITY;
     out->motion = m->answer.motion;
     if (!kern_model_ask(m, 1))
         return;
 
-    /* The order is from top to bottom, so that the load of a body is complete
-       before it is added to the body that carries it. */
+    /* Visits the bodies from top to bottom, so that the load of a body is
+       complete before it is added to the body that carries it. */
     kern_copy(load, m->load, 3 * m->graph.groups);
     for (g = 0; g < m->graph.groups; g++) {
         int end = kern_body_line(m, g);
@@ -7244,7 +7397,7 @@ static void kern_body_first(kern_model *m, const kern_path *path,
             kern_body_load(m, g, on, load);
     }
 
-    /* The least value, the places beside it, and the motion at the upper
+    /* Writes the places beside the least value, and the motion at the upper
        one. */
     out->holds = out->margin - offset;
     out->fails = out->margin + offset;
@@ -7266,8 +7419,8 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
 }
 
 /* Returns 1 if the motion of `value` proves that the structure falls at
-   value->fails. Then that is the upper end, and value->margin the critical
-   value. */
+   value->fails. That place then becomes the upper end, and value->margin the
+   critical value. */
 static int kern_start_falls(kern_model *m, kern_path *path,
                             const kern_known *value)
 {
@@ -7280,9 +7433,9 @@ static int kern_start_falls(kern_model *m, kern_path *path,
 }
 
 /* Returns the verdict on the open part alone at s, with all other blocks held.
-   After KERN_FALLS path->critical is the critical value of the part. A part
-   that stands proves nothing about the whole: then it returns KERN_UNDECIDED.
-   `holds` is unchanged. */
+   After KERN_FALLS path->critical is the critical value of the part. Returns
+   KERN_UNDECIDED if the part stands, which proves nothing about the whole.
+   path->holds is unchanged. */
 static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_real holds = path->holds;
@@ -7303,8 +7456,8 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
 }
 
 /* Returns 1 if the blocks that moved in the known structure, together with the
-   last block, are a small part that falls at s. Its critical value becomes the
-   path's. */
+   last block, are a small part that falls at s. path->critical is then the
+   critical value of this part. */
 static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_motion *motion = m->answer.known->motion;
@@ -7331,8 +7484,8 @@ static int kern_known_fits(const kern_path *path)
         && known->holds <= known->margin && known->margin <= known->fails;
 }
 
-/* Returns the place where a search begins. Sets an upper end if there is
-   one. */
+/* Returns the place where a search begins. Sets the upper end of the bracket,
+   if one is known. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
@@ -7344,11 +7497,11 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     kern_model_weigh(m, &path->q); /* the same for all places */
     m->reduction = kern_reduction(&path->q);
 
-    /* 1. The known motion still falls: just before its value. */
+    /* 1. The known motion is still a fall: begin just before its value. */
     if (known && kern_start_falls(m, path, known))
         return at;
 
-    /* 2. A body tips: just before its value, but not before the start. */
+    /* 2. A body tips: begin just before its value, but not before the start. */
     kern_body_first(m, path, &body);
     if (body.margin < most) {
         if (body.holds > path->start)
@@ -7356,22 +7509,23 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
         return kern_max(path->start, body.holds);
     }
 
-    /* 3. The blocks that moved in the known structure fall with the new
-       block. */
+    /* 3. The blocks that moved in the known structure fall together with the
+       new block: begin just before the value of this part. */
     if (m->answer.known && kern_known_part(m, path, most))
         return kern_before(path, kern_half_width(path));
 
-    /* 4. Nothing is known to fall: where it stood, or a step from the start. */
+    /* 4. No fall is known: begin where the known structure stood, or a step
+       from the start. */
     path->fails = KERN_INFINITY;
     return at;
 }
 
 /* ---- the search: which method is asked when ---- */
 
-/* Finds the critical value of the whole where a load grows or gravity turns, by
-   one program: the largest place, or the largest tangent of an angle, that rhs
-   can reach. The prices are the mechanism. Returns KERN_UNDECIDED if the path
-   ends first. */
+/* Finds the critical value of the whole under a growing load or a tilt by one
+   program: the largest load, or tangent of the angle, for which forces exist.
+   The prices are the mechanism. Returns KERN_UNDECIDED if the path ends before
+   that value. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path)
 {
     kern_part *p = path->part;
@@ -7393,8 +7547,8 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     return kern_path_critical(m, path);
 }
 
-/* Finds the critical value in the bracket, or by a climb if there is no
-   bracket. */
+/* Finds the critical value in the bracket, or by kern_path_climb() if there is
+   no bracket. */
 static kern_status kern_path_narrow(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
@@ -7407,7 +7561,7 @@ static kern_status kern_path_narrow(kern_model *m, kern_path *path,
     return kern_path_climb(m, path, first, step, KERN_R(0));
 }
 
-/* Makes a basis for the program of all groups from the known forces. */
+/* Makes a first basis for the program of all groups from the known forces. */
 static void kern_known_start(kern_model *m, kern_part *p)
 {
     int k;
@@ -7422,7 +7576,7 @@ static void kern_known_start(kern_model *m, kern_part *p)
 }
 
 /* Finds the critical value of the whole beyond path->holds by the interior
-   point. q is the query there. */
+   point. q is the query at path->holds. */
 static kern_status kern_path_interior(kern_model *m, kern_path *path,
                                       const kern_query *q, kern_real first,
                                       kern_real step)
@@ -7438,8 +7592,8 @@ static kern_status kern_path_interior(kern_model *m, kern_path *path,
 }
 
 /* Finds the critical value of the whole beyond path->holds by its linear
-   program. q is the query there. Returns KERN_UNDECIDED at the first place that
-   the program cannot decide if the interior point can continue from there. */
+   program. q is the query at path->holds. If the interior point can take over,
+   returns KERN_UNDECIDED at the first place that the program cannot decide. */
 static kern_status kern_path_program(kern_model *m, kern_path *path,
                                      const kern_query *q, kern_real first,
                                      kern_real step)
@@ -7448,7 +7602,7 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
                                   : kern_model_whole(m, path->part, q);
     if (status != KERN_OK)
         return status;
-    /* without the points that are left out the basis may lack columns */
+    /* the basis could lack columns if points were left out */
     if (m->answer.known && path->q.carry == KERN_CARRY_ALL)
         kern_known_start(m, path->part);
     if (path->kind != KERN_PATH_SHRINK)
@@ -7459,10 +7613,10 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
 }
 
 /* Finds the critical value of the whole beyond path->holds. Many groups are
-   solved by the interior point, which first shrinks kerns half as far, since
-   fewer mechanisms fall there. If it finds nothing the program follows. Few
-   groups are solved by the program. If it cannot decide a place, as in a jam,
-   the interior point narrows the remaining bracket. */
+   solved by the interior point, which takes half the first step of shrinkage,
+   since fewer mechanisms fall there, and then by the program. Few groups are
+   solved by the program. If it cannot decide a place, as in a jam, the interior
+   point narrows the remaining bracket. */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
@@ -7478,8 +7632,8 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     if (status != KERN_UNDECIDED)
         return status;
 
-    /* The program. For few groups, in double, the interior point continues
-       where a place has no proof. */
+    /* Tries the program. For few groups, in double, the interior point
+       continues from a place without a proof. */
     if (!many && KERN_PICK(1, 0) > 0)
         path->asked = KERN_ASKED_PROGRAM;
     status = kern_path_program(m, path, &q, first, step);
@@ -7489,9 +7643,9 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
              : status;
 }
 
-/* Finds the critical value by the pass, beginning at a place `at`. Each part
-   that falls lowers the value, and the next pass is just before it, until no
-   part falls. Then the whole is solved. */
+/* Finds the critical value by the pass. Each part that falls gives a lower
+   value, and the next pass is just before that value, until no part falls. Then
+   the whole is solved. */
 static kern_status kern_path_parts(kern_model *m, kern_path *path,
                                    kern_real step)
 {
@@ -7510,7 +7664,7 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
         else if (status == KERN_FALLS)
             status = kern_path_part(m, path, at);
 
-        /* a part falls: the next pass is before its value */
+        /* a part falls: the next pass is just before its critical value */
         if (status == KERN_FALLS && path->fails > path->start) {
             at = kern_before(path, kern_half_width(path));
             kern_model_unload(m);
@@ -7519,12 +7673,12 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
             continue;
         }
 
-        /* it stands before the value, or the pass cannot decide, or it falls at
-           the start */
+        /* ends if the whole stands just before the value, if the pass cannot
+           decide, or if a part falls at the start */
         if (status != KERN_STANDS || path->fails < KERN_INFINITY)
             break;
 
-        /* it stands and nothing is known to fall: a step farther */
+        /* the whole stands and no fall is known: takes one more step */
         if (at >= path->end)
             return kern_path_saturate(path);
         at = kern_min(at + step, path->end);
@@ -7535,9 +7689,10 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
              : kern_path_whole(m, path, at - path->holds, step);
 }
 
-/* Finds the critical value of a path beyond path->holds. There the structure
-   stands, or is evaluated if kerns are nested. even: the width of a walk's
-   steps if verdicts may change more than once, or 0. */
+/* Finds the critical value of a path beyond path->holds. The structure must
+   stand at path->holds, unless kerns are nested: then the search may evaluate
+   that place. `even` is the step of a walk, or 0 if the verdict changes only
+   once. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real even)
 {
@@ -7547,12 +7702,12 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     kern_status status;
     path->start = path->critical = path->predicted = path->holds;
     path->fails = path->proven.high = KERN_INFINITY;
-    if (even > 0) { /* gravity may turn in larger steps if the arc is held */
+    if (even > 0) { /* a tilt takes larger steps where the arc is proven */
         const kern_real turn = step * KERN_R(path->kind == KERN_PATH_TILT);
         status = kern_path_climb(m, path, turn, turn, even);
     } else if (m->whole || !shrinks)
         status = kern_path_whole(m, path, step, step);
-    else /* with few groups a falling part ends a longer step soon */
+    else /* few groups: a longer step, which a falling part ends */
         status = kern_path_parts(
             m, path,
             m->graph.groups <= KERN_SMALL ? step * KERN_CLIMB_GROWS : step);
@@ -7569,18 +7724,20 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 }
 
 /* ---- nested first ---- */
-/* Points that travel make kerns not nested, but few structures need them.
-   Without these points kerns are nested, and a search replaces the walk:
+/* If points travel, kerns are not nested. Few structures need these points to
+   stand. Without them kerns are nested, and a search replaces the walk. The
+   ends of its bracket mean:
 
        forces without the points    also hold the whole, at every smaller place
                                     too: the whole stands up to there
        a motion without the points  may close one of them. If it is a proof with
                                     all points, the whole falls there
 
-   If it is not, a walk continues from the place that is proven. */
+   If that motion is no proof, a walk continues from the last place that is
+   proven to stand. */
 
-/* Leaves points that travel out of the path, or includes them again. Known
-   forces that load such a point are no use without it. */
+/* Leaves points that travel out of the queries of the path, or includes them
+   again. Discards known forces that load a point that is left out. */
 static void kern_path_carry(kern_model *m, kern_path *path, kern_carry carry)
 {
     int i;
@@ -7593,7 +7750,7 @@ static void kern_path_carry(kern_model *m, kern_path *path, kern_carry carry)
 }
 
 /* Finds the critical value if kerns are not nested, first without the points
-   that travel. even: width of the walk's steps, which begin at 0. */
+   that travel. `even` is the step of the walk, which begins at 0. */
 static kern_status kern_path_scan(kern_model *m, kern_path *path,
                                   kern_real even)
 {
@@ -7604,13 +7761,13 @@ static kern_status kern_path_scan(kern_model *m, kern_path *path,
         return status;
     kern_path_carry(m, path, KERN_CARRY_ALL);
 
-    /* both ends are proven for the whole, or it falls at 0 */
+    /* ends if both ends are proven for the whole, or if it falls at 0 */
     if ((status == KERN_STANDS
          && (path->never || path->proven.high <= path->fails))
         || (status == KERN_FALLS && path->proven.high <= 0))
         return status;
 
-    /* the walk has steps from 0 and begins with the last one that is proven */
+    /* begins the walk at its last step that is proven to stand */
     path->never = 0;
     path->holds = KERN_R(0);
     if (path->proven.low < 0)
@@ -7624,7 +7781,7 @@ static kern_status kern_path_scan(kern_model *m, kern_path *path,
 
 /* ---- The measures --------------------------------------------- >>measure */
 
-/* Makes the path one along which a load grows or gravity turns. */
+/* Sets the path to one along which a load grows or gravity turns. */
 KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
                                        const kern_wrench *pattern,
                                        kern_side side)
@@ -7635,15 +7792,15 @@ KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
     path->unit = 1;
 }
 
-/* The state of a call. */
+/* State of a call to a measure. */
 typedef struct kern_call {
     kern_model m;
     kern_part part;
     kern_path path;
 } kern_call;
 
-/* Checks the task, charges for that, and opens its path, on which kerns shrink.
-   `out` is the address of the result. */
+/* Checks the task, charges the check, and opens a path on which kerns shrink.
+   `out` is the address of the caller's result. */
 static kern_status kern_call_open(kern_call *c, const kern_task *task,
                                   kern_real shrink, const void *out)
 {
@@ -7652,7 +7809,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* Reading and checking the arrays is work, too. */
+    /* Charges the reading and checking of the arrays. */
     if (!kern_spend(task->work, task->options.limit,
                     1 + (task->s.blocks + task->s.contacts) / KERN_CALL_UNIT))
         return KERN_LIMIT;
@@ -7660,7 +7817,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* A path without a bracket, a proof or known forces. */
+    /* Sets a path without a bracket, a proof or known forces. */
     path->kind = KERN_PATH_SHRINK;
     path->part = &c->part;
     path->proof = NULL;
@@ -7676,8 +7833,8 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     return kern_model_open(&c->m, task, &path->q);
 }
 
-/* Opens a call whose result is a number. The number is -1 if the limit ends the
-   call before the task is read. */
+/* Opens a call whose result is a number. Sets the number to -1 if the limit
+   ends the call before it has read the task. */
 KERN_SHARED static kern_status kern_number_open(kern_call *c,
                                                 const kern_task *task,
                                                 kern_real shrink,
@@ -7697,16 +7854,17 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     if (status != KERN_OK)
         return status;
 
-    /* The path's first query is the task at `shrink`. */
+    /* Evaluates the path's first query, which is the task at `shrink`. */
     status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
     kern_proof_out(&c.m, proof, status);
     return kern_ended(task, status);
 }
 
-/* Finds the level by Algorithm 1 of the paper: the first k at which kerns
-   shrunk by k steps do not hold; last + 1 if there is none, -1 if a verdict is
-   undecided. All steps up to path->holds hold. If kerns are nested no step from
-   path->fails on does. */
+/* Finds the level by Algorithm 1 of the paper: the first k at which the
+   structure falls with kerns shrunk by k steps. The level is last + 1 if there
+   is no such k, and -1 if a verdict is undecided. The structure stands at all
+   steps up to path->holds. If kerns are nested, it falls at all steps from
+   path->fails on. */
 static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                             int last, kern_margin *out)
 {
@@ -7725,8 +7883,8 @@ static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                                        : -1;
 }
 
-/* Computes the margin of an open task, from what is known of a similar
-   structure. If kerns are not nested every level is at one of the even
+/* Computes the margin of an open task, starting from the known results of a
+   similar structure. If kerns are not nested, every level is at one of the even
    steps. */
 static kern_status kern_measure_task(kern_call *c, const kern_known *known,
                                      kern_margin *out, const kern_proof *proof)
@@ -7744,8 +7902,8 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     kern_model_know(&c->m, known);
     path->end = r.most;
 
-    /* The number of steps of the level. At the last step every kern is
-       closed. */
+    /* Computes the number of steps of Algorithm 1. At the last step every kern
+       is closed. */
     if (!(r.epsilon > 0))
         r.epsilon = path->q.relative ? KERN_LEVEL_SHARE
                                      : KERN_LEVEL_STEP * c->m.mean;
@@ -7756,9 +7914,8 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     last += KERN_R(last) < steps; /* rounded up */
     first = kern_min(r.epsilon, r.most);
 
-    /* If kerns are nested the search begins where a body falls, and evaluates
-       the start only if the value is close to it. Otherwise it may walk in even
-       steps, of which a whole number is a step of the level. */
+    /* Searches the margin. If kerns are not nested the search may walk in even
+       steps, of which a whole number is one step of Algorithm 1. */
     status = nested ? kern_path_search(&c->m, path, 0)
                     : kern_path_scan(
                         &c->m, path,
@@ -7773,8 +7930,8 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
         kern_level_scan(&c->m, path, nested, last, &r);
     }
 
-    /* If the limit ended the call, or nothing in between can be proven, the
-       result is what has a proof so far. */
+    /* If the limit ended the call, or the search is undecided, the result is
+       the bracket that is proven so far. */
     status = kern_ended(task, status);
     if (status == KERN_LIMIT || status == KERN_UNDECIDED) {
         r.fails = kern_min(path->proven.high, r.most);
@@ -7815,16 +7972,16 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     if (!task)
         return KERN_BAD_POINTER;
 
-    /* Without the two arrays nothing is remembered. */
+    /* Without both arrays of task->known there is no warm start. */
     known = task->known;
     if (!known.motion || !known.force) {
         known.fails = 0;
         return kern_measure_anew(task, &known, out, proof);
     }
 
-    /* The arrays of the known forces and motion take the new proof. The old
-       forces are overwritten before they could be used, so they do not begin
-       the search. The old motion, which is read first, does. */
+    /* Writes the new proof to the arrays of task->known. The search reads the
+       old motion before it overwrites it, but overwrites the old forces too
+       early to use them. */
     kept.force = known.force;
     kept.motion = known.motion;
     known.force = NULL;
@@ -7833,13 +7990,14 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
         task->known.fails = 0;
 
-    /* The caller's proof is a copy. */
+    /* Copies the proof to the caller. */
     if (status >= 0 && proof && proof->force)
         kern_copy(proof->force, kept.force, 2 * task->s.contacts);
     if (status >= 0 && !out->saturated && proof && proof->motion)
         kern_copy(proof->motion, kept.motion, 3 * task->s.blocks);
 
-    /* Remembers the bracket. Its proof is in the arrays already. */
+    /* Keeps the bracket in task->known. The proof of the bracket is already
+       there. */
     if (status == KERN_STANDS) {
         if (out->saturated)
             kern_zero(kept.motion, 3 * task->s.blocks);
@@ -7850,10 +8008,9 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     return status;
 }
 
-/* Grows the kerns of a structure that falls until it stands, up to the bound in
-   >>rules, and finds the critical value in between. Returns KERN_FALLS with
-   path->critical, which is -infinity if the structure falls even at the
-   bound. */
+/* Grows the kerns of a structure that falls until it stands, and finds the
+   critical value in between. Returns KERN_FALLS and sets path->critical, to
+   -infinity if the structure falls even at the largest growth (>>rules). */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     kern_real range[2], grown = path->unit * KERN_GROW_FIRST, limit;
@@ -7864,8 +8021,9 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     kern_status status;
     int i;
 
-    /* The bound is a multiple of the structure's extent, with relative kerns of
-       the extent over the shortest travel. */
+    /* Computes the largest growth: a multiple of the longest side of the free
+       blocks' box, or with relative kerns of that side divided by the shortest
+       travel. */
     for (i = 0; i < 2 * m->graph.groups; i++) {
         const kern_block *b = m->s->block + m->graph.block[i / 2];
         const kern_real way = kern_block_size(b) * KERN_R(i & 1 ? 0.5 : -0.5);
@@ -7879,8 +8037,8 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     if (path->q.relative)
         limit = range[0] < KERN_INFINITY ? limit / range[0] : 1;
 
-    /* Grows by a factor, which is small if a range that stands may be
-       narrow. */
+    /* Multiplies the growth by a factor from step to step. The factor is small
+       if the interval of standing may be narrow. */
     path->start = -limit;
     for (;; grown = kern_min(grown * growth, limit)) {
         status = kern_path_evaluate(m, path, -grown);
@@ -7914,8 +8072,8 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
     return status;
 }
 
-/* Returns the contact length between lo and hi that is next above their
-   logarithmic middle, or 0 if there is none. */
+/* Returns a length of a contact between lo and hi: the smallest one above the
+   logarithmic middle of all such lengths. Returns 0 if there is none. */
 static kern_real kern_length_between(const kern_structure *s, kern_real mean,
                                      kern_real lo, kern_real hi)
 {
@@ -7946,16 +8104,17 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
     if (status != KERN_OK)
         return status;
 
-    /* Round 0 has all contacts, round 1 only those without a length. Further
-       rounds halve the range of lengths in between, on a logarithmic scale. */
+    /* Evaluates the structure with all contacts in round 0, and only with
+       contacts without a length in round 1. Further rounds bisect the lengths
+       in between, on a logarithmic scale. */
     for (round = 0; round < 2 || at > 0; round++) {
         c.path.q.shortest = at;
         kern_model_group(&c.m, &c.path.q);
         status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
         kern_proof_out(&c.m, proof, status);
 
-        /* Each verdict is an end of [lo, hi). If the structure falls with all
-           contacts the search ends. */
+        /* Moves an end of [lo, hi). Ends if the structure falls with all
+           contacts. */
         if (status == KERN_STANDS)
             lo = at;
         else if (lo < 0 || status < KERN_UNDECIDED)
@@ -7963,7 +8122,7 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
         else
             hi = at;
 
-        /* An undecided verdict has no motion. */
+        /* Sets the motion of an undecided verdict to 0. */
         if (status == KERN_UNDECIDED && proof && proof->motion)
             kern_zero(proof->motion, 3 * task->s.blocks);
 
@@ -7986,7 +8145,7 @@ static int kern_has_side(const kern_structure *s, kern_side side)
 }
 
 /* Returns the angle whose tangent is s >= 0: halves the angle three times, then
-   sums its series. */
+   sums the series of the arctangent. */
 static kern_real kern_angle_of(kern_real s)
 {
     kern_real sum = 0, t2;
@@ -7998,7 +8157,7 @@ static kern_real kern_angle_of(kern_real s)
     return 8 * s * sum;
 }
 
-/* Opens a call whose result is the growth of a pattern or, if that is NULL, of
+/* Opens a call whose result is the factor of a pattern or, if that is NULL, of
    a horizontal load or a tilt to a side. */
 KERN_SHARED static kern_status kern_growth_open(kern_call *c,
                                                 const kern_task *task,
@@ -8035,7 +8194,7 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* under loads that stay a structure may stand again at a larger tilt */
+    /* under fixed loads a structure may stand again at a larger tilt */
     loaded = tilt && kern_model_loaded(&c->m);
     kern_path_push(path, kind, pattern, side);
     path->proof = proof;
@@ -8080,8 +8239,8 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                    : KERN_BAD_POINTER;
 }
 
-/* Returns the factor of the pattern below which the answer's motion makes the
-   structure fall, or infinity if the pattern does not resist the motion. */
+/* Returns the factor of the pattern below which the answer's motion is a fall,
+   or infinity if the pattern does not resist the motion. */
 static kern_real kern_least_of(const kern_model *m, const kern_query *q)
 {
     kern_query unloaded = *q;
@@ -8101,8 +8260,9 @@ static kern_real kern_least_of(const kern_model *m, const kern_query *q)
     return held > 0 ? power / held : KERN_INFINITY;
 }
 
-/* Uses Newton's method from below: each mechanism gives the load that holds it.
-   Just beyond that load another mechanism falls, or the structure stands. */
+/* Uses Newton's method from below: each mechanism gives the factor that just
+   stops it. Just above that factor another mechanism falls, or the structure
+   stands. */
 KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         const kern_wrench *pattern,
                                         kern_real *factor,
@@ -8118,7 +8278,8 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
     if (status != KERN_OK)
         return status;
 
-    /* After a place without a proof the next lies twice as far beyond. */
+    /* Evaluates factors just above the value of each mechanism. After a factor
+       without a proof the next one lies twice as far above. */
     kern_path_push(&c.path, KERN_PATH_LOAD, pattern, KERN_SHRINK);
     for (round = 0; round < KERN_LEAST_ROUNDS && falls < KERN_FACTOR_MOST;
          round++) {
@@ -8133,7 +8294,7 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
         q->factor = falls + beyond * (1 + falls);
     }
 
-    /* It falls at every factor only if that is proven up to the largest. */
+    /* KERN_FALLS requires that a fall is proven up to the largest factor. */
     if (status == KERN_FALLS && falls < KERN_FACTOR_MOST)
         status = KERN_UNDECIDED;
     status = kern_ended(task, status);
@@ -8179,23 +8340,22 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
 }
 
 /* ---- The profile --------------------------------------------- >>profile */
-/* Progressive collapse: the path continues past its critical value, without the
-   blocks that move there. Without blocks the model has fewer groups and is
-   otherwise the same. */
+/* Progressive collapse: blocks that move at the critical value are removed from
+   the model, and the path continues with the other blocks. */
 
 typedef struct kern_fall {
-    int weak;         /* values of the weaker half that are missing   */
-    kern_real sum;    /* of the values of that half                   */
-    kern_real *value; /* of a block, -1 while it stands               */
+    int weak;         /* values of the weaker half still to come      */
+    kern_real sum;    /* sum of the values of the weaker half         */
+    kern_real *value; /* per block: its value, or -1 while it stands  */
 } kern_fall;
 
-/* The blocks that fall, among those that are left. */
+/* The remaining blocks that fall. */
 typedef enum kern_fall_which {
-    KERN_FALL_MOVING, /* those that move in the mechanism                 */
+    KERN_FALL_MOVING, /* all that move in the mechanism                   */
     KERN_FALL_ALL
 } kern_fall_which;
 
-/* Records `at` as the value of every remaining block that falls there. */
+/* Records `at` as the value of every remaining block that falls. */
 static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
                           kern_fall_which which)
 {
@@ -8212,8 +8372,8 @@ static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
         }
 }
 
-/* Evaluates the place where the structure fell last, then places beyond it
-   while the verdict is undecided. */
+/* Returns the verdict at path->fails, where the structure fell last. While the
+   verdict is undecided, evaluates places beyond it. */
 static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 {
     kern_real beyond = path->fails;
@@ -8226,11 +8386,11 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
     return status;
 }
 
-/* Follows the whole collapse along a path: from one critical value to the
-   mechanism there, and on to the next value. The mechanism needs a verdict of
-   its own, since the last verdict of a search may be at another place. Rounds
-   that remove no block are bounded; they occur if both verdicts have a proof at
-   one place. */
+/* Follows the whole collapse along a path: from one critical value to its
+   mechanism, and on to the next value. The mechanism needs a verdict of its
+   own, since the last verdict of a search may be at another place. Bounds the
+   number of rounds that remove no block, which occur if both verdicts have a
+   proof at one place. */
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
@@ -8242,8 +8402,8 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
         if (rounds-- == 0)
             return KERN_UNDECIDED;
 
-        /* Removes the blocks that move in the mechanism. The verdict on the
-           others is just beyond the proof. */
+        /* Removes the blocks that move in the mechanism. Then evaluates the
+           remaining blocks just beyond the place at which they fell. */
         if (status == KERN_FALLS) {
             kern_fall_add(m, fall, at, KERN_FALL_MOVING);
             kern_model_group(m, &path->q);
@@ -8251,7 +8411,7 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                 status = kern_fall_beyond(m, path);
 
         } else if (status == KERN_STANDS) {
-            /* They stand: the search continues to their critical value, and to
+            /* The remaining blocks stand: searches their critical value, and
                the mechanism just beyond it. */
             status = kern_path_search(m, path,
                                       path->kind != KERN_PATH_SHRINK
@@ -8265,14 +8425,14 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
             return status;
     }
 
-    /* The blocks that are left stand to the end. */
+    /* The remaining blocks stand to the end of the path. */
     kern_fall_add(m, fall, path->end, KERN_FALL_ALL);
     return KERN_OK;
 }
 
-/* Returns e^-x for x >= 0, by the first terms of the series of e^t, t = x /
-   1024, squared ten times, since libm differs between machines. The error is
-   within 2e-4 of the value for x up to 10. */
+/* Returns e^-x for x >= 0. Computes e^(x / 1024) by its series and squares it
+   ten times, since libm differs between machines. The relative error is at most
+   2e-4 for x up to 10. */
 static kern_real kern_decay(kern_real x)
 {
     const kern_real t = x / KERN_R(1024);
@@ -8283,8 +8443,8 @@ static kern_real kern_decay(kern_real x)
     return 1 / y;
 }
 
-/* Returns the sum over free blocks of the chance to fall times the height above
-   the lowest block. */
+/* Returns the sum over all free blocks of their chance of falling times their
+   height above the lowest block. */
 static kern_real kern_expected_drop(const kern_model *m, const kern_real *value)
 {
     const kern_structure *s = m->s;
@@ -8315,7 +8475,8 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     int i, free_blocks, half;
     kern_status status = kern_call_open(&c, task, 0, value ? out : NULL);
 
-    /* Every value is -1 until its block falls, also if the call ends early. */
+    /* Sets every value to -1 until its block falls, also if the call ends
+       early. */
     for (i = 0;
          (status == KERN_OK || status == KERN_LIMIT) && i < task->s.blocks; i++)
         value[i] = -1;
@@ -8331,7 +8492,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
         kern_path_push(&c.path, KERN_PATH_LOAD, NULL, side);
     c.path.end = side ? KERN_PROFILE_MOST : range[1];
 
-    /* The query reads the values: a block that has one counts as gone. */
+    /* Queries leave out every block that has a value. */
     c.path.q.fallen = value;
     free_blocks = c.m.graph.groups;
     fall.weak = half = (free_blocks + 1) / 2;
@@ -8360,8 +8521,9 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 
 /* ---- What is critical ---------------------------------------- >>critical */
 
-/* Returns what a contact does in a motion: it opens, slides, hinges or
-   rests. */
+/* Returns how a contact moves in a mechanism: it opens, slides, hinges or
+   rests. u is the velocity of block b relative to block a at the contact, and
+   `turn` the relative spin times the mean size. */
 static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
                                     kern_vec u, kern_real turn)
 {
@@ -8373,19 +8535,20 @@ static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
     return kern_abs(turn) > KERN_REST ? KERN_HINGES : KERN_RESTS;
 }
 
-/* Writes what contacts do in the mechanism and how much each limits, and finds
-   the first that limits most. The measure of limiting is the first of these
-   that is above 0 for any contact: (0) the power f w that moving the force f
-   inward costs while the blocks turn at w, unless the kern is closed; (1) the
-   rate at which a hinge turns; (2) the speed at which a contact slides. */
+/* Writes how each contact moves in the mechanism and how much it limits, and
+   finds the first contact with the largest limit. The limit is the first of
+   these measures that is above 0 for any contact. (0): the power f w that the
+   mechanism gains per length by which the force f moves inward, where w is the
+   relative spin; 0 if the kern is closed. (1): the relative spin at a hinge.
+   (2): the speed at which a contact slides. */
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
     kern_real most = 0, narrow = kern_reduction(q), rate;
     int measure, i;
 
-    /* Without forces measure 0 is left out. Measures 1 and 2 are used only if
-       no contact has been found before. */
+    /* Tries the measures in order until one gives a contact. Measure 0 needs
+       forces. */
     for (measure = !proof->force; measure < 3 && out->contact < 0; measure++)
         for (i = 0; i < s->contacts; i++) {
             const kern_contact *c = s->contact + i;
@@ -8432,8 +8595,8 @@ static int kern_as_one(const kern_structure *s, const kern_motion *motion,
     return kern_block_speed(s->block + j, &apart) < KERN_REST;
 }
 
-/* Numbers the groups of blocks that move as one. Each group begins with the
-   fastest block that is not yet in a group. Blocks that rest have -1. */
+/* Numbers the groups of blocks that move as one rigid body. Each group begins
+   with the fastest block that is not yet in a group. Blocks at rest get -1. */
 static void kern_critical_blocks(const kern_structure *s,
                                  const kern_motion *motion, kern_critical *out)
 {
@@ -8484,12 +8647,12 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 }
 
 /* ---- Sensitivity ------------------------------------------- >>sensitivity */
-/* At the margin d* the power G of forces and loads on the mechanism is 0. It
-   stays 0 when a datum q changes, so d*' = -G_q / G_d, with the forces and the
-   motion of the proof. */
+/* At the margin d* the power G of forces and loads on the mechanism is 0. G
+   stays 0 when an input q changes, so the derivative of d* is -G_q / G_d.
+   Forces and motion are those of the proof. */
 
-/* Writes G_q for the data of contact i. Returns the contact's term of G_d. Both
-   are 0 without a force or a motion. */
+/* Writes G_q for all data q of contact i. Returns the contact's term of G_d.
+   G_q and G_d are 0 for a contact without a force or a motion. */
 static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
                                    int i, const kern_proof *proof,
                                    kern_contact_rate *out)
@@ -8517,11 +8680,12 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
     return -rate * spin * f;
 }
 
-/* Adds the effect on contact i of the poses of its blocks, as the contact
-   search would find it, to the rates of the blocks. `pair` is the other end of
-   its line, or i. In a line, a corner moves its end along, the ends stay midway
-   between the edges, and normal and middle change by half as much as an end. In
-   a point, a corner moves the point and an edge turns the normal. */
+/* Moving a block moves its contacts. Adds this effect on contact i to the rates
+   of both blocks, with the contact as the search would find it. `pair` is the
+   other end of its line, or i. For a line, a corner moves its end along the
+   line. The ends stay midway between the edges, so that normal and middle
+   change by half as much as an end. For a point, the block of the corner moves
+   the point and the block of the edge turns the normal. */
 KERN_SHARED static void kern_pose_gain(const kern_task *task,
                                        const kern_contact_rate *rate, int i,
                                        int pair, kern_block_rate *out)
@@ -8531,14 +8695,15 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
     const kern_real along = kern_vec_dot(rate[i].p, t)
                           + (rate[pair].travel - rate[i].travel) / 2;
     const kern_real across = kern_vec_dot(rate[i].p, c->n);
-    kern_real off[2]; /* along the contact to the nearest corner */
+    kern_real off[2]; /* distance along the contact to the nearest corner */
     int end, k;
 
     if (!(kern_abs(along) + kern_abs(across) + kern_abs(rate[i].turn) > 0))
         return;
 
-    /* Finds whose corner is the end of the contact: the distance along the
-       contact to the nearest vertex that is close to its line. */
+    /* Finds for each block the distance along the contact to its nearest vertex
+       that is close to the line of the contact. The nearer vertex is the corner
+       at this end. */
     for (end = 0; end < 2; end++) {
         const kern_block *b = task->s.block + (end ? c->b : c->a);
         off[end] = KERN_INFINITY;
@@ -8553,9 +8718,10 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
         }
     }
 
-    /* The block of the corner moves the end along the contact. Across it each
-       block of a line moves it by half, and of a point only that block. The
-       turn of the normal is left to the remaining share. */
+    /* The block of the corner moves the end along the contact. Across the
+       contact, each block of a line moves the end by half, and for a point only
+       the block of the corner moves it. The remaining share turns the
+       normal. */
     for (end = 0; end < 2; end++) {
         const int on = end ? c->b : c->a;
         const kern_block *b = task->s.block + on;
@@ -8593,8 +8759,7 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* Writes the rates of the contacts' own data, and sums their terms of
-       G_d. */
+    /* Writes G_q for the data of the contacts, and sums their terms of G_d. */
     for (i = 0; i < task->s.contacts; i++) {
         const kern_real g = kern_contact_gain(&task->s, &q, i, proof,
                                               contact + i);
@@ -8602,12 +8767,12 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         most += kern_abs(g);
     }
 
-    /* If the power does not change along the path the margin does not
-       either. */
+    /* There is no derivative if the power does not change along the path. */
     if (margin->saturated || !(kern_abs(gain) > KERN_RATE_LEAST * most))
         return KERN_UNDECIDED;
 
-    /* Rates of loads, masses and centres of mass: the power of the loads. */
+    /* Writes G_q for loads, masses and centres of mass: the change of the power
+       of the loads. */
     for (i = 0; i < task->s.blocks; i++) {
         const kern_block *b = task->s.block + i;
         const kern_real mass = b->fixed ? 0 : b->mass;
@@ -8620,86 +8785,88 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         block[i].mass = g.x * v->vx + g.y * v->vy;
     }
 
-    /* Rates of the poses of blocks, from those of contacts. The two ends of a
-       line are treated together. */
+    /* Adds G_q for the poses of blocks, from the rates of contacts. The two
+       ends of a line are treated together. */
     for (i = 0; i < task->s.contacts; i += 1 + line) {
         line = kern_line_begins(task->s.contact, task->s.contacts, i);
         for (end = 0; end <= line; end++)
             kern_pose_gain(task, contact, i + end, i + line - end, block);
     }
 
-    /* So far all rates are G_q; those of the margin are -G_q / G_d. */
+    /* Turns G_q into the rates of the margin, -G_q / G_d. */
     kern_scale(contact, 5 * task->s.contacts, -1 / gain);
     kern_scale(block, 9 * task->s.blocks, -1 / gain);
     return KERN_OK;
 }
 
 /* ---- Raised ----------------------------------------------------- >>raised */
-/* Finds forces that a load raises on unstressed contacts of some stiffness. The
-   displacement u of the groups is caused by loads b. Let wn be the approach of
-   a contact along n and wt its shear along t, w = A' u. Coulomb's law with a
-   stiffness k along n and c mu k along t (k = dual.stiff_n, c = dual.stiff) is
+/* Finds forces that a load raises on unstressed contacts with a finite
+   stiffness. The loads b cause a displacement u of the groups. Let wn be the
+   approach of a contact along n and wt its shear along t, w = A' u. Coulomb's
+   law with a stiffness k along n and c mu k along t (k = dual.stiff_n, c =
+   dual.stiff) is
 
        f = k max(0, wn),   r = c mu k wt, cut off at -mu f and mu f      (law)
        A (f, r) = b                                                  (balance)
 
-   No linear or convex program has this law: in the law of limit analysis
-   sliding blocks also part. A price p on a contact removes this parting. For
-   given prices >>norm finds the u at which the forces of limit analysis, with
-   wn - p instead of wn, balance b. A contact that slides by s beyond its
-   elastic shear then parts by mu s, so (law) and (balance) hold where
+   This law has no linear or convex program: in limit analysis, blocks that
+   slide also part. A price p on a contact removes the parting. For given prices
+   >>norm finds the u at which the forces of limit analysis, with wn - p instead
+   of wn, balance b. A contact that slides by s beyond its elastic shear then
+   parts by mu s, so (law) and (balance) hold where
 
        p = F(p) = max(0, mu s(p))                               (fixed point)
 
-   (Acary, Cadoux, Lemarechal and Malick). A search repeats rounds: forces that
-   balance for the present prices, then new prices. Once few contacts change
-   between sticking, sliding and open, Newton's method on (law) and (balance)
-   finishes it. Prices need not be exact, since the proof is a check of forces
-   and u (kern_prove_raised()).
+   (Acary, Cadoux, Lemarechal and Malick). Each round of a search finds the
+   forces that balance b for the present prices, and then new prices. Once few
+   contacts change between sticking, sliding and open, Newton's method on (law)
+   and (balance) finishes the search. Prices need not be exact, since the proof
+   checks only the forces and u (kern_prove_raised()).
 
-   A search is given up if u runs away, or if prices no longer settle
+   A search is lost if u grows too far, or if prices no longer converge
    (kern_settling). */
 
 typedef struct kern_raise {
-    kern_part *p;            /* all groups, or those around a block          */
+    kern_part *p;            /* all groups, or those near block `around`     */
     int around;              /* the block of kern_stays(), or KERN_OUT       */
-    const kern_proof *proof; /* where each shown step writes it, or NULL     */
-    kern_end end;            /* why the last search ended                    */
-    int size;                /* count of u and prices together               */
-    kern_real *held;         /* u and prices of the last load that was shown */
-    kern_real *earlier; /* u and prices of a load shown before that          */
-    kern_real *last;    /* two a contact: last F(p), and its change          */
-    kern_real *kept;    /* u before Newton's method                          */
+    const kern_proof *proof; /* arrays for the proof of each load step; or NULL
+                                                                             */
+    kern_end end;            /* reason why the last search ended             */
+    int size;                /* length of u and prices in one array          */
+    kern_real *held;         /* u and prices of the last load with a proof   */
+    kern_real *earlier; /* u and prices of the load with a proof before it   */
+    kern_real *last;    /* two per contact: last F(p), and its change        */
+    kern_real *kept;    /* u at the start of Newton's method                 */
     kern_skyline up;    /* columns of Newton's matrix; dual.matrix: rows    */
-    int *state;         /* of a contact: 0 open, 1 sticks, 2 and 3 slides    */
+    int *state;         /* per contact: 0 open, 1 sticks, 2 and 3 slides     */
 } kern_raise;
 
-/* How a search begins: unloaded, or with the present u and prices. */
+/* Start of a search: at u = 0, or at the present u and prices. */
 typedef enum kern_begin { KERN_BEGIN_UNLOADED, KERN_BEGIN_HERE } kern_begin;
 
-/* A search, and the numbers that tell when to give it up. */
+/* State of a search, with the numbers that decide when it is lost. */
 typedef struct kern_settling {
-    kern_real tolerance; /* residual of equilibrium that is allowed          */
-    int warm;            /* nonzero: u and prices are close already          */
+    kern_real tolerance; /* largest residual of equilibrium                  */
+    int warm;            /* nonzero: it starts at the present u and prices   */
     int round;
-    int units;       /* of work, before the search                           */
+    int units;       /* value of work->units before the search               */
     kern_real first; /* largest displacement of a group in the first round   */
-    kern_real held;  /* the same in the last load that was shown; 0: none    */
+    kern_real held;  /* largest displacement at the last load with a proof   */
     kern_real least; /* least change of prices in a round, squared           */
-    int since;       /* rounds since that one                                */
+    int since;       /* number of rounds since that change                   */
 } kern_settling;
 
 /* Marks the groups that are held: all but the n groups within KERN_STAYS_NEAR
-   contacts of block i. These stay unmarked, for kern_norm_open(). The mark is
-   n, also for the ground. */
+   contacts of block i. Those n groups stay unmarked, so that kern_norm_open()
+   opens them. The mark is n, also for the ground. */
 static void kern_raise_near(kern_model *m, int i)
 {
     const int *ends = m->graph.ends, groups = m->graph.groups;
     int *local = m->graph.local, g, e, at, n = 1;
 
-    /* Numbers the groups by their distance from the block, from 1 on; 0: not
-       reached so far. Paths do not lead through the ground, which counts as
-       reached. */
+    /* Numbers the groups by their distance from the block, beginning with 1.
+       The number 0 means that a group has not been reached. The ground counts
+       as reached, so that no path leads through it. */
     for (g = 0; g < groups; g++)
         local[g] = 0;
     local[groups] = local[m->graph.group[i]] = 1;
@@ -8712,16 +8879,16 @@ static void kern_raise_near(kern_model *m, int i)
                     n++;
                 }
 
-    /* Turns the numbers into marks. */
+    /* Replaces the numbers by marks. */
     for (g = 0; g < groups; g++)
         local[g] = local[g] > 0 ? KERN_OUT : n;
     local[groups] = n;
 }
 
 /* Opens the groups as one part, with prices of 0. Returns 0 if there is no
-   room. The stiffness of a contact point is a tenth plus, at the end of a line,
-   its travel in mean sizes. Of the laws that were tried this is the closest to
-   a simulator. */
+   room. The stiffness of a contact point is 0.1 plus, at the end of a line, its
+   travel in mean sizes. Of several laws of stiffness this one came closest to a
+   simulator. */
 static int kern_raise_open(kern_raise *r, kern_model *m)
 {
     kern_part *p = r->p;
@@ -8731,15 +8898,15 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     if (!kern_norm_open(p, m))
         return 0;
 
-    /* A proof requires that contacts stick within KERN_STICKS. kern_stays()
-       needs no proof. */
+    /* Sets the stiffness along t. A proof requires that contacts stick within
+       KERN_STICKS, but kern_stays() needs no proof. */
     p->y = p->dual.step; /* no program is open: y is the room for a motion */
     p->dual.stiff = r->around < 0 ? KERN_R(1.1) / KERN_STICKS
                                   : KERN_STAYS_STIFF;
 
-    /* Newton's matrix is not symmetric, so its upper half has memory of its
-       own. The vectors of a search follow. Prices come after u in one array, so
-       that both are copied at once. */
+    /* Takes the arrays. Newton's matrix is not symmetric, so its upper half has
+       memory of its own. Prices follow u in one array, so that both are copied
+       at once. */
     for (g = 0; g < p->groups; g++)
         entries += 9 * (g - p->dual.matrix.first[g] + 1);
     r->up = p->dual.matrix;
@@ -8757,7 +8924,7 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     if (!kern_take_fits(&p->rest))
         return 0;
 
-    /* no prices yet; the ends of longer lines are stiffer */
+    /* sets the prices to 0; the ends of longer lines are stiffer */
     kern_zero(p->dual.price, p->contacts);
     for (k = 0; k < p->contacts; k++) {
         const kern_contact *c = m->s->contact + p->contact[k];
@@ -8771,21 +8938,22 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
 
 /* ---- a round of prices ---- */
 
-/* Returns how far contact k slides beyond its elastic shear. A negative value
-   means that it sticks or does not press. */
+/* Returns the distance by which contact k slides beyond its elastic shear. If
+   the result is negative, the contact sticks or does not press. */
 static kern_real kern_raise_slip(const kern_part *p, int k, kern_real approach)
 {
     return kern_abs(p->dual.way[2 * k + 1])
          - kern_max(approach, 0) / p->dual.stiff;
 }
 
-/* Writes the forces, and F(p) and its change to dual.turn. Returns 1 if the
-   forces may be a proof: every loaded contact approaches, and none slides as
-   far as a stone that falls into a jam. Prices fall slowly, since prices of
-   joints that lean on each other alternate. `found` means that the forces
-   balance. Then a contact that parts keeps its price, and one that should part
-   but presses gets twice the missing price. Otherwise a joint that no longer
-   presses would stay loaded. */
+/* Writes the forces at u. Writes for each contact the new price F(p) and its
+   change to dual.turn. Returns 1 if the forces may be a proof: every loaded
+   contact approaches, and none slides as far as a stone that falls into a jam.
+   Prices fall slowly, since prices of joints that lean on each other would
+   alternate. `found` means that the forces balance the loads. A contact that
+   parts then keeps its price. A contact that should part but presses gets a
+   higher price, by twice the amount that would make its force 0: otherwise a
+   joint that has stopped pressing would stay loaded. */
 static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
 {
     kern_part *p = r->p;
@@ -8799,16 +8967,17 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
         const kern_real slip = kern_raise_slip(p, k, approach);
         kern_real to = kern_model_mu(p->m, p->contact[k]) * kern_max(slip, 0);
 
-        /* A loaded contact must approach. The longest slide is compared with
-           the largest approach. */
+        /* Checks that a loaded contact approaches. Finds the longest slide and
+           the largest approach, to compare them. */
         if (p->m->answer.force[p->contact[k]].normal > least) {
             pressed &= approach > 0;
             slid = kern_max(slid, slip);
             most = kern_max(most, approach);
         }
 
-        /* A contact that does not close keeps its price, or gets a higher one
-           where its force presses. Other prices fall by a share of the way. */
+        /* Computes the new price. A contact that parts keeps its price, or gets
+           a higher one if its force presses. A price that falls changes by the
+           share KERN_PRICE_FALL of the difference. */
         if (found && !(approach > 0))
             to = kern_max(to, price)
                + 2 * kern_max(wn + kern_max(to, price), 0);
@@ -8820,11 +8989,11 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
     return pressed && slid <= KERN_SLIDE_MOST * most;
 }
 
-/* Computes new prices from the last two rounds. If F is linear, the change is
-   least if a share `back` of the last difference is taken back (Anderson's
-   method). If a change grows and keeps its direction a slide has only begun:
-   then prices are extrapolated forward. Returns the square of the change of
-   prices. */
+/* Computes new prices from the last two rounds. Subtracts the share `back` of
+   the difference between these rounds, with which the change of prices is least
+   if F is linear (Anderson's method). If the change keeps its direction and
+   grows, a slide has only begun, and prices are extrapolated forward. Returns
+   the square of the change of prices. */
 static kern_real kern_raise_extrapolate(kern_raise *r, int round)
 {
     const kern_part *p = r->p;
@@ -8851,8 +9020,8 @@ static kern_real kern_raise_extrapolate(kern_raise *r, int round)
     return is;
 }
 
-/* Returns how many contacts have changed their state since the last call: open,
-   sticking, or sliding one way or the other. */
+/* Returns the number of contacts that have changed their state since the last
+   call. The states are open, sticking, and sliding in either direction. */
 static int kern_raise_changes(kern_raise *r)
 {
     const kern_part *p = r->p;
@@ -8871,9 +9040,9 @@ static int kern_raise_changes(kern_raise *r)
 
 /* ---- Newton's method ---- */
 
-/* Subtracts the wrenches of contact k by Coulomb's law from grad, and adds
-   their derivatives by u to the matrix, whose columns are in `up`. Returns the
-   normal force. */
+/* Subtracts the wrenches of contact k by Coulomb's law from dual.grad. Adds
+   their derivatives by u to the rows (dual.matrix) and columns (r->up) of
+   Newton's matrix. Returns the normal force. */
 static kern_real kern_raise_contact(kern_raise *r, int k)
 {
     static const kern_real approach[2] = {1, 0}, shear[2] = {0, 1};
@@ -8901,8 +9070,9 @@ static kern_real kern_raise_contact(kern_raise *r, int k)
     return stiff * w[0];
 }
 
-/* grad := b less the wrenches of the contacts by Coulomb's law. The matrix and
-   `up` := its derivative by u. Returns the largest normal force. */
+/* Writes to dual.grad the loads b minus the wrenches of the contacts by
+   Coulomb's law, and Newton's matrix to dual.matrix and r->up. Returns the
+   largest normal force. */
 static kern_real kern_raise_linearise(kern_raise *r)
 {
     kern_part *p = r->p;
@@ -8921,8 +9091,8 @@ static kern_real kern_raise_linearise(kern_raise *r)
 }
 
 /* Runs Newton's method on (law) and (balance) from u, in whole steps, as long
-   as they come closer to balance. Returns 1 if they reach it, with the prices
-   of the slips. Otherwise u is as it was. */
+   as the residual of (balance) falls. If the loads are balanced, sets prices by
+   the slips and returns 1. Otherwise restores u. */
 static int kern_raise_newton(kern_raise *r, kern_real tolerance)
 {
     kern_part *p = r->p;
@@ -8930,7 +9100,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
     kern_real *way = p->dual.way, last = KERN_INFINITY;
     int k, round;
 
-    /* Coulomb's law has no prices: approaches are those of u alone. */
+    /* Removes the prices from the approaches, since Coulomb's law has none. */
     kern_copy(r->kept, p->dual.u, n + 3);
     for (k = 0; k < p->contacts; k++)
         way[2 * k] += p->dual.price[k];
@@ -8938,7 +9108,8 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
         const kern_real most = kern_raise_linearise(r);
         const kern_real left = kern_dot(p->dual.grad, p->dual.grad, n);
 
-        /* Balance is reached: the slips give the prices of the fixed point. */
+        /* Ends if the loads are balanced. The slips then give the prices of the
+           fixed point. */
         if (kern_largest(p->dual.grad, n) <= tolerance + 4 * KERN_EPS * most) {
             for (k = 0; k < p->contacts; k++) {
                 const kern_real slip = kern_raise_slip(p, k, way[2 * k]);
@@ -8949,7 +9120,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
             return 1;
         }
 
-        /* Takes a whole step, unless the last one led away from balance. */
+        /* Takes a whole step, unless the last one raised the residual. */
         if (!(left < last) || !kern_model_spend(p->m, 3 * p->dual.cost))
             break;
         last = left;
@@ -8970,7 +9141,8 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
 /* ---- a search ---- */
 
 /* Returns the largest displacement of a group from its place in `from`, or from
-   its unloaded place (NULL). A turn counts by half the size. */
+   its unloaded place if `from` is NULL. A turn counts as turn times half the
+   size of its block. */
 static kern_real kern_raise_far(const kern_raise *r, const kern_real *u,
                                 const kern_real *from)
 {
@@ -8987,9 +9159,7 @@ static kern_real kern_raise_far(const kern_raise *r, const kern_real *u,
     return KERN_SQRT(reach);
 }
 
-/* Returns 1 if u runs away: it is much larger than in the first round, or its
-   distance from the last load that was shown is more than KERN_JUMPS times the
-   displacement there. */
+/* Returns 1 if u has grown too far (KERN_RUNS_AWAY, KERN_JUMPS). */
 static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
 {
     const kern_real *u = r->p->dual.u, groups = KERN_R(r->p->groups);
@@ -9001,9 +9171,9 @@ static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
             && kern_raise_far(r, u, r->held) > KERN_JUMPS * settling->held);
 }
 
-/* Returns 1 if prices have stopped settling: their change has not become
-   smaller for many rounds. A slide at one end of a row takes as many rounds to
-   reach the other end as there are groups between them. */
+/* Returns 1 if prices no longer converge: their change has not become smaller
+   for many rounds. A slide at one end of a row takes one round for each group
+   to reach the other end. */
 static int kern_raise_stalls(const kern_raise *r, kern_settling *settling,
                              kern_real change)
 {
@@ -9014,7 +9184,8 @@ static int kern_raise_stalls(const kern_raise *r, kern_settling *settling,
     return settling->since++ > KERN_PATIENCE + r->p->groups / 2;
 }
 
-/* Returns 1 if forces and u are a proof. For kern_stays() none is needed. */
+/* Returns 1 if forces and u are a proof, and copies them to r->proof. Returns 1
+   without a proof for kern_stays(), which needs none. */
 static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 {
     kern_part *p = r->p;
@@ -9034,8 +9205,8 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
     return 1;
 }
 
-/* Makes one round of a search. Returns how the search ends, or KERN_END_NONE if
-   it continues. */
+/* Makes one round of a search. Returns the reason for which the search ends, or
+   KERN_END_NONE if it continues. */
 static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                                  kern_settling *settling)
 {
@@ -9048,7 +9219,7 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
     kern_real change;
     int pressed;
 
-    /* Ends the search if its work is used up, or if blocks run away. */
+    /* Ends the search if its work is used up, or if u has grown too far. */
     if (found == KERN_LIMIT || !kern_model_spend(p->m, 1 + p->contacts / 10)
         || p->m->task->work->units - settling->units
                > KERN_SEARCH_COSTS * p->dual.cost)
@@ -9056,8 +9227,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
     if (found == KERN_FALLS || kern_raise_runs_away(r, settling))
         return KERN_END_LOST;
 
-    /* If few contacts change between sticking, sliding and open, Newton's
-       method on Coulomb's law may end the search at once. */
+    /* Tries Newton's method, which may end the search at once, if few contacts
+       change between sticking, sliding and open. */
     if (kern_raise_changes(r) <= KERN_FEW_CHANGES
         && kern_raise_newton(r, settling->tolerance))
         return kern_raise_price(r, settling->tolerance, 1)
@@ -9065,8 +9236,7 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                  ? KERN_END_SHOWN
                  : KERN_END_LOST;
 
-    /* Otherwise computes new prices, extrapolated in the direction of their
-       change. */
+    /* Computes new prices, extrapolated in the direction of their change. */
     pressed = kern_raise_price(r, settling->tolerance, found == KERN_STANDS);
     change = kern_raise_extrapolate(r, settling->round);
     if (pressed && kern_raise_proves(r, q))
@@ -9075,8 +9245,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                                                   : KERN_END_NONE;
 }
 
-/* Searches for the fixed point under the loads of q. Returns 1 if it is shown.
-   r->end tells why the search ended. */
+/* Searches for the fixed point under the loads of q. Returns 1 if the search
+   finds a proof. Sets r->end to the reason for which the search ended. */
 static int kern_raise_settle(kern_raise *r, const kern_query *q,
                              kern_begin begin)
 {
@@ -9096,13 +9266,13 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q,
 
 /* ---- questions ---- */
 
-/* Returns the largest share of gravity, of a fixed list, such that a push of
-   that share to either side leaves the structure raised while kerns shrink by
-   the same share of the mean size. If kerns are not nested, it must also be
-   raised under the push without the shrinkage. This is the worst effect of
-   errors of places, and of angles times that size. No share above `most` is
-   tried, unless most is 0. Each search begins with the last load that was
-   shown. */
+/* Returns the reserve: the largest share in a list for which the structure
+   stays raised under a push of this share of gravity to either side, with kerns
+   shrunk by this share of the mean size. A push stands for errors of angle, and
+   a shrinkage for errors of place as a share of the size. If kerns are not
+   nested, the structure must also stay raised under the push alone. Shares
+   above `most` are not tried, unless `most` is 0. Each search begins at the
+   last load with a proof. */
 KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
                                                 const kern_query *asked,
                                                 kern_real most)
@@ -9116,15 +9286,15 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     kern_query q = *asked;
     int low = (int)(sizeof share / sizeof share[0]) - 1, at, high;
 
-    /* Finds the largest share to the right. Only shares up to that one are
-       tried to the left. */
+    /* Finds the largest share to the right. Then tries only shares up to that
+       one to the left. */
     while (most > 0 && KERN_R(share[low]) / 10000 > most)
         low--;
     kern_copy(r->earlier, r->p->dual.u, r->size);
     for (q.side = 1; q.side >= -1; q.side -= 2) {
         kern_copy(r->held, r->earlier, r->size);
 
-        /* Bisects the list, beginning at its end. */
+        /* Bisects the list, beginning with its last share. */
         for (at = low, high = low + 1, low = 0; high - low > 1;
              at = (low + high) / 2) {
             int k, good = 1;
@@ -9146,9 +9316,9 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     return KERN_R(share[low]) / 10000;
 }
 
-/* Opens the question. *out becomes KERN_HANGS, with a proof, if some blocks
-   hang that nothing holds up and the others stand without them. Otherwise it is
-   KERN_NOT_SHOWN, and the part of all groups is open for prices. */
+/* Begins a query. Sets *out to KERN_HANGS, with a proof, if nothing holds up
+   some of the blocks and the others stand without them. Otherwise sets *out to
+   KERN_NOT_SHOWN, and opens all groups as one part for a search. */
 static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
                                     kern_raising *out)
 {
@@ -9160,12 +9330,13 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     r->p = &c->part;
     *out = KERN_NOT_SHOWN;
     value = kern_take_last(&m->rest, m->s->blocks);
-    kern_take_last(&m->common, m->s->blocks); /* both have the same end */
+    kern_take_last(&m->common, m->s->blocks); /* both takes end at the same
+                                                 address                */
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
 
-    /* Finds the blocks that hang. A verdict is needed only if there are any, or
-       for kern_stays(). */
+    /* Finds the blocks that may hang. A verdict is needed only if there are
+       any, or for kern_stays(). */
     for (i = 0; i < m->s->blocks; i++)
         value[i] = KERN_R(1);
     left = kern_unsupported(m->s, value);
@@ -9174,8 +9345,8 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
         status = kern_model_evaluate(m, r->p, q);
     }
 
-    /* They hang if the others stand without them. Their motion is a free
-       fall. */
+    /* The blocks hang if the others stand without them. Writes their motion, a
+       free fall. */
     if (left > 0 && status == KERN_STANDS && kern_model_ask(m, 1)) {
         const kern_vec way = kern_vec_unit(m->s->gravity);
         q->fallen = value;
@@ -9191,17 +9362,18 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
 
-    /* all groups again, and no program that may be open */
+    /* opens the model of all groups again, without a linear program */
     if (left > 0 || m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
     return kern_raise_open(r, m) ? KERN_STANDS : KERN_NO_SPACE;
 }
 
-/* Raises the load of q, by *share, from 0 to `most` in steps. Each step begins
-   in the direction of the last two. A step that fails is made finer, down to a
-   share of the load that was shown. If `most` is not known the end doubles.
-   Returns the largest share proven, or a negative number if there is none. */
+/* Raises the load of q in steps, with *share as its factor from 0 to `most`.
+   The u of each step is extrapolated from the last two. A step that fails is
+   repeated with a smaller one, down to a share of the largest load with a
+   proof. If `most` is unknown, the end of the steps doubles. Returns the
+   largest factor with a proof, or a negative number if there is none. */
 static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                                   kern_real *share, kern_real most)
 {
@@ -9210,7 +9382,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     kern_real step = end / KERN_LOAD_STEPS;
     int i, good = 1;
 
-    /* at rest, without the load */
+    /* finds u without the load */
     if (!kern_raise_settle(r, q, KERN_BEGIN_UNLOADED))
         return KERN_R(-1);
     kern_copy(r->held, u, r->size);
@@ -9230,9 +9402,9 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                 u[i] = kern_max(u[i], 0);
         }
 
-        /* a step that fails is repeated with a smaller one */
+        /* repeats a step that fails with a smaller one */
         good = kern_raise_settle(r, q, KERN_BEGIN_HERE)
-            || (!(stood > 0) /* only 0 to begin with */
+            || (!(stood > 0) /* only u at 0 is known */
                 && kern_raise_settle(r, q, KERN_BEGIN_UNLOADED));
         if (good) {
             taken = *share - stood;
@@ -9240,7 +9412,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
         } else
             step /= KERN_LOAD_FINER;
 
-        /* an end that was only a guess */
+        /* doubles an end that was only a guess */
         if (!(stood < end) && end < most) {
             end = kern_min(2 * end, most);
             step = end / KERN_LOAD_STEPS;
@@ -9249,10 +9421,10 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     return stood;
 }
 
-/* Writes to *out whether the load raises forces: at once, or as the blocks'
-   loads grow from 0. If sag is not NULL, writes the block's displacement to it,
-   for a stiffness of 1 and a mean weight of 1. A turn counts by half the
-   size. */
+/* Sets *out to KERN_RAISED if the load raises forces, at once or as the loads
+   of the blocks grow from 0. If `sag` is not NULL, writes to it the
+   displacement of block r->around for a stiffness of 1 and a mean weight of 1.
+   A turn counts as turn times half the size of the block. */
 static kern_status kern_raise_show(kern_raise *r, kern_call *c,
                                    kern_raising *out, kern_real *sag)
 {
@@ -9277,8 +9449,8 @@ static kern_status kern_raise_show(kern_raise *r, kern_call *c,
              : kern_model_evaluate(&c->m, r->p, &c->path.q);
 }
 
-/* Answers kern_raised(). With a sag it answers kern_stays(), for the blocks
-   around block i. */
+/* Computes kern_raised(). If `sag` is not NULL, computes kern_stays(), in which
+   only the blocks near block i are free. */
 static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
                                    kern_raising *out, kern_real *reserve,
                                    const kern_proof *proof, int i,
@@ -9297,8 +9469,8 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         && ((unsigned)i >= (unsigned)task->s.blocks || task->s.block[i].fixed))
         return KERN_BAD_BLOCK;
 
-    /* runs the search, and writes its proof: forces, and a motion if it is
-       shown */
+    /* runs the search, and writes its proof: forces, and the motion if there is
+       one */
     r.around = i;
     r.proof = NULL;
     r.end = KERN_END_NONE;
@@ -9373,10 +9545,11 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
     kern_status status = kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
                                   side, factor ? &most : NULL, proof);
 
-    /* The load factor is an upper bound. Its proof in the caller's arrays is
-       overwritten by that of the raised load. Then the load grows from 0, in a
-       model that is opened again, since the search left a part open. That
-       cannot fail, since the memory is the same. */
+    /* Grows the load from 0 to the load factor, which is an upper bound. The
+       proof of the raised load overwrites that of the load factor in the
+       caller's arrays. The model is opened again, since the search left a part
+       open. Opening the model again cannot fail, since the memory is the
+       same. */
     if (status == KERN_STANDS) {
         kern_query *q = &c.path.q;
         kern_raising hung;
@@ -9388,7 +9561,8 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
         if (hung == KERN_HANGS)
             status = KERN_UNDECIDED;
         q->factor = most = kern_min(most, KERN_FACTOR_MOST);
-        kern_model_set(&c.m, q); /* the unit of force is the load at the end */
+        kern_model_set(&c.m, q); /* the unit of force includes the largest load
+                                                                             */
         if (status == KERN_STANDS)
             stood = kern_raise_climb(&r, q, &q->factor, most);
         task->work->end = r.end;
@@ -9403,118 +9577,126 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* ==== Part VI: Geometry and planning ===================================== */
 
 /* ---- Tolerances of the geometry ----------------------------------- >>tol */
-/* Shares of a length of the caller's: a gap, a block's size, a coordinate. */
+/* Lengths are shares of a length of the caller's, such as a gap, a block's size
+   or a coordinate. */
 
-/* Most runs of an outline (kern_outline). A run has at least half as many
-   edges. More runs take stack, fewer runs take time. */
+/* Most runs of an outline (kern_outline). Each run has at least KERN_RUNS / 2
+   edges. More runs take more stack, fewer runs more time. */
 #define KERN_RUNS 16
-/* The default gap, as a share of the size of a pair's smaller free block. */
+/* Default of options.gap, as a share of the size of a pair's smaller free
+   block. */
 #define KERN_GAP_SHARE KERN_R(1e-3)
-/* Length of the shortest line, as a share of that size. */
+/* Length of the shortest line, as a share of the size of a pair's smaller free
+   block. */
 #define KERN_LINE_LEAST KERN_R(1e-3)
-/* Largest change of a block's area, as a share, that rounding at large
-   coordinates may cause. With more, its vertices have moved. */
+/* Largest change of a block's area, as a share, that counts as rounding at
+   large coordinates. After a larger change the vertices have moved. */
 #define KERN_AREA_TOL KERN_R(1e-3)
-/* Least turn of a corner [rad]. A vertex that turns by half a circle, within
-   this angle, is a spike. With a much larger value round stones would lose
-   their shape. */
+/* Least turn of a vertex that is a corner [rad]. A vertex that turns by half a
+   circle, give or take this angle, is a spike. With a much larger value round
+   stones would lose their shape. */
 #define KERN_TURN_LEAST KERN_R(1e-6)
-/* Least distance of a foot from the ends of its edge, as a share of the size:
-   rounding then makes no contacts between diagonal neighbours. */
+/* Least distance of a corner's foot from the ends of the edge that it touches,
+   as a share of the size. So rounding makes no contacts between diagonal
+   neighbours. */
 #define KERN_FOOT_INSET KERN_R(1e-6)
-/* A single point whose normal has a smaller slope against gravity carries
-   nothing. */
+/* Least slope of a normal against gravity. A single point with a smaller slope
+   carries nothing. */
 #define KERN_LEVEL_LEAST KERN_R(1e-6)
-/* The default angle [rad]. */
+/* Default of options.angle [rad]. */
 #define KERN_ANGLE KERN_R(0.0174533)
-/* Least denominator of the friction of a widened cone, which keeps it
-   finite. */
+/* Least denominator in the formula for the friction of a widened cone, so that
+   it stays finite. */
 #define KERN_CONE_LEAST KERN_R(0.0174533)
-/* Gap, as a share of the mean size, and angle [rad] of contacts that a little
-   rocking closes. Values of 0.03 to 0.1 and of 0.1 to 0.2 predict shaking tests
-   equally well. */
+/* kern_near(): gap, as a share of the mean size, and angle [rad] of contacts
+   that a slight rocking motion closes. Gaps of 0.03 to 0.1 and angles of 0.1 to
+   0.2 predict shaking tests equally well. */
 #define KERN_NEAR_GAP KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
-/* Number of standard errors of place and angle that a contact of a measured
-   structure may be off. With 3.5, none of 30 contacts is missed in 98 % of the
-   cases. */
+/* Number of standard errors of place and angle within which a contact of a
+   measured structure is found. With 3.5, all of 30 contacts are found in 98 %
+   of the cases. */
 #define KERN_ERRORS KERN_R(3.5)
-/* The gap, in errors of place times KERN_ERRORS. The gap between a corner and
-   an edge has a variance of 2 e^2 for the places of two stones and 3/8 e^2 for
-   their vertices: a standard error of 1.5 e. */
+/* Gap of measured structures, in errors of place times KERN_ERRORS. The gap
+   between a corner and an edge has a variance of 2 e^2 from the places of two
+   stones and 3/8 e^2 from their vertices. So its standard error is 1.5 e. */
 #define KERN_ERROR_GAP KERN_R(1.5)
-/* The angle, in errors of angle times KERN_ERRORS. The angle between two edges,
-   0.7 sizes long, has a variance of 2 theta^2, and as much for their ends: a
-   standard error of 2 theta. */
+/* Angle of measured structures, in errors of angle times KERN_ERRORS. The angle
+   between two edges of 0.7 sizes has a variance of 2 theta^2 from the angles of
+   two stones and 2 theta^2 from the ends of the edges. So its standard error is
+   2 theta. */
 #define KERN_ERROR_ANGLE KERN_R(2)
-/* Deepest overlap, in errors of place. */
+/* Deepest overlap of measured structures, in errors of place. */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
-/* Largest distance of a corner beyond the end of an edge, in errors of
-   place. */
+/* Measured structures: largest distance of a corner beyond the end of an edge
+   that it touches, in errors of place. */
 #define KERN_ERROR_EDGE KERN_R(3.0)
-/* kern_certain(): least length of a line, and least distance of a foot from the
-   ends of its edge, that no error along the edge takes away, in errors of
-   place. */
+/* kern_certain(): least length of a line that counts as certain, and least
+   distance of a certain point from the ends of its edge, in errors of place. */
 #define KERN_ERROR_SURE KERN_R(5.0)
-/* kern_certain(): errors of angle by which it narrows or widens cones. */
+/* kern_certain(): angle by which it narrows or widens cones, in errors of
+   angle. */
 #define KERN_ERROR_CONE KERN_R(3.0)
-/* A settling. FALL: fall of an unsupported block in a step, in errors of place.
-   STEPS: most steps. SWEEPS: most sweeps over all contacts in a step. They end
-   when no contact moves by more than the share STILL of the fall, and are
-   over-relaxed by RELAX. REST: a motion of less than this share of the fall is
-   rest. */
+/* Settling. FALL: fall of an unsupported block in one step, in errors of place.
+   STEPS: most steps. SWEEPS: most sweeps over all contacts in one step. STILL:
+   sweeps end when no contact moves by more than this share of the fall. RELAX:
+   factor of over-relaxation of a sweep. REST: blocks rest if they move by less
+   than this share of the fall. */
 #define KERN_SETTLE_FALL KERN_R(10.0)
 #define KERN_SETTLE_STEPS 120
 #define KERN_SETTLE_SWEEPS 60
 #define KERN_SETTLE_STILL KERN_R(0.015)
 #define KERN_SETTLE_RELAX KERN_R(1.5)
 #define KERN_SETTLE_REST KERN_R(0.03)
-/* Contact points that are corrected in one unit of work. */
+/* Settling: contact points that are corrected in one unit of work. */
 #define KERN_SETTLE_UNIT 20
-/* Area of a square over the square of its radius of gyration. */
+/* Settling: area of a square divided by the square of its radius of
+   gyration. */
 #define KERN_SETTLE_SPIN KERN_R(6.0)
-/* Contact points of equal height are ordered by their arms, then from side to
-   side: the share of each that is added to the height. */
+/* Settling: contact points of equal height are ordered by their arms, then from
+   side to side. This share of arm and place is added to the height. */
 #define KERN_SETTLE_TIE KERN_PICK(1e-7, 1e-5)
-/* The lower end: every PARTS-th stretch is open by OPEN errors of place at a
-   time. A contact is closed if its gap is at most CLOSED errors, in a settling
-   of doubts too. */
+/* kern_certain(), lower end. PARTS: every PARTS-th stretch is open at a time.
+   OPEN: gap of these stretches, in errors of place. CLOSED: largest gap of a
+   closed contact, in errors of place, also for KERN_DOUBT_*. */
 #define KERN_LOW_PARTS 2
 #define KERN_LOW_OPEN KERN_R(3.0)
 #define KERN_LOW_CLOSED KERN_R(1.0)
-/* The lower end is divided by 1 + LOSS e / mean size. For errors e below WIDE
-   mean sizes LOSS is smaller in proportion to e. */
+/* kern_certain(): its lower end is divided by 1 + LOSS e / mean size. For
+   errors e below WIDE mean sizes, LOSS is smaller in proportion to e. */
 #define KERN_LOW_LOSS KERN_R(200.0)
 #define KERN_LOW_WIDE KERN_R(0.005)
-/* Doubt: every PARTS-th stretch is open at a time. Blocks may settle by TELLS
-   times the motion that was found, at most by the share MOST of their mean
-   size. */
+/* kern_certain(), test of settling. PARTS: every PARTS-th stretch is open at a
+   time. TELLS: blocks may settle by this multiple of the largest motion found.
+   MOST: largest such distance, as a share of the mean size. */
 #define KERN_DOUBT_PARTS 3
 #define KERN_DOUBT_TELLS KERN_R(1.5)
 #define KERN_DOUBT_MOST KERN_R(0.45)
-/* Least depth of the middle of an overlap, as a share of the overlap: half
-   of it where both blocks are thick. */
+/* Least depth of the middle of an overlap inside both blocks, as a share of the
+   overlap. Where both blocks are thick the depth is half of the overlap. */
 #define KERN_THIN KERN_R(0.25)
-/* Share of KERN_ANGLE_MOST up to which a measured angle is raised. */
+/* Largest angle that kern_measured_options() sets, as a share of
+   KERN_ANGLE_MOST. */
 #define KERN_ANGLE_SHARE KERN_R(0.99)
-/* Sine of 10 degrees: the normals of a line contact and of a vertex that
-   belongs to it differ by less, those at a corner by more. */
+/* Sine of the largest angle between the normals of a line contact and of a
+   point that belongs to it: 10 degrees. At a corner normals differ by more. */
 #define KERN_SAME_FACE KERN_R(0.17364817766693036)
-/* The search for overlap takes strides of a gap over STRIDES, each longer than
-   the last by one STRIDES-th. The depth that it finds may be too small by a
-   stride. More strides take more time. */
+/* The search for overlaps moves along an edge in strides. The first stride is
+   the gap divided by STRIDES, and each is longer than the last by one
+   STRIDES-th. The depth that it finds may be too small by one stride. Shorter
+   strides take more time. */
 #define KERN_STRIDES 32
 /* Most triangles of one size that are tried to find an inner point of a
    block. */
 #define KERN_TRIANGLES 32
-/* Steps of a search for contacts in a unit of work. A step is at most 80
+/* Steps of a search for contacts in one unit of work. A step is at most 80
    instructions. */
 #define KERN_SEARCH_UNIT 24
-/* Steps for two edges that are close to each other. */
+/* Steps of that search for two edges that are close to each other. */
 #define KERN_SEARCH_NEAR 8
-/* Two vertices are equally far from an edge if their squared distances differ
-   by less than this share. On a grid of pixels many are, except for
-   rounding. */
+/* Two vertices count as equally far from an edge if their squared distances
+   differ by less than this share. On a grid of pixels many vertices are equally
+   far except for rounding. */
 #define KERN_EQUALLY_FAR KERN_PICK(1e-6, 1e-5)
 /* Most halvings of the tolerance of a simplified outline while its edges cross.
    After them the tolerance is 0. */
@@ -9522,35 +9704,38 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 
 /* ---- coming to rest ---- */
 
-/* Most motions of a stone, and most touches that are kept. Only stones that
-   roll take more than 64 motions. */
+/* Most motions of a stone on its way to rest, and most touches that are stored
+   at a time. Only stones that roll take more than 64 motions. */
 #define KERN_REST_MOTIONS 64
 #define KERN_REST_TOUCHES 24
-/* Distance within which outlines touch, as a share of the stone's size; and the
-   length by which an edge is extended at its ends, as a share of that
+/* Largest distance between outlines that touch, as a share of the stone's size.
+   Length by which an edge is extended at its ends, as a share of that
    distance. */
 #define KERN_REST_TOUCH KERN_PICK(1e-7, 1e-4)
 #define KERN_REST_END KERN_R(0.01)
-/* Sine of an angle below which an edge is parallel to a motion, a motion does
-   not press a touch, and a way is level. */
+/* Sine of the largest angle that counts as 0: between a motion and an edge,
+   between a motion and a touch that it passes, and between a motion and the
+   horizontal. */
 #define KERN_REST_LEVEL KERN_PICK(1e-10, 1e-5)
-/* Tangent of half the largest turn of one motion. With shorter turns the stone
-   finds better places, and a motion meets fewer edges. */
+/* Tangent of half the largest turn of one motion. With smaller turns the stone
+   finds better places, and one motion meets fewer edges. */
 #define KERN_REST_TURN KERN_R(0.25)
-/* Least friction for a turn on which the stone slides at two touches. Without
-   friction both would only be grazed, and rounding would block the turn. With
-   less the stone creeps: a turn ends when both are open by that share. */
+/* Least friction for a turn on which the stone slides at two touches. With no
+   friction the stone would only graze both touches, and rounding could block
+   the turn. With little friction the stone creeps: a turn ends when both
+   touches are open by that share. */
 #define KERN_REST_SLIP KERN_R(0.01)
-/* Chance from which a stone counts as staying; share by which margins may
-   differ and still count as equal; and factor that leaves 13 bits of a number
-   in a sum (Dekker's split), since rounding must not rank places. */
+/* kern_place_compare(): least chance that counts as staying; largest difference
+   of equal margins, as a share; and factor that rounds a number to 13 bits
+   (Dekker's split). */
 #define KERN_PLACE_STAYS KERN_R(0.9)
 #define KERN_PLACE_SAME KERN_PICK(1e-4, 1e-3)
 #define KERN_PLACE_SPLIT KERN_PICK(1099511627777.0, 2049)
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
-/* The order of vertices is the caller's. It may be clockwise, and the area is
-   then negative. Vertices that hardly turn are no corners. */
+/* Vertices are in the caller's order. The order may be clockwise, and the area
+   is then negative. A vertex that turns by less than KERN_TURN_LEAST is no
+   corner. */
 
 /* Returns the vertex after i in the caller's order. */
 static int kern_polygon_next(const kern_block *block, int i)
@@ -9564,8 +9749,8 @@ static int kern_polygon_before(const kern_block *block, int i)
     return (i > 0 ? i : block->vertices) - 1;
 }
 
-/* Returns how vertex i turns: 1 to the inner side (convex), -1 to the outer
-   side (reflex), 0 hardly at all, -2 back (a spike or a repeated vertex). */
+/* Returns the kind of vertex i: 1 convex, -1 reflex, 0 hardly turning, -2 a
+   spike or a repeated vertex. */
 static inline int kern_polygon_turn(const kern_block *block, int i)
 {
     const kern_vec *v = block->vertex;
@@ -9580,15 +9765,15 @@ static inline int kern_polygon_turn(const kern_block *block, int i)
     return (turn > 0) == (block->area >= 0) ? 1 : -1;
 }
 
-/* Returns 1 if two boxes are no farther apart than the gap. A negative gap is
-   an overlap that they must have. */
+/* Returns 1 if two boxes are no farther apart than the gap. If the gap is
+   negative, they must overlap by its magnitude. */
 static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
 {
     return b->low.y - gap <= a->high.y && a->low.y - gap <= b->high.y
         && b->low.x - gap <= a->high.x && a->low.x - gap <= b->high.x;
 }
 
-/* Returns the largest coordinate of a box without its sign. */
+/* Returns the largest magnitude of the coordinates of a box. */
 static kern_real kern_box_largest(const kern_box *box)
 {
     return kern_max(kern_vec_largest(box->low), kern_vec_largest(box->high));
@@ -9596,13 +9781,14 @@ static kern_real kern_box_largest(const kern_box *box)
 
 /* ---- outlines ---- */
 
-/* A block's outline in runs of `each` vertices. Each run has a box around the
-   edges that start in it, from corner to corner. A short outline is one run. */
+/* A block's outline, divided into runs of `each` vertices. Each run has a box
+   around the edges that start in it, from corner to corner. A short outline is
+   a single run. */
 typedef struct kern_outline {
     const kern_block *block;
-    int straight, reflex; /* nonzero: it has such vertices, or spikes   */
-    int each;             /* vertices of a run                          */
-    int looks;            /* at vertices and runs, not counted yet      */
+    int straight, reflex; /* nonzero: has straight, reflex vertices     */
+    int each;             /* number of vertices of a run                */
+    int looks;            /* vertices and runs read, not charged yet    */
     kern_box box[KERN_RUNS];
 } kern_outline;
 
@@ -9647,11 +9833,11 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
 /* The segment from one corner to another, counter-clockwise: an edge or a
    chord. */
 typedef struct kern_edge {
-    int at;           /* first corner in the caller's order    */
-    int start, end;   /* its corners, counter-clockwise        */
-    kern_vec p, q, d; /* their places; unit direction          */
+    int at;           /* index of first corner, caller's order   */
+    int start, end;   /* indices of corners, counter-clockwise   */
+    kern_vec p, q, d; /* places of start, end; unit direction    */
     kern_real length;
-    kern_box box; /* of an edge                            */
+    kern_box box; /* box of an edge; not set for a chord         */
 } kern_edge;
 
 /* Makes an edge from `at` to `to`, which follows in the caller's order. */
@@ -9668,15 +9854,16 @@ static inline void kern_edge_set(kern_edge *e, const kern_block *block, int at,
     e->d = kern_vec_scale(e->d, 1 / e->length);
 }
 
-/* Returns the distance from the start of e to the foot of p on the line of
-   e. */
+/* Returns the distance along the line of e from the start of e to the foot of
+   p. */
 static kern_real kern_edge_foot(const kern_edge *e, kern_vec p)
 {
     return kern_vec_dot(kern_vec_sub(p, e->p), e->d);
 }
 
-/* Finds the next edge within the gap of the box, among those that start after
-   vertex e->at, which is -1 at first. Returns 0 if there is none. */
+/* Finds the next edge of the outline within the gap of the box, beginning after
+   vertex e->at. Set e->at to -1 for the first call. Returns 0 if there is no
+   such edge. */
 static int kern_edge_next(kern_edge *e, kern_outline *o, const kern_box *box,
                           kern_real gap)
 {
@@ -9701,7 +9888,7 @@ static int kern_edge_next(kern_edge *e, kern_outline *o, const kern_box *box,
 
 /* ---- places ---- */
 
-/* Returns the squared distance of the origin from the edge u, v. It may be a
+/* Returns the squared distance of the origin from the edge u v, which may be a
    point. */
 static kern_real kern_edge_square(kern_vec u, kern_vec v)
 {
@@ -9715,8 +9902,8 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
 }
 
 /* Returns the distance of p from the boundary, negative if p is outside. Writes
-   the first vertex of the nearest edge to *nearest. The old value of *nearest
-   is a guess, which saves time. */
+   the first vertex of the nearest edge to *nearest. To save time, set *nearest
+   to a guess of that vertex. */
 static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
 {
     const kern_block *block = o->block;
@@ -9729,13 +9916,13 @@ static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
 
     u = kern_vec_sub(vertex[0], p);
     for (start = 0; start < n; start = end) {
-        /* a run farther away than the nearest edge so far is not searched: it
-           crosses the level of p if its ends do, on one side of p */
+        /* skips a run farther away than the nearest edge so far: only its two
+           ends decide whether it crosses the level of p */
         const kern_box *box = &o->box[start / o->each];
         const kern_real x = kern_min(kern_max(p.x, box->low.x), box->high.x);
         const kern_real y = kern_min(kern_max(p.y, box->low.y), box->high.y);
         const kern_vec way = kern_vec_sub(p, kern_vec_make(x, y));
-        const int skip = /* beyond all rounding */
+        const int skip = /* farther despite rounding */
             KERN_R(0.999) * kern_vec_dot(way, way) > least;
         end = n - start > o->each ? start + o->each : n;
         o->looks += 1 + (skip ? 0 : end - start);
@@ -9761,8 +9948,8 @@ static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
     return inside ? least : -least;
 }
 
-/* Returns 1 if f lies on one side of the line of e. It does not use the unit
-   direction of e, which is rounded. */
+/* Returns 1 if f lies on one side of the line of e. Does not use e->d, since
+   rounding changes its direction. */
 static int kern_one_side(const kern_edge *e, const kern_edge *f)
 {
     const kern_vec d = kern_vec_sub(e->q, e->p);
@@ -9773,10 +9960,10 @@ static int kern_one_side(const kern_edge *e, const kern_edge *f)
 
 /* ---- what a polygon must be ---- */
 
-/* Returns the first edge that turns back or touches an edge that is no
-   neighbour, or -1 if there is none. A convex polygon has none: it turns one
-   way only and has one lowest place. Edges whose boxes meet touch unless one of
-   them lies on one side of the line of the other. */
+/* Returns the first edge that turns back or touches an edge that is not its
+   neighbour, or -1 if there is none. A convex polygon, which turns only one way
+   and has one lowest vertex, needs no search. Edges whose boxes meet touch
+   unless one of them lies on one side of the line of the other. */
 static int kern_polygon_crossing(const kern_block *block)
 {
     const kern_vec *v = block->vertex;
@@ -9789,7 +9976,7 @@ static int kern_polygon_crossing(const kern_block *block)
     kern_outline_set(&o, block);
     if (!o.reflex && lowest < 2)
         return -1;
-    o.straight = 0; /* edges from vertex to vertex cost less */
+    o.straight = 0; /* edges from vertex to vertex, which cost less */
     e.at = -1;
     while (kern_edge_next(&e, &o, &block->box, 0)) {
         int touch = kern_polygon_turn(block, e.at) == -2;
@@ -9803,9 +9990,9 @@ static int kern_polygon_crossing(const kern_block *block)
     return -1;
 }
 
-/* Writes area, centre and box of a block. The sums are over the triangles
-   between vertex 0 and the edges, so that no digits are lost far from the
-   origin. Returns the sum of the triangles' unsigned areas. */
+/* Writes area, centre and box of a block. Sums over the triangles between
+   vertex 0 and the edges, so that no digits are lost far from the origin.
+   Returns the sum of the unsigned areas of the triangles. */
 static inline kern_real kern_polygon_area(kern_block *block)
 {
     const kern_vec o = block->vertex[0];
@@ -9828,7 +10015,8 @@ static inline kern_real kern_polygon_area(kern_block *block)
     return spread;
 }
 
-/* Writes area, centre and box. Returns KERN_OK or the fault of the polygon. */
+/* Writes area, centre and box of a block. Returns KERN_OK or the fault of the
+   polygon. */
 static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 {
     kern_real spread, least;
@@ -9839,15 +10027,15 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     least = 2 * KERN_ROUNDING * kern_box_largest(&block->box)
           * kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
     least = kern_max(least, 1 / (KERN_FAR * KERN_FAR));
-    /* otherwise all vertices are on one line */
+    /* with a smaller spread all vertices are on one line */
     fault->index = spread > least ? kern_polygon_crossing(block) : -1;
     return fault->index >= 0             ? KERN_CROSSING
          : kern_abs(block->area) > least ? KERN_OK
                                          : KERN_NO_AREA;
 }
 
-/* Returns KERN_OK or the fault of an array of n vertices, except for the
-   vertices. */
+/* Checks an array of n vertices, except for its contents. Returns KERN_OK or
+   its fault. */
 KERN_SHARED static kern_status kern_vertices_check(const kern_vec *v, int n)
 {
     return n < 0 || n > KERN_POINTS_MOST ? KERN_BAD_COUNT
@@ -9856,7 +10044,8 @@ KERN_SHARED static kern_status kern_vertices_check(const kern_vec *v, int n)
                                          : KERN_BAD_POINTER;
 }
 
-/* Returns a fixed block of these vertices that is not measured yet. */
+/* Returns a fixed block with these vertices. Area, centre and box are not
+   set. */
 static kern_block kern_ground_of(const kern_vec *vertex, int vertices)
 {
     const kern_block made = {vertex,           vertices, 1,      0,
@@ -9864,7 +10053,7 @@ static kern_block kern_ground_of(const kern_vec *vertex, int vertices)
     return made;
 }
 
-/* Leaves a block that every call refuses if the polygon has a fault. */
+/* Marks the block so that every call refuses it if the polygon has a fault. */
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
                                       int vertices, kern_fault *fault)
 {
@@ -9921,11 +10110,11 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
 
 /* ---- simplified outlines ---- */
 
-/* Returns the vertex after start and up to end that is farthest from the
-   segment p q, or -1 if none is farther away than the tolerance. If start is
-   end all vertices count. Of vertices that are equally far it is the lowest,
-   and of these the leftmost, so that it does not depend on where the outline
-   begins. */
+/* Returns the vertex farthest from the segment p q, of those after `start` and
+   up to `end`, or -1 if none is farther away than the tolerance. If start
+   equals end, searches all vertices. Of vertices that are equally far it
+   returns the lowest, and of these the leftmost, so that the result does not
+   depend on where the outline begins. */
 KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
                                              int end, kern_vec p, kern_vec q,
                                              kern_real tolerance)
@@ -9951,10 +10140,10 @@ KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
 }
 
 /* Writes the vertices that stay to out[0..room) and their indices to kept.
-   Returns how many there are; KERN_NO_SPACE; or KERN_NO_AREA if all vertices
-   are at one place. Vertices that stay but come after `end` wait at the end of
-   kept, the next one first. There is room for them, since all of them will be
-   written. */
+   Returns the number of these vertices, KERN_NO_SPACE, or KERN_NO_AREA if all
+   vertices are at one place. Vertices that stay but come after `end` wait at
+   the end of `kept`, the next one first. There is room for them, since all of
+   them will be written. */
 static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
                                kern_vec *out, int *kept, int room)
 {
@@ -9969,13 +10158,14 @@ static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
         const int split = kern_outline_farthest(block, at, end, v[at], v[end],
                                                 tolerance);
 
-        /* an edge to `end` would leave out a vertex that is too far away */
+        /* an edge from `at` to `end` would leave out a vertex that is too far
+           away */
         if (split >= 0) {
             kept[--waiting] = split;
             continue;
         }
 
-        /* it would not: vertex `at` stays, and the next edge begins at `end` */
+        /* otherwise vertex `at` stays, and the next edge begins at `end` */
         kept[count] = at;
         out[count++] = v[at];
         if (waiting++ == room)
@@ -10004,8 +10194,7 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
         || kern_box_largest(&raw.box) > KERN_FAR)
         return (int)KERN_BAD_NUMBER;
 
-    /* while the remaining edges cross, or have no area, leaves out fewer
-       vertices */
+    /* halves the tolerance while the edges cross or enclose no area */
     for (tries = KERN_HALVINGS; tries >= 0; tries--, tolerance /= 2) {
         count = kern_outline_reduce(&raw, tries ? tolerance : KERN_R(0), out,
                                     kept, room);
@@ -10025,8 +10214,8 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
     ___o___________o___      _____\ /_____        a  |  two normals
        |     a         |       a   o              ___|  at one place
 
-   Steps for each pair of blocks whose boxes are within the gap, by >>rules (see
-   kern_search_pair()):
+   kern_search_pair() takes these steps for each pair of blocks whose boxes are
+   within the gap, by >>rules:
    1. Overlap: the search fails (kern_overlap_depth()).
    2. Edges make lines (kern_pair_line()) and points (kern_pair_point()).
    3. Faces: contacts on one line are merged (kern_pair_face()).
@@ -10035,33 +10224,33 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
 
 /* ---- the pair ---- */
 
-/* Two blocks, and the contacts of all pairs so far in the caller's array. In
-   that array a line is one contact: p is its middle and travel half its
-   length. */
+/* Two blocks, their tolerances, and the contacts of all pairs so far in the
+   caller's array. In that array a line is still one contact, whose p is its
+   middle and whose travel is half its length. */
 typedef struct kern_pair {
     int a, b;        /* indices of the blocks, a before b             */
     kern_real gap;   /* widest gap [m], without errors of angle       */
-    kern_real swing; /* gap per distance that errors of angle add     */
-    kern_real deep;  /* deepest overlap [m]                           */
-    kern_real reach; /* no gap or overlap is wider [m]                */
+    kern_real swing; /* gap per distance from errors of angle [1]     */
+    kern_real deep;  /* deepest overlap that is a contact [m]         */
+    kern_real reach; /* bound of all gaps and overlaps [m]            */
     kern_real least; /* least length of a line [m]                    */
     kern_real foot;  /* least distance of a foot from an edge's ends [m] */
-    kern_real sure;  /* that distance for measured structures, and least
-                              length of a line; below 0: beyond the ends */
+    kern_real sure;  /* the same distance from errors of place, and least length
+                        of a line; below 0: the foot may be beyond the ends */
     kern_real apart; /* widest hollow of a face [m]                   */
-    kern_real sine;  /* of the angle of the options                   */
+    kern_real sine;  /* sine of options->angle                        */
     const kern_options *options;
     kern_work *work;
-    int steps; /* since the last unit of work                         */
+    int steps; /* steps since the last unit of work                   */
     kern_contact *out;
-    int room, count;         /* count may exceed room: no more is stored    */
+    int room, count;         /* if count exceeds room, no more is stored    */
     int first;               /* first contact of this pair                  */
     kern_outline outline[2]; /* a and b                                     */
 } kern_pair;
 
-/* Counts steps that a search is about to take, and the looks at its
-   outlines. Returns 0 from the unit of work on that exceeds the limit: there
-   every loop of the search ends. */
+/* Charges steps before a search takes them, and the vertices that it has read.
+   Returns 0 once the work exceeds the limit, and then every loop of the search
+   ends. */
 static int kern_pair_spend(kern_pair *pair, int steps)
 {
     pair->steps += steps + pair->outline[0].looks + pair->outline[1].looks;
@@ -10074,12 +10263,13 @@ static int kern_pair_spend(kern_pair *pair, int steps)
 }
 
 /* ---- overlap ---- */
-/* The search goes along the edges of one block. The depth in the other block
-   changes by no more than the distance covered, so each depth gives a safe
-   step. */
+/* The search moves along the edges of one block. A step changes the depth
+   inside the other block by at most the length of the step, so each depth gives
+   a safe step. */
 
-/* Returns how far b reaches to a side of an edge, its left where side is 1, its
-   right where it is -1; or, beyond `most`, how far a vertex does. */
+/* Returns the largest distance of the vertices of b from the line of edge e, to
+   its left (side 1) or right (side -1). Stops at the first vertex farther away
+   than `most`, and returns the distance of that vertex. */
 static kern_real kern_overlap_side(kern_pair *pair, const kern_edge *e,
                                    const kern_block *b, kern_real side,
                                    kern_real most)
@@ -10094,8 +10284,8 @@ static kern_real kern_overlap_side(kern_pair *pair, const kern_edge *e,
     return reach;
 }
 
-/* Returns how far both ends of f are from the line of e, below 0 unless they
-   are on both sides of it. */
+/* Returns the distance of the nearer end of f from the line of e. Returns a
+   negative number if both ends are on the same side of that line. */
 static kern_real kern_edge_across(const kern_edge *e, const kern_edge *f)
 {
     const kern_real p = kern_vec_cross(e->d, kern_vec_sub(f->p, e->p));
@@ -10103,10 +10293,11 @@ static kern_real kern_edge_across(const kern_edge *e, const kern_edge *f)
     return kern_max(kern_min(p, -q), kern_min(-p, q));
 }
 
-/* Raises *deep to the depth of the boundary of block a (on 0) or b (1) in the
-   other, or where edges cross, as in thin blocks, to the shortest way after
-   which they do not. An overlap may be a stride deeper. Stops at one beyond
-   `enough`. Strides grow, since a gap of few roundings would take too many. */
+/* Raises *deep to the depth of the boundary of block a (on = 0) or b (1) inside
+   the other block. Where edges cross, as in thin blocks, raises *deep to the
+   shortest motion after which they do not. The true depth may be larger by a
+   stride. Stops at a depth above `enough`. Strides grow from step to step,
+   since a gap close to rounding would take too many. */
 static void kern_overlap_boundary(kern_pair *pair, int on, kern_real enough,
                                   kern_real *deep)
 {
@@ -10127,7 +10318,7 @@ static void kern_overlap_boundary(kern_pair *pair, int on, kern_real enough,
             *deep = kern_max(*deep, depth);
             if (*deep > enough)
                 return;
-            /* goes on while the depth under the nearest edge stays below
+            /* steps as far as the depth under the nearest edge stays below
                *deep */
             kern_edge_set(&f, b->block, nearest,
                           kern_polygon_next(b->block, nearest));
@@ -10143,10 +10334,10 @@ static void kern_overlap_boundary(kern_pair *pair, int on, kern_real enough,
     }
 }
 
-/* Raises *deep to the depth of inner points of block a (on 0) or b (1) in the
-   other. The points are the middles of triangles of vertices, first of vertices
-   far apart. They lie inside where the outline turns left. If no boundary is
-   deep, one inner point decides for all points around it. */
+/* Raises *deep to the depth of inner points of block a (on = 0) or b (1) inside
+   the other block. The points are centroids of triangles of vertices, first of
+   vertices far apart. If no boundary is deep, one inner point is enough: all
+   points around it have the same result. */
 static void kern_overlap_middles(kern_pair *pair, int on, kern_real *deep)
 {
     kern_outline *a = &pair->outline[on], *b = &pair->outline[!on];
@@ -10169,9 +10360,9 @@ static void kern_overlap_middles(kern_pair *pair, int on, kern_real *deep)
         }
 }
 
-/* Returns the shortest way that parts a convex pair: the least reach of a block
-   beyond an edge of the other. It is at most half of the deepest overlap where
-   the line of an edge parts the pair, convex or not. */
+/* Returns the shortest motion that separates a convex pair: the least distance
+   that one block reaches beyond an edge of the other. If the line of an edge
+   separates the pair, convex or not, the result is at most pair->deep / 2. */
 static kern_real kern_overlap_least(kern_pair *pair)
 {
     const kern_real some = pair->deep / 2;
@@ -10196,10 +10387,11 @@ static kern_real kern_overlap_least(kern_pair *pair)
     return least;
 }
 
-/* Returns the depth of the pair's overlap, or a depth beyond `enough`, or 0 if
-   none is deeper than a contact may be. A stride of depth may be missed. Where
-   convex blocks are too thin to be that deep, it is the shortest way that parts
-   them. Two blocks at one place have no deep boundary. */
+/* Returns the depth of the pair's overlap, or 0 if it is no deeper than a
+   contact may be. May stop at any depth above `enough`. The result may be too
+   small by one stride. For convex blocks that are too thin to be so deep, the
+   result is the shortest motion that separates them. Two equal blocks at one
+   place have no boundary inside each other, but inner points. */
 KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
                                                 kern_real enough)
 {
@@ -10213,7 +10405,7 @@ KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
     if (least <= gap / 2 || !kern_pair_spend(pair, 0))
         return KERN_R(0);
 
-    /* the depth of points, or how far convex blocks must go to part */
+    /* finds the depth of points, or the motion that separates convex blocks */
     for (i = 0; i < 2 && !(deep > enough); i++)
         kern_overlap_boundary(pair, i, enough, &deep);
     for (i = 0; i < 2 && !(deep > gap); i++)
@@ -10232,8 +10424,8 @@ static kern_vec kern_line_end(const kern_contact *line, kern_real side)
     return kern_vec_step(line->p, side * line->travel, kern_vec_turn(line->n));
 }
 
-/* Adds a contact after those that are as long or longer. If there is no room it
-   is only counted. */
+/* Inserts a contact after those that are at least as long. If there is no room,
+   only counts it. */
 static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
                           kern_real half)
 {
@@ -10272,9 +10464,9 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
                                * (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
 }
 
-/* Returns 1 if p, the middle of a gap or of an overlap, is inside both blocks
-   that overlap, but for `slack`. It is not where one has passed through a part
-   that is thinner. `gap` is below 0 for an overlap. */
+/* Returns 1 if the middle p of an overlap is inside both blocks, give or take
+   `slack`. p is outside where one block has passed through a thin part of the
+   other. `gap` is negative for an overlap, otherwise the result is 1. */
 static int kern_pair_inside(kern_pair *pair, kern_vec p, kern_real gap,
                             kern_real slack)
 {
@@ -10285,10 +10477,10 @@ static int kern_pair_inside(kern_pair *pair, kern_vec p, kern_real gap,
                >= -KERN_THIN * gap - slack;
 }
 
-/* Adds the line contact of an edge of each block, where they run against each
-   other and are near. In the frame of their mean tangent t and normal n both
-   are heights over s: e rises as f falls, and the gap opens at twice that
-   slope. */
+/* Adds the line contact of two edges, one of each block, where they are
+   antiparallel and close to each other. In the frame of their mean tangent t
+   and normal n both edges are heights over the coordinate s. e rises at the
+   slope at which f falls, so the gap changes at twice that slope. */
 static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 {
     const kern_edge *e = edge, *f = edge + 1;
@@ -10298,21 +10490,22 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     if (!kern_pair_opposed(pair, e, f))
         return;
 
-    /* the stretch where both edges are, as s from the start of e */
+    /* finds the range of s that both edges cover; s is 0 at the start of e */
     t = kern_vec_unit(kern_vec_sub(e->d, f->d));
     n = kern_vec_scale(kern_vec_turn(t), -1); /* outward */
-    cosine = kern_vec_dot(e->d, t);           /* and of f the opposite */
+    cosine = kern_vec_dot(e->d, t);           /* that of f is the opposite */
     slope = kern_vec_dot(e->d, n) / cosine;
     at = kern_vec_dot(r, t);
     low = kern_max(KERN_R(0), at);
     high = kern_min(e->length * cosine, at + f->length * cosine);
 
-    /* the part of it where the gap is small enough */
+    /* clips the range to where the gap is small enough */
     gap = kern_vec_dot(r, n) + slope * at; /* at s = 0 */
     wide = kern_pair_gap(pair, kern_vec_step(e->p, (low + high) / 2, t));
     kern_clip(&low, &high, gap, -2 * slope, -kern_max(wide, pair->deep), wide);
 
-    /* short edges that match are a contact, too; it lies midway */
+    /* adds the contact midway between the edges; short edges that match are a
+       contact, too */
     least = kern_min(pair->least, kern_max(e->length, f->length) / 2);
     if (!(high - low > kern_max(least, kern_max(pair->foot, pair->sure))))
         return;
@@ -10322,10 +10515,10 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
         kern_pair_put(pair, p, n, (high - low) / 2);
 }
 
-/* Returns 1 if the foot of the corner at p is inside edge e, or e ends there in
-   a reflex corner, into which this one fits: its edges, which lead away along
-   `back` and `out`, lead away from both edges of the other. e is of block a (on
-   0) or b (1). */
+/* Returns 1 if the foot of the corner at p is inside edge e. Also returns 1 if
+   e ends there in a reflex corner, and the edges of the corner, along `back`
+   and `out`, lead away from both edges of the reflex corner. e belongs to block
+   a (on = 0) or b (1). */
 static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
                            kern_vec p, kern_vec back, kern_vec out)
 {
@@ -10338,7 +10531,7 @@ static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
         bears = inside > pair->foot + pair->sure;
         if (inside <= pair->gap && kern_polygon_turn(block, at) < 0) {
             const int from = at == e->at ? kern_polygon_before(block, at) : at;
-            kern_edge wall; /* the other edge there */
+            kern_edge wall; /* other edge of the reflex corner */
             kern_edge_set(&wall, block, from, kern_polygon_next(block, from));
             bears = inside >= -pair->gap
                  && kern_vec_cross(end ? back : out, wall.d) >= -pair->sine;
@@ -10347,10 +10540,10 @@ static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
     return bears;
 }
 
-/* Adds the point contact of edge e, of block a (on = 0) or b (1), with the
-   corner of the other block at which its edge f starts. f leads away from e.
-   The corner must be convex and within the gap, its foot must be on e, and its
-   other edge must lead away from e. */
+/* Adds the point contact of edge e with a corner of the other block. e is
+   edge[on], of block a (on = 0) or b (1). The corner is the start of the other
+   edge f, which leads away from e. The corner must be convex and within the
+   gap, its foot must be on e, and its other edge must lead away from e. */
 static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
 {
     const kern_edge *e = &edge[on], *f = &edge[!on];
@@ -10358,7 +10551,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
     const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
     const kern_block *own = pair->outline[!on].block;
     kern_vec back, p = f->p;
-    int last; /* the corner before f */
+    int last; /* index of the corner before f */
     if (high > wide || high < -kern_max(wide, pair->deep))
         return;
     last = own->area > 0 ? kern_polygon_before(own, f->start)
@@ -10368,7 +10561,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
         || kern_vec_cross(back, e->d) < -pair->sine
         || !kern_pair_holds(pair, e, on, p, back, f->d))
         return;
-    if (pair->deep > pair->gap) /* midway, as a line */
+    if (pair->deep > pair->gap) /* midway, as for a line */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
     if (kern_pair_inside(pair, p, high,
                          KERN_ERROR_EDGE * pair->options->pose_error))
@@ -10376,7 +10569,8 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
                       0);
 }
 
-/* Finds lines and points of each pair of edges that are close to each other. */
+/* Finds the lines and points of all pairs of edges that are close to each
+   other. */
 static void kern_pair_edges(kern_pair *pair)
 {
     kern_outline *a = &pair->outline[0], *b = &pair->outline[1];
@@ -10398,26 +10592,28 @@ static void kern_pair_edges(kern_pair *pair)
 }
 
 /* ---- faces ---- */
-/* Contacts of a pair are in order of length, points last. The first one leads a
-   face, and all others with its normal and on its line join it. A point is left
-   out if its normal is about that of the face and it lies within the gap of the
-   contacts that have joined. The first of the remaining contacts leads the next
-   face. A stretch is a face without a hollow wider than the gap. */
+/* Contacts of a pair are in order of length, points last. The first contact
+   leads a face, and all contacts with its normal and on its line join the face.
+   A point is removed if its normal is about that of the face and it lies within
+   the gap of the contacts that have joined. The first of the remaining contacts
+   leads the next face. A stretch is a face without a hollow wider than the
+   gap. */
 
 /* Makes a face of contact i and all contacts that join it. */
 KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 {
     kern_contact *at = pair->out;
     const kern_contact *const lead = &at[i];
-    kern_vec low = lead->p, high = lead->p; /* outermost points            */
-    kern_real least = KERN_R(0), most = KERN_R(0);      /* their places */
+    kern_vec low = lead->p, high = lead->p; /* outermost points of face     */
+    kern_real least = KERN_R(0), most = KERN_R(0);      /* places of low, high
+                                                           along the face */
     kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* of normals   */
     kern_real half;
     int k, rest = i + 1;
     KERN_ASSERT(i >= pair->first && i < pair->count);
 
-    for (k = i; k < pair->count; k++) { /* itself first */
-        /* the place of the contact relative to the lead */
+    for (k = i; k < pair->count; k++) { /* the lead itself comes first */
+        /* computes the place of the contact relative to the lead */
         const kern_contact *c = &at[k];
         const kern_vec r = kern_vec_sub(c->p, lead->p);
         const kern_real cosine = kern_vec_dot(lead->n, c->n);
@@ -10443,7 +10639,7 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
             continue;
         }
 
-        /* it joins: the outermost points are the ends of the face */
+        /* it joins the face, whose ends are the outermost points */
         if (along - half < least) {
             least = along - half;
             low = kern_line_end(c, -1);
@@ -10465,8 +10661,8 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 }
 
 /* Makes faces of the contacts from the first one of the pair on. A contact that
-   joins a stretch may close a hollow for others, so each face is repeated until
-   it does not change. */
+   joins a stretch may close the hollow to other contacts, so each stretch is
+   merged again until it does not change. */
 static void kern_pair_faces(kern_pair *pair)
 {
     int i, count;
@@ -10481,7 +10677,7 @@ static void kern_pair_faces(kern_pair *pair)
 /* ---- travels ---- */
 
 /* Returns the block that a contact carries if `down` is the direction of
-   gravity, or KERN_OUT if the normal is horizontal within rounding. */
+   gravity. Returns KERN_OUT if the normal is horizontal within rounding. */
 KERN_SHARED static int kern_carried_block(const kern_contact *c, kern_vec down)
 {
     const kern_real push = kern_vec_dot(c->n, down);
@@ -10489,8 +10685,8 @@ KERN_SHARED static int kern_carried_block(const kern_contact *c, kern_vec down)
     return push < -least ? c->b : push > least ? c->a : KERN_OUT;
 }
 
-/* Returns 1 if c and d belong to one interface, or with `down`, carry the same
-   block. */
+/* Returns 1 if contacts c and d belong to one interface. If `down` is not NULL,
+   returns 1 if they carry the same block. */
 static int kern_same_group(const kern_contact *c, const kern_contact *d,
                            const kern_vec *down)
 {
@@ -10498,8 +10694,9 @@ static int kern_same_group(const kern_contact *c, const kern_contact *d,
                 : kern_same_interface(c, d);
 }
 
-/* Returns the middle of the two points farthest apart in the group of *of. Of
-   pairs that are equally far apart it takes the first by index. */
+/* Returns the middle of the two points that are farthest apart, among the
+   contacts in the same group as *of (kern_same_group()). Of pairs that are
+   equally far apart it takes the first by index. */
 static kern_vec kern_middle(const kern_contact *contact, int contacts,
                             const kern_contact *of, const kern_vec *down,
                             kern_pair *pair)
@@ -10521,9 +10718,10 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
     return middle;
 }
 
-/* Sets the travel of points to the foot of the middle of their group. Sets all
-   points, or with `down` those that are alone in their interface and carry a
-   block. Successive points usually have the same middle. */
+/* Sets the travel of points: to the foot of the middle of their group. If
+   `down` is NULL, sets all points. Otherwise sets only points that are alone in
+   their interface and carry a block. Keeps the last middle, since successive
+   points usually share it. */
 static void kern_point_travels(kern_contact *contact, int contacts,
                                const kern_vec *down, kern_pair *pair)
 {
@@ -10555,20 +10753,20 @@ static void kern_point_travels(kern_contact *contact, int contacts,
 typedef enum kern_search_kind {
     KERN_SEARCH_CONTACTS,
     KERN_SEARCH_OVERLAPS,
-    KERN_SEARCH_EDGES,     /* contacts of edges and corners, no faces       */
+    KERN_SEARCH_EDGES,     /* contacts of edges and corners, not merged     */
     KERN_SEARCH_STRETCHES, /* faces end at hollows wider than the gap       */
-    KERN_SEARCH_SURE       /* stretches of lines at least KERN_ERROR_SURE
-                              long and points as far inside of their edge   */
+    KERN_SEARCH_SURE       /* stretches of lines at least KERN_ERROR_SURE long,
+                              and of points as far inside their edge        */
 } kern_search_kind;
 
 typedef struct kern_search {
     const kern_block *block;
     int blocks;
-    int from; /* the first block that is paired with earlier ones */
+    int from; /* first block that is paired with earlier ones     */
     kern_fault *fault;
-    kern_real floor;       /* closer places are the same [m]              */
+    kern_real floor;       /* places closer than this are the same [m]    */
     kern_real reach;       /* widest gap of any pair [m]                  */
-    kern_search_kind kind; /* pair.count counts overlaps or contacts      */
+    kern_search_kind kind; /* decides whether pair.count counts overlaps  */
     kern_overlap *overlap;
     kern_pair pair;
 } kern_search;
@@ -10579,8 +10777,8 @@ static kern_real kern_box_half(const kern_block *block)
     return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2;
 }
 
-/* Returns the widest gap of blocks of a size. The gap of measured options is
-   added to that of exact places. */
+/* Returns the widest gap for blocks of this size. For measured options it is
+   options->gap plus the gap for exact places. */
 static kern_real kern_search_gap(const kern_search *s, kern_real size)
 {
     const kern_options *o = s->pair.options;
@@ -10623,8 +10821,9 @@ static int kern_block_is_stale(const kern_block *block)
 }
 
 /* Returns 1 if two blocks cannot touch: they are far apart, both are fixed, or
-   the first has no vertices. Blocks that share one array of vertices are not
-   apart: the first has lost its own vertices. */
+   the first has no vertices. Returns 0 for free blocks that share one array of
+   vertices, so that the first, whose vertices were overwritten, is found to be
+   stale. */
 static int kern_search_is_apart(const kern_search *s, const kern_block *a,
                                 const kern_block *b)
 {
@@ -10649,7 +10848,7 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
         return KERN_STALE;
     }
 
-    /* an overlap ends a search for contacts; a search for overlaps lists it */
+    /* finds an overlap, which ends a search for contacts */
     kern_outline_set(&pair->outline[0], a);
     kern_pair_tolerances(pair, s);
     if (!kern_pair_spend(pair, 1))
@@ -10670,8 +10869,8 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
         return KERN_OK;
     }
 
-    /* contacts of edges are merged to faces; then the travels of points are
-       known */
+    /* finds contacts of edges, merges them to faces, and sets the travels of
+       points */
     pair->a = i;
     pair->b = j;
     pair->first = pair->count;
@@ -10686,10 +10885,10 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     return KERN_OK;
 }
 
-/* Makes one ground of all fixed blocks, so that a fixed block that is cut in
-   two carries as before. Contacts with fixed blocks become contacts with the
-   first of these. Stretches that continue each other become one. Sets the
-   travels of points again. */
+/* Makes one ground of all fixed blocks, so that cutting a fixed block in two
+   changes nothing. Contacts with any fixed block become contacts with the first
+   fixed block that has contacts. Stretches that continue each other are merged.
+   Sets the travels of points again. */
 static void kern_search_ground(kern_search *s)
 {
     kern_pair *pair = &s->pair;
@@ -10716,8 +10915,8 @@ static void kern_search_ground(kern_search *s)
     kern_point_travels(out, pair->count, NULL, pair);
 }
 
-/* Makes two points of every line, from the last line to the first. Returns how
-   many points there are. */
+/* Replaces every line by two points, from the last line to the first. Returns
+   the number of points, or KERN_NO_SPACE. */
 static int kern_search_close(const kern_search *s)
 {
     kern_contact *out = s->pair.out;
@@ -10748,7 +10947,7 @@ static int kern_search_close(const kern_search *s)
 KERN_SHARED static kern_status kern_search_survey(kern_search *s)
 {
     kern_real most = KERN_R(0); /* largest coordinate                 */
-    kern_real area = KERN_R(0); /* largest of a free block            */
+    kern_real area = KERN_R(0); /* largest area of a free block       */
     kern_real arm = KERN_R(0);  /* twice the longest diagonal of a box */
     int i;
     s->pair.swing = KERN_ERRORS * s->pair.options->pose_turn;
@@ -10764,10 +10963,11 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
         if (!block->vertices)
             continue;
 
-        /* its box and area must be those of kern_block_init() */
+        /* checks that box and area are those of kern_block_init() */
         if (status == KERN_OK)
             status = !kern_is_finite(block->area)
-                          || !kern_box_near(box, box, 0) /* low above high */
+                          || !kern_box_near(box, box, 0) /* 0 if low is above
+                                                            high           */
                           || kern_box_largest(box) > KERN_FAR
                        ? KERN_BAD_NUMBER
                    : !(kern_abs(block->area) > 0)               ? KERN_NO_AREA
@@ -10778,7 +10978,7 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
             return status;
         }
 
-        /* the largest coordinate, arm and free block */
+        /* finds the largest coordinate, arm and free block */
         most = kern_max(most, kern_box_largest(box));
         if (s->pair.swing > 0) /* saves square roots */
             arm = kern_max(arm, 4 * kern_box_half(block));
@@ -10786,14 +10986,14 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
             area = kern_max(area, kern_abs(block->area));
     }
 
-    /* no tolerance is below rounding, and no pair reaches farther than this */
+    /* sets the least tolerance, which is rounding, and the widest gap */
     s->floor = 2 * KERN_ROUNDING * most;
     s->reach = kern_search_gap(s, KERN_SQRT(area)) + s->pair.swing * arm;
     return KERN_OK;
 }
 
-/* Returns KERN_OK or the fault of the arguments of a search, except the blocks,
-   or KERN_LIMIT if these are too many to read. */
+/* Checks the arguments of a search, except the contents of the blocks. Returns
+   KERN_LIMIT if the blocks are too many to read. */
 static kern_status kern_search_asked(kern_search *s)
 {
     const kern_options *o = s->pair.options;
@@ -10808,8 +11008,9 @@ static kern_status kern_search_asked(kern_search *s)
                                                               : KERN_LIMIT;
 }
 
-/* Finds contacts of the blocks from index `from` on with earlier blocks, or
-   overlaps. Returns how many there are, or a negative status. */
+/* Finds the contacts or overlaps of each block from index `from` on with the
+   blocks of lower index. Returns the number of contact points or overlaps, or a
+   negative status. */
 static int kern_search_run(const kern_block *block, int blocks,
                            const kern_options *options, void *out, int room,
                            kern_work *work, int from, kern_search_kind kind)
@@ -10820,14 +11021,14 @@ static int kern_search_run(const kern_block *block, int blocks,
     if (!work)
         return (int)KERN_BAD_POINTER;
 
-    /* the search and its pair, which later steps complete */
+    /* sets the fields of the search that do not depend on a pair */
     kern_work_begin(work);
     s.block = block;
     s.blocks = blocks;
     s.from = from;
     s.pair.options = options;
     s.pair.work = work;
-    s.pair.steps = KERN_SEARCH_UNIT - 1; /* of the first unit */
+    s.pair.steps = KERN_SEARCH_UNIT - 1; /* so that the first step is charged */
     s.pair.outline[0].looks = s.pair.outline[1].looks = 0;
     s.fault = &work->fault;
     s.kind = kind;
@@ -10836,7 +11037,7 @@ static int kern_search_run(const kern_block *block, int blocks,
     s.pair.room = room;
     s.pair.count = 0;
 
-    /* every pair of a new block and an earlier one */
+    /* searches every pair of a new block and an earlier one */
     status = kern_search_asked(&s);
     if (status == KERN_OK)
         status = kern_search_survey(&s);
@@ -10850,9 +11051,9 @@ static int kern_search_run(const kern_block *block, int blocks,
     if (status != KERN_OK)
         return (int)status;
 
-    /* Turns each line into two points. The travel of single points
-       (options.lone) is set last, since it depends on all contacts that carry
-       the block. */
+    /* Replaces each line by two points. Sets the travel of single points
+       (options.lone) last, since it depends on all contacts that carry the
+       block. */
     if (kind >= KERN_SEARCH_STRETCHES)
         kern_search_ground(&s);
     room = kind == KERN_SEARCH_OVERLAPS ? s.pair.count : kern_search_close(&s);
@@ -10922,7 +11123,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     /* scales the normal to about 1 first, since its square may overflow */
     normal = kern_vec_unit(kern_vec_scale(out->n, 1 / longest));
 
-    /* two points that differ by more than rounding are a line along t */
+    /* p and q are a line if they differ by more than rounding; it must run
+       along t */
     d = kern_vec_sub(q, out->p);
     length = kern_vec_length(d);
     line = length
@@ -10933,7 +11135,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
                > kern_sine(options->angle) * length)
         return (int)KERN_BAD_LINE;
 
-    /* each end travels to the middle */
+    /* writes one or two contact points; each end of a line travels to its
+       middle */
     out->n = normal;
     out->line = line;
     if (line) {
@@ -11214,26 +11417,26 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
 }
 
 /* ---- Coming to rest ---------------------------------------------- >>rest */
-/* A stone goes down to the first touch, and then from touch to touch. Of all
-   motions that are free (a turn about a touch, a slide along an edge too
-   steep for friction, a turn on which it slides at two touches) it takes the
-   one on which its centre goes down most steeply, until there is none. A
-   motion ends where a vertex of one outline meets an edge of the other,
-   along a line or on an arc: so nothing overlaps. The way is always down, so
-   no pose comes twice. */
+/* A stone moves straight down to its first touch, and then from touch to touch.
+   A motion is a turn about a touch, a slide along an edge too steep for
+   friction, or a turn while the stone slides at two touches. Of the motions
+   that no touch blocks, the stone takes the one that lowers its centre most
+   steeply, until there is none. A motion ends where a vertex of one outline
+   meets an edge of the other, on a line or an arc, so nothing overlaps. Each
+   motion lowers the centre, so no pose occurs twice. */
 
 /* A point where the stone touches a block. */
 typedef struct kern_footing {
-    kern_vec p, n;  /* place; unit normal into the stone            */
+    kern_vec p, n;  /* place of touch; unit normal into the stone    */
     kern_vec other; /* normal of another edge where two corners meet,
                        otherwise n                                   */
     kern_vec way;   /* unit direction of a slide down the edge       */
-    kern_real run;  /* how long that slide is, to the edge's end     */
+    kern_real run;  /* length of that slide, to the end of the edge  */
 } kern_footing;
 
-/* What is sought along a way. */
+/* Kinds of a course: a search for touches, or a motion. */
 typedef enum kern_course_kind {
-    KERN_COURSE_TOUCHES, /* what the stone touches: it stays              */
+    KERN_COURSE_TOUCHES, /* the stone stays; finds its touches            */
     KERN_COURSE_SLIDE,
     KERN_COURSE_TURN
 } kern_course_kind;
@@ -11241,29 +11444,29 @@ typedef enum kern_course_kind {
 /* A motion of the stone, or its search for touches. */
 typedef struct kern_course {
     kern_course_kind kind;
-    kern_vec way;    /* unit direction of a slide, centre of a turn        */
-    kern_real spin;  /* of a turn: 1 counter-clockwise, -1 clockwise       */
-    kern_real end;   /* length, or tangent of half the angle               */
-    kern_real steep; /* how steeply the stone's centre begins to go down   */
+    kern_vec way;    /* slide: unit direction; turn: its centre            */
+    kern_real spin;  /* turn: 1 counter-clockwise, -1 clockwise            */
+    kern_real end;   /* slide: length; turn: tangent of half its angle     */
+    kern_real steep; /* rate at which the centre first moves down          */
     kern_real low,
-        high; /* what the stone covers across a slide               */
+        high; /* range that the stone covers across a slide         */
 } kern_course;
 
-/* A stone on its way. */
+/* State of a descent. */
 typedef struct kern_descent {
     const kern_task *task;
-    const kern_block *shape; /* the stone as it was given            */
-    kern_pose *pose;         /* where it is now                      */
-    kern_vec *vertex;        /* its vertices                         */
+    const kern_block *shape; /* the caller's stone                   */
+    kern_pose *pose;         /* present pose of the stone            */
+    kern_vec *vertex;        /* its present vertices                 */
     kern_vec down;           /* unit direction of gravity            */
-    kern_real touch;         /* distance that touches                */
-    kern_real graze;         /* beyond its ends an edge is met as far */
-    kern_real bottom;        /* how far down the stone has missed all */
-    kern_box swept;          /* what it covers at most on its course */
-    int side;                /* whose edges are met, as of a footing */
+    kern_real touch;         /* largest distance of a touch          */
+    kern_real graze;         /* extension of an edge at its ends     */
+    kern_real bottom;        /* place along `down` below all blocks  */
+    kern_box swept;          /* box around its whole course          */
+    int side;                /* 1: edges of blocks; -1: of the stone */
     kern_footing footing[KERN_REST_TOUCHES];
     int footings;
-    int before; /* how many are of blocks before the one that is met */
+    int before; /* number of footings on the blocks visited before      */
 } kern_descent;
 
 /* Returns a turned by the angle whose cosine and sine are q. */
@@ -11272,7 +11475,7 @@ static kern_vec kern_vec_turned(kern_vec a, kern_vec q)
     return kern_vec_make(q.x * a.x - q.y * a.y, q.y * a.x + q.x * a.y);
 }
 
-/* Moves the stone to a place of its centre, turned as the pose says. */
+/* Moves the stone's centre to `centre`, with the turn of its pose. */
 static void kern_descent_put(kern_descent *r, kern_vec centre)
 {
     kern_block *b = &r->pose->block;
@@ -11289,10 +11492,11 @@ static void kern_descent_put(kern_descent *r, kern_vec centre)
     }
 }
 
-/* Returns a box around the way of a point: of the stone where r->side is 1, of
-   a block as the stone sees it where it is -1. An arc is in the triangle of its
-   start, of where the tangents at its ends meet, and of a point on its chord
-   beyond its end. */
+/* Returns a box around the path of a point. If r->side is 1 the point is on the
+   stone. If it is -1 the point is on a block, and its path is relative to the
+   stone. An arc lies in a triangle: its corners are the start, the point where
+   the tangents at both ends intersect, and a point on the chord beyond the
+   end. */
 static kern_box kern_descent_way(const kern_descent *r, const kern_course *c,
                                  kern_vec p)
 {
@@ -11313,30 +11517,32 @@ static kern_box kern_descent_way(const kern_descent *r, const kern_course *c,
     return box;
 }
 
-/* Returns how far from the line of e p is, on the outer side. */
+/* Returns the distance of p from the line of e, positive on the outer side. */
 static kern_real kern_edge_out(const kern_edge *e, kern_vec p)
 {
     return kern_vec_cross(kern_vec_sub(p, e->p), e->d);
 }
 
-/* Returns how far out the line from p, which touches, to q is where it has run
-   as far as the edge is long: q may be far away. */
+/* Returns the distance from the line of e, positive outside, of a point on the
+   line from p to q. p touches e. The point is no farther from p than e is long,
+   since q may be far away. */
 static kern_real kern_edge_leaves(const kern_edge *e, kern_vec p, kern_vec q)
 {
     return kern_edge_out(e, q) * e->length
          / (e->length + kern_vec_largest(kern_vec_sub(q, p)));
 }
 
-/* Returns 1 if a point `s` along an edge from its start is on it, or no farther
-   than `beyond` its ends. */
+/* Returns 1 if a point at the distance s from the start of an edge is on the
+   edge, or at most `beyond` past its ends. */
 static int kern_edge_holds(const kern_edge *e, kern_real s, kern_real beyond)
 {
     return s >= -beyond && s <= e->length + beyond;
 }
 
-/* Ends a slide where a point meets the edge from outside. What the stone's
-   flanks only graze it passes by: it fits where it just fits. Where the point
-   begins at an end of the edge, kern_descent_prefer() has decided. */
+/* Ends a slide where a point meets the edge from outside. The stone passes
+   edges that its flanks only graze, so that it fits into a gap of its own
+   width. If the point begins at an end of the edge, kern_descent_prefer() has
+   already decided whether it blocks the slide. */
 static void kern_descent_slide(const kern_descent *r, kern_course *c,
                                const kern_edge *e, kern_vec p)
 {
@@ -11353,9 +11559,10 @@ static void kern_descent_slide(const kern_descent *r, kern_course *c,
         c->end = kern_max(way, KERN_R(0));
 }
 
-/* Ends a turn where a point meets the edge from outside. Places are measured
-   along the edge and out of it. Where the point begins at an end of the edge
-   and does not move along it, kern_descent_prefer() has decided. */
+/* Ends a turn where a point meets the edge from outside. Places have two
+   coordinates: along the edge and outward. If the point begins at an end of the
+   edge and does not move along it, kern_descent_prefer() has already decided
+   whether it blocks the turn. */
 static void kern_descent_arc(const kern_descent *r, kern_course *c,
                              const kern_edge *e, kern_vec p)
 {
@@ -11371,8 +11578,8 @@ static void kern_descent_arc(const kern_descent *r, kern_course *c,
     if (side < 2 * r->graze * off || square < least)
         return;
 
-    /* of the two places on the line the one where the arc goes in; no turn is
-       as large as a right angle */
+    /* takes the place on the line at which the arc crosses it inward; a turn is
+       smaller than a right angle */
     to = sense * KERN_SQRT(kern_max(side, KERN_R(0)));
     cosine = along * to - out * off;
     q = sense * (along * off + out * to) / (square + cosine);
@@ -11385,10 +11592,11 @@ static void kern_descent_arc(const kern_descent *r, kern_course *c,
         c->end = kern_max(q, KERN_R(0));
 }
 
-/* Keeps the place where vertex k of b touches an edge of a, if it does and
-   both edges of the vertex are on the outer side. Of two convex corners that
-   meet two edges pass, which bound all that the corners' edges span: the
-   stone must move to the outer side of one of them. */
+/* Stores a footing where vertex k of b touches edge e of a, if both edges of
+   the vertex lie on the outer side of e. Where two convex corners meet, two
+   edges pass this test. Then `other` of each of the two footings is set to the
+   normal of the other edge. A motion is free if it is outward along one of
+   these two normals. */
 static void kern_descent_keep(kern_descent *r, const kern_edge *e,
                               const kern_block *a, const kern_block *b, int k)
 {
@@ -11417,8 +11625,8 @@ static void kern_descent_keep(kern_descent *r, const kern_edge *e,
             }
 }
 
-/* Looks at each vertex of b and each edge of a, one of which is the stone. Does
-   not where the call has no work left. */
+/* Tests each vertex of b against each edge of a, where a or b is the stone.
+   Returns early if the limit of work is reached. */
 static void kern_descent_pair(kern_descent *r, kern_course *c,
                               const kern_block *a, const kern_block *b)
 {
@@ -11432,7 +11640,7 @@ static void kern_descent_pair(kern_descent *r, kern_course *c,
                         1 + a->vertices / KERN_UNIT))
             return;
 
-        /* an edge that the vertex may meet ends the motion, or is a touch */
+        /* ends the motion at an edge, or stores a touch */
         for (i = 0; i < a->vertices; i++) {
             const int next = kern_polygon_next(a, i);
             kern_edge e;
@@ -11451,7 +11659,8 @@ static void kern_descent_pair(kern_descent *r, kern_course *c,
     }
 }
 
-/* Sets what the stone covers at most on its course, and across it. */
+/* Sets the box around the stone's whole course, and the range that it covers
+   across a slide. */
 static void kern_descent_sweep(kern_descent *r, kern_course *c)
 {
     int i;
@@ -11469,7 +11678,7 @@ static void kern_descent_sweep(kern_descent *r, kern_course *c)
     }
 }
 
-/* Finds where a motion ends, or the touches. */
+/* Finds the end of a motion, or the touches of the stone. */
 static void kern_descent_look(kern_descent *r, kern_course *c)
 {
     const kern_structure *s = &r->task->s;
@@ -11477,7 +11686,8 @@ static void kern_descent_look(kern_descent *r, kern_course *c)
     kern_real end = c->end;
     int i;
     kern_descent_sweep(r, c);
-    /* the last are often the highest, and shorten the way */
+    /* begins with the last blocks, which are often the highest and shorten the
+       course */
     for (i = s->blocks - 1; i >= 0; i--) {
         const kern_block *b = &s->block[i];
         if (!b->vertices || !kern_box_near(&r->swept, &b->box, KERN_R(0)))
@@ -11494,8 +11704,8 @@ static void kern_descent_look(kern_descent *r, kern_course *c)
     }
 }
 
-/* Moves the stone to the end of its course and finds what it touches there.
-   Returns 1 if it moved or touches more. */
+/* Moves the stone to the end of its course and finds its touches there. Returns
+   1 if the stone moved or has more touches than before. */
 static int kern_descent_go(kern_descent *r, kern_course *c)
 {
     const kern_vec centre = r->pose->block.centre;
@@ -11523,9 +11733,9 @@ static int kern_descent_go(kern_descent *r, kern_course *c)
     return moved || r->footings > before;
 }
 
-/* Makes *best the motion c if that is steeper, or as steep and a turn, not a
-   slide, or as steep and shorter, and presses no footing. The stone's centre
-   begins to move by m, whose speed is 1. */
+/* Replaces *best by motion c if c presses no footing and is better: steeper; if
+   equally steep, a turn instead of a slide; if of the same kind, shorter. m is
+   the first velocity of the stone, and its centre has the speed 1. */
 static void kern_descent_prefer(const kern_descent *r, kern_course *best,
                                 kern_course *c, kern_motion m)
 {
@@ -11547,8 +11757,9 @@ static void kern_descent_prefer(const kern_descent *r, kern_course *best,
     *best = *c;
 }
 
-/* Prefers a slide down the edge of a footing. It ends where a vertex runs off
-   that edge, far enough for a point contact at its end. */
+/* Tries a slide down the edge of a footing as *best. The slide ends where a
+   vertex runs off that edge, far enough for a point contact at the end of the
+   edge. */
 static void kern_descent_slope(const kern_descent *r, const kern_footing *f,
                                kern_course *best)
 {
@@ -11560,8 +11771,8 @@ static void kern_descent_slope(const kern_descent *r, const kern_footing *f,
     kern_descent_prefer(r, best, &c, m);
 }
 
-/* Prefers a turn about p, the way the weight turns the stone, until its centre
-   is lowest. */
+/* Tries a turn about p as *best. The weight turns the stone until its centre is
+   lowest. */
 static void kern_descent_tip(const kern_descent *r, kern_vec p,
                              kern_course *best)
 {
@@ -11580,7 +11791,8 @@ static void kern_descent_tip(const kern_descent *r, kern_vec p,
     kern_descent_prefer(r, best, &c, m);
 }
 
-/* Moves the stone to its next touch. Returns 1 if it moved or touches more. */
+/* Moves the stone to its next touch. Returns 1 if the stone moved or has more
+   touches than before. */
 static int kern_descent_move(kern_descent *r)
 {
     const kern_real mu = r->task->options.mu;
@@ -11599,8 +11811,8 @@ static int kern_descent_move(kern_descent *r)
         if (up * KERN_SQRT(1 + mu * mu) < 1 - KERN_REST_LEVEL)
             kern_descent_slope(r, f, &best);
 
-        /* or about where forces at two touches cross, each as far off its
-           normal as friction holds: so both slide, and open */
+        /* tries a turn about the point where two contact forces on the edges of
+           their friction cones intersect: both touches then slide and open */
         for (k = 0; k < 4 * i; k++) {
             const kern_footing *g = &r->footing[k / 4];
             const kern_vec u = kern_vec_step(f->n, k & 1 ? slip : -slip,
@@ -11619,7 +11831,8 @@ static int kern_descent_move(kern_descent *r)
         && kern_descent_go(r, &best);
 }
 
-/* Checks what kern_rest() is given, and sets what depends on it. */
+/* Checks the arguments of kern_rest(), and places the stone above all
+   blocks. */
 static kern_status kern_descent_begin(kern_descent *r, kern_real x)
 {
     const kern_structure *s = &r->task->s;
@@ -11646,7 +11859,7 @@ static kern_status kern_descent_begin(kern_descent *r, kern_real x)
     if (status != KERN_OK)
         return status;
 
-    /* all blocks are within `floor` / (2 KERN_ROUNDING) of the origin */
+    /* no coordinate of a block exceeds `floor` / (2 KERN_ROUNDING) */
     r->down = kern_vec_scale(s->gravity, 1 / weight);
     r->touch = kern_max(KERN_REST_TOUCH * kern_block_size(r->shape), of.floor);
     r->graze = kern_max(KERN_REST_END * r->touch, of.floor / 2);
@@ -11679,7 +11892,7 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
     r.pose = out;
     status = kern_descent_begin(&r, x);
 
-    /* from touch to touch; below all blocks the stone falls past */
+    /* moves from touch to touch; a stone below all blocks has no support */
     while (status == KERN_NO_REST && out->motions < KERN_REST_MOTIONS)
         if (!kern_descent_move(&r))
             status = KERN_OK;
@@ -11690,8 +11903,8 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
 
 /* ---- which place is best ---- */
 
-/* Returns number i of those that rank a place; the larger is better, and what
-   is not a number is worst. All but the place itself is rounded. */
+/* Returns the i-th of the numbers that rank a place. A larger number is better,
+   and NaN becomes the worst. All but x and turn are rounded. */
 static kern_real kern_place_number(const kern_place *place, int i,
                                    kern_real alone)
 {
@@ -11706,7 +11919,7 @@ static kern_real kern_place_number(const kern_place *place, int i,
                                  -place->turn};
     const kern_real value = kern_max(number[i], -KERN_INFINITY);
     const kern_real more = KERN_PLACE_SPLIT * value;
-    const kern_real rounded = more - (more - value); /* none of infinity */
+    const kern_real rounded = more - (more - value); /* NaN for infinity */
     return i < 4 && kern_is_finite(rounded) ? rounded : value;
 }
 
