@@ -1094,8 +1094,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
               and 1.75 theta sizes, and no contact that presses becomes shorter
               by half. And it stands on the stretches that are closed then.
               `settles` is 1.5 times the longest of these motions and of those
-              of `low`, at most 0.45 mean sizes. KERN_INFINITY: it does not
-              pass.
+              of `low`, at least 4.5 e and at most 0.45 mean sizes.
+              KERN_INFINITY: it does not pass.
    KERN_STANDS: out->low is above 0 and out->settles is finite. A structure that
    stands by forces on the contacts of the task never falls for certain.
    What it does not see: settling has no inertia, so a block may rock from one
@@ -11839,14 +11839,14 @@ static void kern_repose_begin(kern_repose *r, const kern_task *task)
         r->order[i] = i;
         r->begins[i] = i > 0 && r->begins[i - 1] > 1
                          ? 0
-                         : 1 + kern_line_begins(task->s.contact, contacts, i);
+                         : 1 + task->s.contact[i].line;
     }
     kern_repose_fall(r);
     kern_repose_sort(r);
 }
 
 /* Returns how deep p lies inside block b, below 0 where it is outside. All
-   fixed blocks are one ground. A block without vertices ends at p. */
+   fixed blocks are one ground. */
 static kern_real kern_repose_depth(const kern_structure *s, kern_vec p, int b)
 {
     kern_real deepest = -KERN_INFINITY;
@@ -11860,7 +11860,7 @@ static kern_real kern_repose_depth(const kern_structure *s, kern_vec p, int b)
             deepest = kern_max(deepest,
                                kern_polygon_depth(&outline, p, &nearest));
         }
-    return deepest > -KERN_INFINITY ? deepest : KERN_R(0);
+    return deepest;
 }
 
 /* Sets all gaps to the share `keep` of those between the outlines. Every
@@ -11896,19 +11896,21 @@ static kern_vec kern_repose_meeting(const kern_repose *r, int i)
 
 /* Changes the force of contact point i, within its cone, so that its blocks
    come no nearer than its gap in the step and do not slide. Returns how far
-   that moves them. */
+   that moves them: 0 for a contact without force that stays open. */
 static kern_real kern_repose_hold(const kern_repose *r, int i)
 {
     const kern_contact *c = r->task->s.contact + i;
     const kern_vec t = kern_vec_turn(c->n), u = kern_repose_meeting(r, i);
     const kern_real stiff = KERN_SETTLE_RELAX / r->ease[i];
+    const kern_real open = r->gap[i] + kern_vec_dot(u, c->n);
     kern_force *f = r->force + i;
     const kern_force old = *f;
     kern_real most;
     kern_vec by, push;
     int k;
-    f->normal = kern_max(
-        old.normal - (r->gap[i] + kern_vec_dot(u, c->n)) * stiff, KERN_R(0));
+    if (open >= 0 && !(old.normal > 0))
+        return KERN_R(0);
+    f->normal = kern_max(old.normal - open * stiff, KERN_R(0));
     most = c->mu * f->normal;
     f->tangential = kern_min(
         kern_max(old.tangential - kern_vec_dot(u, t) * stiff, -most), most);
@@ -12167,7 +12169,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
 {
     kern_task other;
     kern_margin m;
-    kern_real by, turn, way = KERN_R(0);
+    kern_real by, turn, way;
     int i;
     kern_status status = kern_certain_check(task, margin, out, contact, room);
     if (status != KERN_OK)
@@ -12184,7 +12186,9 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     for (i = 0; i < task->s.contacts; i++)
         other.options.mu = kern_min(other.options.mu, task->s.contact[i].mu);
 
-    /* low: less than the margins of the blocks where they come to rest */
+    /* low: less than the margins of the blocks where they come to rest,
+       after a way that is no shorter than a stretch may be open */
+    way = KERN_LOW_OPEN * other.options.pose_error;
     out->low = kern_certain_low(&other, margin, &way, contact, room, &status);
 
     /* what stands for certain comes to rest on sure stretches, too */
