@@ -1109,45 +1109,52 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    KERN_FALLS (it falls even with all contacts and friction that `high` allows),
    or KERN_OK if neither is certain. Pass the `margin` of kern_measure(), or 0
    if the structure falls.
-     low      The least of `margin` and of two margins on the contact points
-              that are closed after the blocks have settled: with every other
-              stretch open by 3 e, then with the other half. `low` is divided by
-              1 + 200 e / size, or if e is below 0.005 mean sizes by 1 + 40,000
-              (e / size)^2. `low` is 0 if the structure may fall. The true
-              margin is above `low` for about 94 of 100 structures that stand,
-              and for 60 to 73 of 100 stones placed where they move. `low` tends
-              to `margin` as e tends to 0.
+     low      The least of `margin` and of two margins on the stretches
+              (kern_stretches()) that are closed after the blocks have settled:
+              with every other stretch open by 3 e, then with the other half.
+              All stretches get the least friction of the contacts. `low` is
+              divided by 1 + 200 e / size, or if e is below 0.005 mean sizes by
+              1 + 40,000 (e / size)^2. `low` is 0 if the structure may fall. The
+              true margin is above `low` for about 94 of 100 structures that
+              stand, and for 60 to 73 of 100 stones placed where they move.
+              `low` tends to `margin` as e tends to 0 if all contacts have the
+              friction of the options.
      high     The margin with kerns that are longer by 3.5 e and friction angles
               that are larger by 3 theta, at least `margin`. If `margin` is 0,
               edges and corners within gaps and angles of twice the error carry
               as well.
      settles  How far the blocks may move [m], if the structure certainly
-              stands. Three tests must pass. First, the structure stands on
-              stretches (kern_stretches()) at least 5 e long, or that far inside
-              their edge, with kerns shorter by 3.5 e and friction angles
-              smaller by 3 theta. Second, it comes to rest with every third
-              stretch, each third in turn, open by the gap of the options plus
-              1.75 theta sizes, and no contact that presses becomes shorter by
-              half. Third, it stands on the stretches that are closed then.
-              `settles` is 1.5 times the longest of these motions, at most 0.45
-              mean sizes. If a test fails, `settles` is KERN_INFINITY.
+              stands. Four tests must pass. First, the structure stands on
+              stretches at least 5 e long, or that far inside their edge, with
+              kerns shorter by 3.5 e and friction angles smaller by 3 theta.
+              Second, no block topples by its own speed if one end of its bed
+              lacks support by 1.25 g, where g is the gap of the options plus
+              1.75 theta sizes. Third, the structure comes to rest with every
+              third stretch, each third in turn, open by g, and no contact that
+              presses becomes shorter by half. Fourth, it stands on the
+              stretches that are closed then. `settles` is 1.5 times the longest
+              motion of these settlings and of those of `low`, at least 4.5 e
+              and at most 0.45 mean sizes. If a test fails, `settles` is
+              KERN_INFINITY.
    KERN_STANDS: out->low is above 0 and out->settles is finite. KERN_FALLS is
    never returned if forces on the contacts of the task hold the structure.
-   Limits: settling has no inertia, so a block may rock from one support to
-   another. A slender block (4 to 12 times as high as its bed is wide) that
-   lacks support by 2 to 8 e under half of its bed may topple although it
-   certainly stands. If more than a third of the stretches of a block are
-   measured with gaps, as under a comb with three of its five teeth in the air,
-   `settles` is too small.
+   Limits: settling has no inertia. The second test is that of a single block,
+   with its centre at the height h above the middle of a bed of width 2 c: it
+   passes if  1.25 g h (1 + k) <= c^2  with  k = (1 - 1.5 c^2 / (c^2 + h^2))^2
+   (Housner 1963). A tower of squat blocks may topple as one block although it
+   certainly stands. So may a block whose centre is near one end of its bed if
+   that end lacks support by 2 to 8 e.
    The order of blocks and contacts does not matter, except for contacts of
-   exactly the same height and place. e and theta are absolute even with
-   options.relative. contact[0..room) receives the contacts for `high`. The work
-   memory must be long enough for `room` contact points. Errors: those of
+   exactly the same height and place. A mirrored or turned frame does not matter
+   either. A cut of the ground matters only if the sides of the cut are new
+   contacts. e and theta are absolute even with options.relative.
+   contact[0..room) receives the stretches, then the contacts for `high`. The
+   work memory must be long enough for `room` contact points. Errors: those of
    kern_contacts() and kern_measure(), KERN_BAD_OPTION also if the options are
    not those of kern_measured_options(). After an error *out means nothing.
    After KERN_LIMIT, which limits the work of the whole call, *out has the ends
    proven so far.
-   Time: four searches for contacts, six margins or verdicts, and five settlings
+   Time: six searches for contacts, six margins or verdicts, and five settlings
    of at most 7,200 visits of every contact point. For settled structures that
    stand, the median time is 24 times that of kern_measure() at errors of 2 % of
    the mean size, and 86 times at 0.2 %. */
@@ -10501,7 +10508,8 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 
     /* clips the range to where the gap is small enough */
     gap = kern_vec_dot(r, n) + slope * at; /* at s = 0 */
-    wide = kern_pair_gap(pair, kern_vec_step(e->p, (low + high) / 2, t));
+    p = kern_vec_step(kern_vec_step(e->p, (low + high) / 2, t), gap / 2, n);
+    wide = kern_pair_gap(pair, p); /* midway, the same from either edge */
     kern_clip(&low, &high, gap, -2 * slope, -kern_max(wide, pair->deep), wide);
 
     /* adds the contact midway between the edges; short edges that match are a
@@ -11939,8 +11947,10 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
 /* What was measured is near a structure at rest. It comes to rest by steps of a
    little fall. In each step every contact in turn is held within its cone
    (projected Gauss-Seidel, over-relaxed), from below and from above by turns.
-   So the order of the input means nothing. Nothing keeps its speed. Places and
-   normals stay as they were measured, since the ways are a few errors long.
+   So the order of the input means nothing, nor does a mirrored or turned frame:
+   whatever a sweep compares is measured along contacts. Nothing keeps its
+   speed. Places and normals stay as they were measured, since the ways are a
+   few errors long.
 
    A stretch is a contact point or both ends of a line. Its gap was measured
    with an error, so the structure settles with every few-th stretch open by
@@ -12047,14 +12057,14 @@ static void kern_repose_begin(kern_repose *r, const kern_task *task)
         r->order[i] = i;
         r->begins[i] = i > 0 && r->begins[i - 1] > 1
                          ? 0
-                         : 1 + kern_line_begins(task->s.contact, contacts, i);
+                         : 1 + task->s.contact[i].line;
     }
     kern_repose_fall(r);
     kern_repose_sort(r);
 }
 
 /* Returns how deep p lies inside block b, below 0 where it is outside. All
-   fixed blocks are one ground. A block without vertices ends at p. */
+   fixed blocks are one ground. */
 static kern_real kern_repose_depth(const kern_structure *s, kern_vec p, int b)
 {
     kern_real deepest = -KERN_INFINITY;
@@ -12068,7 +12078,7 @@ static kern_real kern_repose_depth(const kern_structure *s, kern_vec p, int b)
             deepest = kern_max(deepest,
                                kern_polygon_depth(&outline, p, &nearest));
         }
-    return deepest > -KERN_INFINITY ? deepest : KERN_R(0);
+    return deepest;
 }
 
 /* Sets all gaps to the share `keep` of those between the outlines. Every
@@ -12104,35 +12114,37 @@ static kern_vec kern_repose_meeting(const kern_repose *r, int i)
 
 /* Changes the force of contact point i, within its cone, so that its blocks
    come no nearer than its gap in the step and do not slide. Returns how far
-   that moves them. */
+   that moves them: 0 for a contact without force that stays open. */
 static kern_real kern_repose_hold(const kern_repose *r, int i)
 {
     const kern_contact *c = r->task->s.contact + i;
     const kern_vec t = kern_vec_turn(c->n), u = kern_repose_meeting(r, i);
     const kern_real stiff = KERN_SETTLE_RELAX / r->ease[i];
+    const kern_real open = r->gap[i] + kern_vec_dot(u, c->n);
     kern_force *f = r->force + i;
     const kern_force old = *f;
     kern_real most;
-    kern_vec by;
+    kern_vec by, push;
     int k;
-    f->normal = kern_max(
-        old.normal - (r->gap[i] + kern_vec_dot(u, c->n)) * stiff, KERN_R(0));
+    if (open >= 0 && !(old.normal > 0))
+        return KERN_R(0);
+    f->normal = kern_max(old.normal - open * stiff, KERN_R(0));
     most = c->mu * f->normal;
     f->tangential = kern_min(
         kern_max(old.tangential - kern_vec_dot(u, t) * stiff, -most), most);
 
     /* the change moves both blocks */
-    by = kern_vec_step(kern_vec_scale(c->n, f->normal - old.normal),
-                       f->tangential - old.tangential, t);
-    for (k = 0; k < 2; k++) {
+    by = kern_vec_make(f->normal - old.normal, f->tangential - old.tangential);
+    push = kern_vec_step(kern_vec_scale(c->n, by.x), by.y, t);
+    for (k = 1; k >= 0; k--) {
         const int b = k ? c->b : c->a;
-        const kern_vec push = kern_vec_scale(by, KERN_R(k ? 1 : -1));
         const kern_real *give = r->give + 2 * b;
         r->step[b].vx += give[0] * push.x;
         r->step[b].vy += give[0] * push.y;
         r->step[b].spin += give[1] * kern_vec_cross(r->arm[2 * i + k], push);
+        push = kern_vec_scale(push, -1);
     }
-    return r->ease[i] * kern_vec_largest(by);
+    return r->ease[i] * kern_vec_largest(by); /* the same in a turned frame */
 }
 
 /* Returns 1 if contact point i, the end of a line, slid by half of the line,
@@ -12141,7 +12153,7 @@ static int kern_repose_slid(const kern_repose *r, int i)
 {
     const kern_contact *c = r->task->s.contact + i;
     const kern_real way = kern_abs(r->slid[i]);
-    const kern_real out = c->travel < 0 ? 1 : -1; /* of the line, along t */
+    const kern_real out = r->begins[i] ? 1 : -1; /* of the line, along t */
     return way > kern_abs(c->travel)
         && kern_repose_depth(
                &r->task->s,
@@ -12273,58 +12285,70 @@ static kern_status kern_certain_check(const kern_task *task, kern_real margin,
              : KERN_OK;
 }
 
-/* Lets the blocks settle where every `parts`-th stretch, beginning with number
-   `part`, is open by `by` more than the share `keep` of its measured gap. Adds
-   the way to *way: KERN_INFINITY where it is beyond `most`. The contact points
-   that are closed then, written to `contact`, become those of the task. */
-KERN_SHARED static kern_status kern_certain_rest(kern_task *task, int part,
-                                                 int parts, kern_real by,
-                                                 kern_real keep, kern_real most,
-                                                 kern_real *way,
-                                                 kern_contact *contact)
+/* Finds the stretches and lets the blocks settle where every `parts`-th one,
+   beginning with number `part`, is open by `by` more than was measured. Sure
+   stretches are shorter by the error and have no gap but that. Adds the way to
+   *way: KERN_INFINITY where it is beyond what is allowed. The contact points
+   that are closed then, written to contact[0..room), become those of the
+   task. */
+KERN_SHARED static kern_status kern_certain_rest(
+    kern_task *task, kern_search_kind kind, int part, int parts, kern_real by,
+    kern_real *way, kern_contact *contact, int room)
 {
-    const kern_structure *s = &task->s;
-    kern_real closed;
+    kern_structure *s = &task->s;
+    const kern_options *o = &task->options;
+    const int sure = kind == KERN_SEARCH_SURE;
+    kern_real closed, most, moved;
     kern_repose r;
     int i, line = 0, n = 0;
+    s->contacts = kern_search_run(s->block, s->blocks, o, contact, room,
+                                  task->work, 0, kind);
+    if (s->contacts < 0)
+        return (kern_status)s->contacts;
+    if (sure)
+        kern_contacts_err(contact, s->contacts, KERN_ERRORS * o->pose_error,
+                          KERN_ERROR_CONE * o->pose_turn);
+
+    /* the lower end is told wherever the blocks come to rest */
     kern_repose_begin(&r, task);
-    kern_repose_open(&r, part, parts, by, keep);
-    *way = kern_max(*way, kern_repose_settle(&r, most));
+    kern_repose_open(&r, part, parts, by, KERN_R(!sure));
+    most = KERN_DOUBT_MOST / KERN_DOUBT_TELLS * r.mean;
+    moved = kern_repose_settle(&r, sure ? most : KERN_INFINITY);
+    *way = kern_max(*way, moved <= most ? moved : KERN_INFINITY);
 
     /* of a line both ends, or one as a point */
-    closed = KERN_LOW_CLOSED * task->options.pose_error
-           + keep * KERN_GAP_SHARE * r.mean;
+    closed = KERN_LOW_CLOSED * o->pose_error
+           + KERN_R(!sure) * KERN_GAP_SHARE * r.mean;
     for (i = 0; i < s->contacts; i++) {
         if (r.begins[i] > 0)
             line = r.begins[i] > 1
                 && kern_max(r.gap[i], r.gap[i + 1]) <= closed;
         if (r.gap[i] <= closed) {
-            contact[n] = s->contact[i];
+            contact[n] = contact[i];
             contact[n++].line = line;
         }
     }
     kern_contact_travels(contact, n);
-    task->s.contact = contact;
-    task->s.contacts = n;
+    s->contacts = n;
     return kern_limit_less(task, kern_ended(task, KERN_OK));
 }
 
 /* Returns the lower end: the smallest of `margin` and of the margins on what is
-   closed once the blocks have settled, less what the error takes. */
-static kern_real kern_certain_low(kern_task *other, const kern_task *task,
-                                  kern_real margin, kern_contact *contact,
-                                  kern_status *status)
+   closed once the blocks have settled, less what the error takes. Adds how far
+   they settled to *way. */
+static kern_real kern_certain_low(kern_task *other, kern_real margin,
+                                  kern_real *way, kern_contact *contact,
+                                  int room, kern_status *status)
 {
-    const kern_real e = task->options.pose_error;
-    const kern_real share = e / kern_mean_size(task->s.block, task->s.blocks);
-    kern_real low = margin, way = KERN_R(0);
+    const kern_real e = other->options.pose_error;
+    const kern_real share = e / kern_mean_size(other->s.block, other->s.blocks);
+    kern_real low = margin;
     kern_margin m;
     int part;
     for (part = 0; part < KERN_LOW_PARTS && low > 0; part++) {
-        other->s = task->s;
-        *status = kern_certain_rest(other, part, KERN_LOW_PARTS,
-                                    KERN_LOW_OPEN * e, KERN_R(1), KERN_INFINITY,
-                                    &way, contact);
+        *status = kern_certain_rest(other, KERN_SEARCH_STRETCHES, part,
+                                    KERN_LOW_PARTS, KERN_LOW_OPEN * e, way,
+                                    contact, room);
         if (*status >= KERN_UNDECIDED)
             *status = kern_limit_less(other, kern_measure(other, &m, NULL));
         low = *status == KERN_STANDS ? kern_min(low, m.holds) : KERN_R(0);
@@ -12335,29 +12359,22 @@ static kern_real kern_certain_low(kern_task *other, const kern_task *task,
                   * kern_min(share / KERN_LOW_WIDE, KERN_R(1)));
 }
 
-/* Returns how far the blocks may settle where the gaps of sure stretches were
-   measured too small, KERN_INFINITY where that is far, or where they do not
-   stand on the stretches that are closed then. */
-static kern_real kern_certain_way(kern_task *other, kern_contact *contact,
-                                  int room, kern_status *status)
+/* Returns how far the blocks may settle: as far as for the lower end, `way`, or
+   farther where the gaps of sure stretches were measured too small.
+   KERN_INFINITY where that is too far, or where they do not stand on the
+   stretches that are closed then. */
+static kern_real kern_certain_way(kern_task *other, kern_real way,
+                                  kern_contact *contact, int room,
+                                  kern_status *status)
 {
     const kern_options *o = &other->options;
     const kern_real size = kern_mean_size(other->s.block, other->s.blocks);
-    kern_real way = KERN_R(0);
     int part;
     for (part = 0; part < KERN_DOUBT_PARTS && *status == KERN_STANDS; part++) {
-        other->s.contacts = kern_search_run(other->s.block, other->s.blocks, o,
-                                            contact, room, other->work, 0,
-                                            KERN_SEARCH_SURE);
-        if (other->s.contacts < 0)
-            return KERN_INFINITY;
-        kern_contacts_err(contact, other->s.contacts,
-                          KERN_ERRORS * o->pose_error,
-                          KERN_ERROR_CONE * o->pose_turn);
         *status = kern_certain_rest(
-            other, part, KERN_DOUBT_PARTS,
-            o->gap + KERN_ERRORS * o->pose_turn * size / 2, KERN_R(0),
-            KERN_DOUBT_MOST / KERN_DOUBT_TELLS * size, &way, contact);
+            other, KERN_SEARCH_SURE, part, KERN_DOUBT_PARTS,
+            o->gap + KERN_ERRORS * o->pose_turn * size / 2, &way, contact,
+            room);
         if (*status >= KERN_UNDECIDED && way < KERN_INFINITY)
             *status = kern_limit_less(other, kern_verdict(other, 0, NULL));
     }
@@ -12370,7 +12387,8 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
 {
     kern_task other;
     kern_margin m;
-    kern_real by, turn;
+    kern_real by, turn, way;
+    int i;
     kern_status status = kern_certain_check(task, margin, out, contact, room);
     if (status != KERN_OK)
         return status;
@@ -12382,15 +12400,22 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     other.options = task->options;
     other.options.limit = kern_limit_of(task->options.limit);
 
-    /* low: less than the margins of the blocks where they come to rest */
-    out->low = kern_certain_low(&other, task, margin, contact, &status);
+    /* stretches are found anew, with the least friction of the contacts */
+    for (i = 0; i < task->s.contacts; i++)
+        other.options.mu = kern_min(other.options.mu, task->s.contact[i].mu);
+
+    /* low: less than the margins of the blocks where they come to rest,
+       after a way that is no shorter than a stretch may be open */
+    way = KERN_LOW_OPEN * other.options.pose_error;
+    out->low = kern_certain_low(&other, margin, &way, contact, room, &status);
 
     /* what stands for certain comes to rest on sure stretches, too */
     if (out->low > 0)
-        out->settles = kern_certain_way(&other, contact, room, &status);
+        out->settles = kern_certain_way(&other, way, contact, room, &status);
 
     /* high: longer kerns and wider cones; of what falls all that may exist */
     if (status >= KERN_UNDECIDED && other.s.contacts >= 0) {
+        other.options.mu = task->options.mu;
         other.s.contacts = kern_contacts_most(task, margin, &other.options,
                                               contact, room);
         kern_contacts_err(contact, other.s.contacts, -by, -turn);
