@@ -1084,23 +1084,28 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
               that are larger by 3 theta, at least `margin`. If `margin` is 0,
               edges and corners within gaps and angles of twice the error carry
               as well.
-     settles  If it certainly stands: how far its blocks may move [m]. Three
+     settles  If it certainly stands: how far its blocks may move [m]. Four
               tests must pass. It stands on stretches (kern_stretches()) at
               least 5 e long, or that far inside their edge, with kerns shorter
-              by 3.5 e and friction angles smaller by 3 theta. It comes to rest
-              with every third stretch, each third in turn, open by the gap of
-              the options and 1.75 theta sizes, and no contact that presses
-              becomes shorter by half. And it stands on the stretches that are
-              closed then. `settles` is 1.5 times the longest of these motions,
-              at most 0.45 mean sizes. KERN_INFINITY: it does not pass.
+              by 3.5 e and friction angles smaller by 3 theta. No block topples
+              by its own speed if one end of its bed lacks 1.25 times g, with g
+              the gap of the options and 1.75 theta sizes. It comes to rest with
+              every third stretch, each third in turn, open by g, and no contact
+              that presses becomes shorter by half. And it stands on the
+              stretches that are closed then. `settles` is 1.5 times the longest
+              of these motions, at most 0.45 mean sizes. KERN_INFINITY: it does
+              not pass.
    KERN_STANDS: out->low is above 0 and out->settles is finite. A structure that
    stands by forces on the contacts of the task never falls for certain.
-   What it does not see: settling has no inertia, so a block may rock from one
-   support to another. A slender block (4 to 12 times as high as its bed is
-   wide) that lacks support by 2 to 8 e under half of its bed may topple
-   although it certainly stands. Where more than a third of the stretches of a
-   block have gaps that were measured, as a comb with three teeth of five in the
-   air, `settles` tells too little.
+   What it does not see: settling has no inertia. A block that is alone on a bed
+   of half width c, its centre h above it, passes if  1.25 g h (1 + k) <= c^2
+   with  k = (1 - 1.5 c^2 / (c^2 + h^2))^2  (Housner). If its centre is nearer
+   to one end, c is the distance from the other end, so it may topple over the
+   first although it certainly stands. So may a tower of squat blocks that
+   topples as one block, and a block twice as high as its bed that tips about a
+   point below its centre. Where more than a third of the stretches of a block
+   have gaps that were measured, as a comb with three teeth of five in the air,
+   `settles` tells too little.
    The order of blocks and contacts does not matter, except for contacts of
    exactly the same height and place. Errors are absolute in relative mode too.
    contact[0..room) receives the contacts for `high`; the work memory is for
@@ -9491,6 +9496,8 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_DOUBT_PARTS 3
 #define KERN_DOUBT_TELLS KERN_R(1.5)
 #define KERN_DOUBT_MOST KERN_R(0.45)
+/* Factor of safety of the gap under one end of a bed, where a block rocks. */
+#define KERN_ROCK_LACK KERN_R(1.25)
 /* Least depth of the middle of an overlap, as a share of the overlap: half
    of it where both blocks are thick. */
 #define KERN_THIN KERN_R(0.25)
@@ -12121,28 +12128,71 @@ static kern_real kern_certain_low(kern_task *other, const kern_task *task,
                   * kern_min(share / KERN_LOW_WIDE, KERN_R(1)));
 }
 
+/* Returns 1 if a block may topple by its own speed. If one end of its bed lacks
+   support by `lack`, it tips until the gap closes and goes on over that end
+   (Housner's rocking block). Let its centre be at the height h above the middle
+   of a bed 2 c wide. If its outline is a rectangle on that bed, it keeps the
+   share k = (1 - 1.5 c^2 / (c^2 + h^2))^2 of its energy. It stays, to first
+   order, if  lack h (1 + k) <= c^2.  If its centre is nearer to one end, c is
+   the distance from the other end. A block with its centre beyond its bed is
+   held by others, as the verdict tells. The work memory is long enough. */
+static int kern_certain_rocks(const kern_task *task, kern_real lack)
+{
+    const kern_structure *s = &task->s;
+    const kern_vec down = kern_vec_unit(s->gravity);
+    kern_real *bed;
+    kern_take take;
+    int i;
+    kern_take_open(&take, task->work);
+    bed = kern_take_reals(&take, 3 * s->blocks);
+    kern_zero(bed, 3 * s->blocks);
+
+    /* of each block, from its centre to the contact points that press it up:
+       the square of the way to either side, and the way down */
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        const int on = kern_vec_dot(c->n, down) < 0 ? c->b : c->a;
+        const kern_vec arm = kern_vec_sub(c->p, s->block[on].centre);
+        const kern_real side = kern_vec_cross(down, arm);
+        kern_real *to = bed + 3 * on;
+        to[side > 0] = kern_max(to[side > 0], side * side);
+        to[2] = kern_max(to[2], kern_vec_dot(down, arm));
+    }
+
+    for (i = 0; i < s->blocks; i++, bed += 3) {
+        const kern_real lean = kern_max(bed[0], bed[1]), high = bed[2];
+        const kern_real kept = (high * high - lean / 2) / (high * high + lean);
+        if (!s->block[i].fixed && bed[0] * bed[1] > 0
+            && lack * high * (1 + kept * kept) > lean)
+            return 1;
+    }
+    return 0;
+}
+
 /* Returns how far the blocks may settle where the gaps of sure stretches were
-   measured too small, KERN_INFINITY where that is far, or where they do not
-   stand on the stretches that are closed then. */
+   measured too small, KERN_INFINITY where that is far, where a block may topple
+   by its own speed, or where they do not stand on the stretches that are closed
+   then. */
 static kern_real kern_certain_way(kern_task *other, kern_contact *contact,
                                   int room, kern_status *status)
 {
     const kern_options *o = &other->options;
     const kern_real size = kern_mean_size(other->s.block, other->s.blocks);
+    const kern_real lack = o->gap + KERN_ERRORS * o->pose_turn * size / 2;
     kern_real way = KERN_R(0);
     int part;
     for (part = 0; part < KERN_DOUBT_PARTS && *status == KERN_STANDS; part++) {
         other->s.contacts = kern_search_run(other->s.block, other->s.blocks, o,
                                             contact, room, other->work, 0,
                                             KERN_SEARCH_SURE);
-        if (other->s.contacts < 0)
+        if (other->s.contacts < 0
+            || kern_certain_rocks(other, KERN_ROCK_LACK * lack))
             return KERN_INFINITY;
         kern_contacts_err(contact, other->s.contacts,
                           KERN_ERRORS * o->pose_error,
                           KERN_ERROR_CONE * o->pose_turn);
         *status = kern_certain_rest(
-            other, part, KERN_DOUBT_PARTS,
-            o->gap + KERN_ERRORS * o->pose_turn * size / 2, KERN_R(0),
+            other, part, KERN_DOUBT_PARTS, lack, KERN_R(0),
             KERN_DOUBT_MOST / KERN_DOUBT_TELLS * size, &way, contact);
         if (*status >= KERN_UNDECIDED && way < KERN_INFINITY)
             *status = kern_limit_less(other, kern_verdict(other, 0, NULL));
