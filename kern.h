@@ -9679,6 +9679,8 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_DOUBT_PARTS 3
 #define KERN_DOUBT_TELLS KERN_R(1.5)
 #define KERN_DOUBT_MOST KERN_R(0.45)
+/* Factor of safety of the gap under one end of a bed, if a block rocks. */
+#define KERN_ROCK_LACK KERN_R(1.25)
 /* Least depth of the middle of an overlap inside both blocks, as a share of the
    overlap. Where both blocks are thick the depth is half of the overlap. */
 #define KERN_THIN KERN_R(0.25)
@@ -12285,12 +12287,54 @@ static kern_status kern_certain_check(const kern_task *task, kern_real margin,
              : KERN_OK;
 }
 
+/* Returns 1 if a block may topple by its own speed. If one end of its bed lacks
+   support by `lack`, it tips until the gap closes and goes on over that end
+   (Housner's rocking block). Let its centre be at the height h above the middle
+   of a bed 2 c wide. If its outline is a rectangle on that bed, it keeps the
+   share k = (1 - 1.5 c^2 / (c^2 + h^2))^2 of its energy. It stays, to first
+   order, if  lack h (1 + k) <= c^2.  If its centre is nearer to one end, c is
+   the distance from the other end. A block with its centre beyond its bed is
+   held by others, as the verdict tells. The work memory is long enough. */
+static int kern_certain_rocks(const kern_task *task, kern_real lack)
+{
+    const kern_structure *s = &task->s;
+    const kern_vec down = kern_vec_unit(s->gravity);
+    kern_real *bed;
+    kern_take take;
+    int i;
+    kern_take_open(&take, task->work);
+    bed = kern_take_reals(&take, 3 * s->blocks);
+    kern_zero(bed, 3 * s->blocks);
+
+    /* Finds the bed of each block: from its centre to the contact points that
+       press it up, the squares of the ways to either side, and the way down. */
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        const int pressed = kern_vec_dot(c->n, down) < 0 ? c->b : c->a;
+        const kern_vec arm = kern_vec_sub(c->p, s->block[pressed].centre);
+        const kern_real side = kern_vec_cross(down, arm);
+        kern_real *to = bed + 3 * pressed;
+        to[side > 0] = kern_max(to[side > 0], side * side);
+        to[2] = kern_max(to[2], kern_vec_dot(down, arm));
+    }
+
+    /* Compares the energy that a block keeps with the rise of its centre. */
+    for (i = 0; i < s->blocks; i++, bed += 3) {
+        const kern_real lean = kern_max(bed[0], bed[1]), high = bed[2];
+        const kern_real kept = (high * high - lean / 2) / (high * high + lean);
+        if (!s->block[i].fixed && bed[0] * bed[1] > 0
+            && lack * high * (1 + kept * kept) > lean)
+            return 1;
+    }
+    return 0;
+}
+
 /* Finds the stretches and lets the blocks settle where every `parts`-th one,
    beginning with number `part`, is open by `by` more than was measured. Sure
    stretches are shorter by the error and have no gap but that. Adds the way to
-   *way: KERN_INFINITY where it is beyond what is allowed. The contact points
-   that are closed then, written to contact[0..room), become those of the
-   task. */
+   *way: KERN_INFINITY if it is beyond the allowed way, or if a block on sure
+   stretches may topple by its own speed. The contact points that are closed
+   then, written to contact[0..room), become those of the task. */
 KERN_SHARED static kern_status kern_certain_rest(
     kern_task *task, kern_search_kind kind, int part, int parts, kern_real by,
     kern_real *way, kern_contact *contact, int room)
@@ -12305,18 +12349,21 @@ KERN_SHARED static kern_status kern_certain_rest(
                                   task->work, 0, kind);
     if (s->contacts < 0)
         return (kern_status)s->contacts;
-    if (sure)
+    if (sure) {
+        if (kern_certain_rocks(task, KERN_ROCK_LACK * by))
+            *way = KERN_INFINITY;
         kern_contacts_err(contact, s->contacts, KERN_ERRORS * o->pose_error,
                           KERN_ERROR_CONE * o->pose_turn);
+    }
 
-    /* the lower end is told wherever the blocks come to rest */
+    /* Lets the blocks settle, for the lower end as far as they do. */
     kern_repose_begin(&r, task);
     kern_repose_open(&r, part, parts, by, KERN_R(!sure));
     most = KERN_DOUBT_MOST / KERN_DOUBT_TELLS * r.mean;
     moved = kern_repose_settle(&r, sure ? most : KERN_INFINITY);
     *way = kern_max(*way, moved <= most ? moved : KERN_INFINITY);
 
-    /* of a line both ends, or one as a point */
+    /* Keeps the points that are closed: both ends of a line, or one as a point. */
     closed = KERN_LOW_CLOSED * o->pose_error
            + KERN_R(!sure) * KERN_GAP_SHARE * r.mean;
     for (i = 0; i < s->contacts; i++) {
@@ -12360,9 +12407,9 @@ static kern_real kern_certain_low(kern_task *other, kern_real margin,
 }
 
 /* Returns how far the blocks may settle: as far as for the lower end, `way`, or
-   farther where the gaps of sure stretches were measured too small.
-   KERN_INFINITY where that is too far, or where they do not stand on the
-   stretches that are closed then. */
+   farther if the gaps of sure stretches were measured too small. Returns
+   KERN_INFINITY if that is too far, if a block may topple by its own speed, or
+   if the blocks do not stand on the stretches that are closed then. */
 static kern_real kern_certain_way(kern_task *other, kern_real way,
                                   kern_contact *contact, int room,
                                   kern_status *status)

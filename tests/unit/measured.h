@@ -578,6 +578,35 @@ static void turn_page(world *w)
     w->gravity = vec(9.81 * s, -9.81 * c);
 }
 
+/* A post 0.5 wide and 4 high. If half of its bed lacks g it turns by g / 0.5
+   about the other end. Its centre, 2 high, falls by 0.25 turn + turn^2 by its
+   own weight. At the impact the share (1 - 1.5 * 0.0625 / 4.0625)^2 = 0.954 of
+   that energy remains. It topples where its centre, 0.25 - 2 turn before the
+   end of its bed, need not rise farther: from g = 0.0160 on. The doubt is 1.25
+   times 7 errors. */
+static void certain_rocks(void)
+{
+    static const double share[] = {0.98, 1.02};
+    static world w;
+    kern_margin m;
+    kern_interval in;
+    int i, got;
+    for (i = 0; i < 2; i++) {
+        const double lack = 0.0160 * share[i], turn = lack / 0.5;
+        const double before = 0.25 - 2 * turn, e = lack / (1.25 * 7);
+        const double rise = sqrt(before * before + 4) - 2;
+        const double fall = 0.25 * turn + turn * turn;
+        CHECK((0.954 * fall < rise) == (i == 0));
+        world_reset(&w);
+        world_box(&w, 0, -3, -1, 3, 0);
+        world_box(&w, 1, -0.25, 0, 0.25, 4);
+        CHECK_INT(certain_within(&w, e, e / sqrt(2.0), &got, &m, &in),
+                  i ? KERN_OK : KERN_STANDS);
+        CHECK_INT(got, KERN_STANDS);
+        CHECK(in.low > 0);
+    }
+}
+
 /* Checks that two answers are alike. In float returns 1 where they are not:
    rounding decides a few. */
 static int certain_differs(int got, int sure, const kern_interval *same,
@@ -641,7 +670,7 @@ static const test measured_tests[] = {
     TEST(feet_of_few_errors),   TEST(certain_places),
     TEST(certain_laws),         TEST(certain_ways),
     TEST(certain_slender),      TEST(certain_combs),
-    TEST(certain_orders),
+    TEST(certain_rocks),        TEST(certain_orders),
 };
 
 #endif
