@@ -319,8 +319,14 @@ usage() { # one page, topics that make up the whole, and what a word may mean
     refuses "--help takes asks" --help nothing &&
         refuses "unknown option --sequense; --sequence?" --sequense a.kern &&
         refuses "unknown option --xyzzy; try" --xyzzy a.kern &&
+        refuses "unknown option --sgv; --svg?" --sgv a.svg a.kern &&
         refuses "makes a PNG" --svg wall.png a.kern &&
         [ "$("$kern" -V)" = "$("$kern" --version)" ] || return 1
+    printf '\211PNG\r\n' >"$out/wall.png" && printf '%%PDF-1.4' >"$out/a.pdf" &&
+        refuses "wall.png: a picture, which has no outlines: draw a polygon" \
+            "$out/wall.png" &&
+        refuses "a.pdf: a PDF, which is not read: save it as DXF" "$out/a.pdf" ||
+        return 1
     "$kern" --limit 5 examples/structures/arch.kern |
         grep -q '^  undecided   the limit of work'
 }

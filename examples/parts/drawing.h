@@ -117,6 +117,24 @@ static int drawing_line(const struct drawing *d, int line)
     return statements_line(&d->o, name);
 }
 
+/* Returns what to do with a file of a format that is not read, or NULL. */
+static const char *drawing_foreign(const char *data, size_t length)
+{
+    static const char picture[] = "a picture, which has no outlines: draw a "
+                                  "polygon round each stone in LabelMe, COCO "
+                                  "or VIA, and read the .json";
+    if (length < 5)
+        return NULL;
+    if (memcmp(data, "AC10", 4) == 0)
+        return "a DWG, which is not read: save it as DXF";
+    if (memcmp(data, "%PDF", 4) == 0)
+        return "a PDF, which is not read: save it as DXF or SVG";
+    return memcmp(data, "\x89PNG", 4) == 0
+                || memcmp(data, "\xff\xd8\xff", 3) == 0
+             ? picture
+             : NULL;
+}
+
 /* Reads a structure as text_read() does, from a file of any format; `name`
    tells which, unless its content does. */
 static inline int drawing_parse(struct text_file *t, struct drawing *d,
@@ -125,11 +143,12 @@ static inline int drawing_parse(struct text_file *t, struct drawing *d,
 {
     static const struct text_file empty;
     const enum drawing_format format = drawing_format(name, data, length);
+    const char *foreign = drawing_foreign(data, length);
     int bad, next = 0;
     memset(d, 0, sizeof *d);
-    if (length > 5 && memcmp(data, "AC10", 4) == 0) {
+    if (foreign) {
         *t = empty;
-        return text_fail(t, "a DWG, which is not read: save it as DXF");
+        return text_fail(t, "%s", foreign);
     }
     if (format == DRAWING_TEXT)
         return text_read(t, data, length);
