@@ -307,6 +307,11 @@ def test_files(browser, folder):
     assert browser.ask("$('error').textContent") == (
         "bad.kern: line 2: the number of coordinates is odd")
     assert browser.ask("format(s)") == before
+    photo = pathlib.Path(folder, "wall.png")
+    photo.write_bytes(b"\x89PNG\r\n\x1a\n")
+    give(photo)
+    browser.wait("$('error').textContent.startsWith("
+                 "'wall.png: a picture, which has no outlines: draw a ')")
     give(ROOT / "examples" / "structures" / "wall-30.kern")
     browser.wait("title === 'wall-30'")
 
