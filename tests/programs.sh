@@ -10,10 +10,11 @@ in_a_copy() { # in_a_copy FILE: runs commands where nothing was built
         (cd "$out/fresh" && timeout 300 bash -e "$1")
 }
 
-readme() { # its first two blocks of commands
+readme() { # its first two blocks of commands, and its figures
     awk '/^```sh/ { on = 1; n++; next } /^```/ { on = 0 } on && n <= 2' \
         README.md >"$out/readme.sh"
-    grep -q kern_test "$out/readme.sh" && in_a_copy "$out/readme.sh"
+    grep -q kern_test "$out/readme.sh" && in_a_copy "$out/readme.sh" &&
+        python3 tests/figures.py
 }
 
 block_of() { # block_of WORD: the block of code in README with that word
