@@ -307,6 +307,11 @@ def test_files(browser, folder):
     assert browser.ask("$('error').textContent") == (
         "bad.kern: line 2: the number of coordinates is odd")
     assert browser.ask("format(s)") == before
+    photo = pathlib.Path(folder, "wall.png")
+    photo.write_bytes(b"\x89PNG\r\n\x1a\n")
+    give(photo)
+    browser.wait("$('error').textContent.startsWith("
+                 "'wall.png: a picture, which has no outlines: draw a ')")
     give(ROOT / "examples" / "structures" / "wall-30.kern")
     browser.wait("title === 'wall-30'")
 
@@ -579,6 +584,29 @@ def test_phone(browser):
     print("on a phone the picture ends at %d, the verdict at %d of 844"
           % (stage, verdict))
     assert 0 < stage < verdict <= 844
+    assert browser.ask("$('why').textContent === `Beyond the margin of "
+                       "${digits(shown.margin)}, s25 would fall.`")
+
+    # One finger pans sideways, two zoom; the page scrolls up and down.
+    def touch(kind, *points):
+        browser.send("Input.dispatchTouchEvent", type=kind, touchPoints=[
+            {"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)])
+        browser.frame()
+    x, y = browser.ask("(() => { const b = svg.getBoundingClientRect();"
+                       "return [b.x + b.width / 2, b.y + 60] })()")
+    before = browser.ask("[view.zoom, view.x]")
+    touch("touchStart", (x, y))
+    for i in range(1, 8):
+        touch("touchMove", (x + 8 * i, y))
+    touch("touchEnd")
+    assert browser.ask("[view.zoom, view.x]") == [before[0], before[1] + 56]
+    touch("touchStart", (x - 20, y))
+    touch("touchStart", (x - 20, y), (x + 20, y))
+    for i in range(1, 6):
+        touch("touchMove", (x - 20 - 6 * i, y), (x + 20 + 6 * i, y))
+    touch("touchEnd")
+    assert browser.ask("view.zoom") > 1.5 * before[0]
+    browser.ask("$('fit').click()")
     browser.send("Emulation.clearDeviceMetricsOverride")
     browser.frame()
 

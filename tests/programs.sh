@@ -10,10 +10,11 @@ in_a_copy() { # in_a_copy FILE: runs commands where nothing was built
         (cd "$out/fresh" && timeout 300 bash -e "$1")
 }
 
-readme() { # its first two blocks of commands
+readme() { # its first two blocks of commands, and its figures
     awk '/^```sh/ { on = 1; n++; next } /^```/ { on = 0 } on && n <= 2' \
         README.md >"$out/readme.sh"
-    grep -q kern_test "$out/readme.sh" && in_a_copy "$out/readme.sh"
+    grep -q kern_test "$out/readme.sh" && in_a_copy "$out/readme.sh" &&
+        python3 tests/figures.py
 }
 
 block_of() { # block_of WORD: the block of code in README with that word
@@ -319,8 +320,14 @@ usage() { # one page, topics that make up the whole, and what a word may mean
     refuses "--help takes asks" --help nothing &&
         refuses "unknown option --sequense; --sequence?" --sequense a.kern &&
         refuses "unknown option --xyzzy; try" --xyzzy a.kern &&
+        refuses "unknown option --sgv; --svg?" --sgv a.svg a.kern &&
         refuses "makes a PNG" --svg wall.png a.kern &&
         [ "$("$kern" -V)" = "$("$kern" --version)" ] || return 1
+    printf '\211PNG\r\n' >"$out/wall.png" && printf '%%PDF-1.4' >"$out/a.pdf" &&
+        refuses "wall.png: a picture, which has no outlines: draw a polygon" \
+            "$out/wall.png" &&
+        refuses "a.pdf: a PDF, which is not read: save it as DXF" "$out/a.pdf" ||
+        return 1
     "$kern" --limit 5 examples/structures/arch.kern |
         grep -q '^  undecided   the limit of work'
 }

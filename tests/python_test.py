@@ -514,6 +514,23 @@ class Calls(unittest.TestCase):
         self.assertEqual(copy.deepcopy(plan).measure().margin,
                          plan.measure().margin)
 
+    def test_pickles_all_that_was_set(self):
+        """Live loads of a file, and what a subclass or its user adds."""
+        class Named(Structure):
+            def __init__(self, site):
+                super().__init__(two(0.2))
+                self.site = site
+        wall = kern.read(ROOT / "examples" / "structures" / "ladder.kern")
+        again = pickle.loads(pickle.dumps(wall))
+        self.assertEqual((again.live(), again.units),
+                         (wall.live(), wall.units))
+        self.assertEqual(copy.deepcopy(Named("here")).site, "here")
+        plan = Plan(two(0.2))
+        plan.site = "there"
+        plan = pickle.loads(pickle.dumps(plan))
+        self.assertEqual((plan.site, plan.measure()),
+                         ("there", Plan(two(0.2)).measure()))
+
     def test_pool(self):
         """Ten bad structures of a thousand are ten exceptions, by name."""
         with multiprocessing.Pool(4) as pool:
@@ -598,6 +615,11 @@ class ManyWalls(unittest.TestCase):
             self.assertEqual(list(out.loads[i]), loads)
             self.assertEqual(out.mechanisms[i].tolist(), motion)
         self.assertEqual(seen, {Status.STANDS, Status.FALLS, Status.OVERLAP})
+        told = out.as_dict()
+        json.dumps(told)
+        self.assertEqual(told["loads"][0], list(out.loads[0]))
+        self.assertEqual(len(told["mechanisms"][0]), len(wall.blocks))
+        self.assertNotEqual(out, kern.many(wall, poses=poses[:2]))
         self.assertEqual((len(out), [bool(x) for x in out.stands]),
                          (60, [k == Status.STANDS for k in out.status]))
 
@@ -827,6 +849,9 @@ class Conventions(unittest.TestCase):
         """Everything public has a docstring that does not begin with a name of
         C, and help() has the chapters."""
         self.assertIn("Methods of a structure", kern.__doc__)
+        self.assertEqual([name for name, thing in vars(kern).items()
+                          if name[0] != "_" and name not in kern.__all__
+                          and getattr(thing, "__module__", "") == "kern"], [])
         for name in set(kern.__all__) - {"Array"}:
             thing = getattr(kern, name)
             things = [(name, thing)] if callable(thing) else []
@@ -1017,6 +1042,84 @@ class BadInput(unittest.TestCase):
                     two(0), options={"mu": 1}))):
             with self.assertRaisesRegex(TypeError, words):
                 call()
+
+    def test_one_clear_line(self):
+        """What is handed in by mistake is named by what was expected and what
+        was read: no AttributeError, nothing silently left out."""
+        s, plan, stone = Structure(two(0.2)), Plan(two(0)[:2]), two(0.2)[2]
+        read = "Block is expected, read "
+        for words, call in (
+                ("block 1: a %s1" % read, lambda: Structure([ground(), 1])),
+                ("a %sNone" % read, lambda: plan.try_(None)),
+                ("a %s3" % read, lambda: plan.add(3)),
+                ("stones: a %sNone" % read, lambda: kern.many(
+                    plan, stones=[None])),
+                ("a Contact is expected, read 1", lambda: Structure(
+                    two(0), contacts=[1])),
+                ("numbers of two blocks, read 'low'", lambda: kern.contact_make(
+                    "low", "top", (0, 1), (0, 0))),
+                ("normal: 2 numbers are expected, read .0,.",
+                 lambda: kern.contact_make(0, 1, (0,), (0, 0))),
+                ("'top': force: 2 numbers are expected, read .3,.",
+                 lambda: stone.copy().push((3,), (0, 1))),
+                ("'top': move..: 3 numbers are", lambda: s.move("top", "1", 0)),
+                ("'a': load: 3 numbers are expected, read None",
+                 lambda: Block("a", BOX, load=None).body()),
+                ("verdict..: a number is expected, read .1.",
+                 lambda: s.verdict([1])),
+                ("bears..: a number is expected, read None",
+                 lambda: plan.bears(stone, None)),
+                ("rest..: a number is expected, read 'x'",
+                 lambda: plan.rest(stone, "x")),
+                ("a pose: 3 numbers are expected, read .1, 2.",
+                 lambda: plan.tries(stone, [(1, 2)])),
+                ("name or the number of a block is expected, read 1.5",
+                 lambda: s.stays(1.5)),
+                ("live..: .NAME, FORCE, POINT. is expected, read .'top',.",
+                 lambda: s.live([("top",)])),
+                ("a load pattern: rows of 3 numbers are expected, read 'x'",
+                 lambda: s.load_factor(0, 0, "x")),
+                ("critical..: a Margin is expected, read 3",
+                 lambda: s.critical(3)),
+                ("a Raised or a LetGo is expected", lambda: s.check_raised(
+                    s.verdict())),
+                ("near..: a number is expected, read 'a'",
+                 lambda: Options().near("a")),
+                ("Options.lone: 2 numbers are expected", lambda: Structure(
+                    two(0), options=Options(lone=(1,)))),
+                ("tolerance: a number is expected, read 'x'",
+                 lambda: kern.simplified(BOX, "x")),
+                ("a str or bytes are expected, read None",
+                 lambda: kern.parse(None)),
+                ("many..: a Structure or a Plan is expected", lambda: kern.many(
+                    s.blocks, mu=[0.4])),
+                ("many..: mu: a list or an array is expected, read 0.4",
+                 lambda: kern.many(s, mu=0.4)),
+                ("many..: mu: numbers are expected.*'abc'",
+                 lambda: kern.many(s, mu="abc")),
+                ("many..: top: numbers are expected", lambda: kern.many(
+                    s, poses={"top": ["a"]})),
+                ("unexpected keyword argument 'pixle'",
+                 lambda: kern.from_labelme(page(two(0)), pixle=0.01)),
+                ("layers takes a dict of names and roles",
+                 lambda: kern.from_labelme(page(two(0)), layers=["a=fill"])),
+                ("pixel: a number is expected, read '1'",
+                 lambda: kern.from_labelme(page(two(0)), pixel="1"))):
+            with self.assertRaisesRegex(TypeError, words):
+                call()
+        for words, call in (
+                ("a load pattern: row 0 is .1,. where 3 numbers are expected",
+                 lambda: s.load_factor(0, 0, [(1,), (1, 2),
+                                              (1, 2, 3, 4, 5, 6)])),
+                ("a pattern takes the place of a side: pass SHRINK",
+                 lambda: s.load_factor(kern.LEFT, 0, [(1, 0, 0)] * 3)),
+                ("near.. takes a length above 0, read nan",
+                 lambda: Options().near(math.nan)),
+                ("'a': vertices .* too large", lambda: Block(
+                    "a", [(0, 0), (10 ** 400, 0), (1, 1)]))):
+            with self.assertRaisesRegex(ValueError, words):
+                call()
+        self.assertEqual(s.tilt(1.0), s.tilt(kern.RIGHT))
 
     def test_questions_without_an_answer(self):
         """Say what is missing: a side, gravity, a live load, an error."""

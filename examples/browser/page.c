@@ -243,7 +243,7 @@ PAGE(draw) int page_draw(const char *name, const char *data, int length)
     const enum drawing_format format = drawing_format(name, data,
                                                       (size_t)length);
     int bad;
-    if (format == DRAWING_TEXT)
+    if (format == DRAWING_TEXT && !drawing_foreign(data, (size_t)length))
         return 0;
     bad = drawing_make(&drawing, format, data, (size_t)length, &asked);
     put_skipped();

@@ -90,29 +90,31 @@ static inline int usage_print(const char *word, const char *topic)
              : 0;
 }
 
-/* How many letters are to be put in, left out or changed to make a of b, words
-   of at most USAGE_WORD letters. */
+/* Returns how many letters are to be put in, left out, changed or exchanged with
+   their neighbour to make a of b, words of at most USAGE_WORD letters. */
 enum { USAGE_WORD = 24 };
 static inline int usage_distance(const char *a, int m, const char *b, int n)
 {
-    int row[USAGE_WORD + 1];
-    for (int j = 0; j <= n; j++)
-        row[j] = j;
-    for (int i = 1; i <= m; i++) {
-        int corner = row[0];
-        row[0] = i;
-        for (int j = 1; j <= n; j++) {
-            const int above = row[j];
-            int least = corner + (a[i - 1] != b[j - 1]);
-            if (above + 1 < least)
-                least = above + 1;
-            if (row[j - 1] + 1 < least)
-                least = row[j - 1] + 1;
-            corner = above;
-            row[j] = least;
+    int row[3][USAGE_WORD + 1];
+    for (int i = 0; i <= m; i++) {
+        int *now = row[i % 3];
+        const int *above = row[(i + 2) % 3], *higher = row[(i + 1) % 3];
+        for (int j = 0; j <= n; j++) {
+            int least = i + j;
+            if (i > 0 && j > 0) {
+                least = above[j - 1] + (a[i - 1] != b[j - 1]);
+                if (above[j] + 1 < least)
+                    least = above[j] + 1;
+                if (now[j - 1] + 1 < least)
+                    least = now[j - 1] + 1;
+            }
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]
+                && higher[j - 2] + 1 < least)
+                least = higher[j - 2] + 1;
+            now[j] = least;
         }
     }
-    return row[n];
+    return row[m % 3][n];
 }
 
 /* Writes the option of the help that is least far from a word, up to what comes

@@ -66,6 +66,24 @@ static enum drawing_format drawing_format(const char *name, const char *data,
     return drawing_begins(data, length);
 }
 
+/* Returns what to do with a file of a format that is not read, or NULL. */
+static inline const char *drawing_foreign(const char *data, size_t length)
+{
+    static const char picture[] = "a picture, which has no outlines: draw a "
+                                  "polygon round each stone in LabelMe, COCO "
+                                  "or VIA, and read the .json";
+    if (length < 5)
+        return NULL;
+    if (memcmp(data, "AC10", 4) == 0)
+        return "a DWG, which is not read: save it as DXF";
+    if (memcmp(data, "%PDF", 4) == 0)
+        return "a PDF, which is not read: save it as DXF or SVG";
+    return memcmp(data, "\x89PNG", 4) == 0
+                || memcmp(data, "\xff\xd8\xff", 3) == 0
+             ? picture
+             : NULL;
+}
+
 /* Makes statements of a drawing. Returns 0, or -1 with a message. */
 static inline int drawing_make(struct drawing *d, enum drawing_format format,
                                const char *data, size_t length,
@@ -73,6 +91,7 @@ static inline int drawing_make(struct drawing *d, enum drawing_format format,
 {
     static int (*const read[])(struct shapes *, const char *,
                                int) = {NULL, dxf_read, image_read, svg_read};
+    const char *foreign = drawing_foreign(data, length);
     int bad;
     memset(d, 0, sizeof *d);
     d->made = 1;
@@ -80,6 +99,8 @@ static inline int drawing_make(struct drawing *d, enum drawing_format format,
     d->s.unit = 1;
     shapes_put(&d->s.notes, "");
     shapes_put(&d->s.text, "");
+    if (foreign)
+        return shapes_fail(&d->s, 0, foreign);
     if (length >= INT_MAX / 4)
         return shapes_fail(&d->s, 0, "the file is too long");
     bad = read[format](&d->s, data, (int)length);
@@ -127,11 +148,7 @@ static inline int drawing_parse(struct text_file *t, struct drawing *d,
     const enum drawing_format format = drawing_format(name, data, length);
     int bad, next = 0;
     memset(d, 0, sizeof *d);
-    if (length > 5 && memcmp(data, "AC10", 4) == 0) {
-        *t = empty;
-        return text_fail(t, "a DWG, which is not read: save it as DXF");
-    }
-    if (format == DRAWING_TEXT)
+    if (format == DRAWING_TEXT && !drawing_foreign(data, length))
         return text_read(t, data, length);
     *t = empty;
     if (drawing_make(d, format, data, length, asked)) {

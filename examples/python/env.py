@@ -89,7 +89,7 @@ class Stacking(_Env):  # type: ignore
     Reward: the height that the stone gains, and its share of the margin that
     PROVEN stands for; -1 where the structure falls, which ends the episode, as
     STONES stones do."""
-    metadata = {"render_modes": ["svg"]}
+    metadata = {"render_modes": ["svg"], "render_fps": 1}
     render_mode: Optional[str] = None
     PLACES, STONES, HALF, PROVEN = 24, 12, 1.5, 0.25
 

@@ -69,6 +69,7 @@ import operator
 import os
 import pathlib
 import re
+import reprlib
 import subprocess
 import sys
 import tempfile
@@ -79,6 +80,7 @@ from concurrent.futures import ThreadPoolExecutor
 from ctypes import (POINTER, addressof, byref, c_char_p, c_double, c_int,
                     c_void_p)
 from dataclasses import dataclass, field, fields
+from itertools import chain
 from typing import (Any, Callable, Dict, Iterable, Iterator, List,
                     NamedTuple, Optional, Protocol, Sequence, Tuple, TypeVar,
                     Union, cast)
@@ -97,12 +99,10 @@ __all__ = [
     "LEFT", "SHRINK", "RIGHT", "Side", "Status", "KernError", "Options", "Body",
     "Block", "Contact", "contact_make", "contact_travels", "work_need",
     "Verdict", "Raising", "End", "Raised", "LetGo", "Margin", "Factor",
-    "Profile", "Critical", "ContactRate", "BlockRate", "Solution", "Structure",
-    "Plan", "Place", "overlaps", "example", "Many", "many", "Array",
-    "Rows",
-    "parse", "read", "from_labelme", "from_coco", "DrawingWarning",
-    "simplified", "lp_solve",
-    "status_text", "build",
+    "Interval", "Profile", "Critical", "ContactRate", "BlockRate", "Solution",
+    "Structure", "Plan", "Place", "overlaps", "example", "Many", "many",
+    "Array", "Rows", "parse", "read", "from_labelme", "from_coco",
+    "DrawingWarning", "simplified", "lp_solve", "status_text", "build",
 ]
 
 Point = Tuple[float, float]
@@ -541,6 +541,26 @@ Status = _statuses()  # OK, STANDS, FALLS, ... as in kern.h
 _STANDS, _FALLS = int(Status.STANDS), int(Status.FALLS)
 
 
+_Method = TypeVar("_Method", bound=Callable[..., Any])
+_NO_NUMBERS: Any = (type(None), str, bytes, list, tuple, dict, complex)
+
+
+def _numeric(function: _Method) -> _Method:
+    """A function that says which argument is no number where C takes one."""
+    @functools.wraps(function)
+    def call(*arguments: Any, **options: Any) -> Any:
+        try:
+            return function(*arguments, **options)
+        except ctypes.ArgumentError:
+            words: List[Any] = [a for a in (*arguments, *options.values())
+                                if isinstance(a, _NO_NUMBERS)]
+            raise TypeError("%s(): a number is expected%s" % (
+                function.__name__, ", read " + reprlib.repr(words[0])
+                if words else "")) from None
+    return call  # type: ignore
+
+
+@_numeric
 def status_text(status: int) -> str:
     """Returns the meaning of a status.
 
@@ -729,10 +749,20 @@ def _doubles(data: Optional[bytes]) -> Any:
 
 def _rows(values: Any, rows: int, columns: int, what: str) -> Any:
     """Rows of numbers as a ctypes array, of the length that C will read."""
-    out = _numbers(values)
+    try:
+        table: List[Any] = (values.tolist() if hasattr(values, "tolist")
+                            else list(values))
+        out = _numbers(table)
+    except (TypeError, OverflowError):
+        raise TypeError("%s: rows of %d numbers are expected, read %s" % (
+            what, columns, reprlib.repr(values))) from None
     if len(out) != rows * columns:
         raise ValueError("%d numbers of %s where %d rows of %d are expected"
                          % (len(out), what, rows, columns))
+    for i, row in enumerate(table if len(table) != len(out) else ()):
+        if not hasattr(row, "__len__") or len(row) != columns:
+            raise ValueError("%s: row %d is %s where %d numbers are expected"
+                             % (what, i, reprlib.repr(row), columns))
     return out
 
 
@@ -758,6 +788,11 @@ def _several(what: str, values: Any, count: int) -> List[float]:
             what, "a number is" if count == 1 else "%d numbers are" % count,
             values[0] if count == 1 else values))
     return told
+
+
+def _vector(what: str, values: Any) -> _Vec:
+    """Two numbers as a vector of C."""
+    return _Vec(*_several(what, values, 2))
 
 
 # ---- Options, blocks, contacts ----------------------------------------------
@@ -850,7 +885,7 @@ class Options:
         return _Options(self.mu, self.gap, self.angle, self.epsilon,
                         bool(self.relative), limit, self.overlap,
                         self.pose_error, self.pose_turn, self.narrow,
-                        self.reserve, _Vec(*self.lone))
+                        self.reserve, _vector("Options.lone", self.lone))
 
     def _suits(self, size: float) -> None:
         """Raises where everything would touch everything in a structure of
@@ -873,7 +908,12 @@ class Options:
         """Returns options that also find the contacts which close as soon as
         the structure rocks.
 
-        mean_size: Structure.mean_size [m]; the gap is a share of it"""
+        mean_size: Structure.mean_size [m]; the gap is a share of it. Raises
+                   KernError where it is no length above 0"""
+        (mean_size,) = _several("near()", [mean_size], 1)
+        if not 0 < mean_size < math.inf:
+            raise KernError(Status.BAD_OPTION, text="near() takes a length "
+                            "above 0, read %r" % mean_size)
         return Options._of(_near(byref(self._c()), mean_size))
 
     def measured(self, e: float, theta: float) -> Options:
@@ -887,11 +927,30 @@ class Options:
         >>> round(Options().measured(0.01, 0.01).gap, 6)
         0.0525
         """
+        e, theta = _several("measured()", (e, theta), 2)
         if not 0 < e < math.inf or not 0 <= theta < 0.5:
             raise KernError(Status.BAD_OPTION, text="measured() takes a length "
                             "above 0 and an angle in radians from 0 to below "
                             "0.5, read %r and %r" % (e, theta))
         return Options._of(_measured(byref(self._c()), e, theta))
+
+
+def _asked_options(options: Any) -> Options:
+    """Returns the options; those by default for None."""
+    if options is None:
+        return Options()
+    if not isinstance(options, Options):
+        raise TypeError("options are Options(...), read %r" % (options,))
+    return options
+
+
+def _plain(value: Any) -> Any:
+    """What as_dict() has for a value."""
+    if isinstance(value, KernError):
+        return str(value)
+    if isinstance(value, list):
+        return list(map(_plain, cast(Any, value)))
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 class _Answer:
@@ -904,11 +963,8 @@ class _Answer:
         >>> example().verdict().as_dict()
         {'stands': True}
         """
-        values = ((f.name, getattr(self, f.name)) for f in fields(
-            cast(Any, self)) if f.init)
-        return {name: str(value) if isinstance(value, KernError)
-                else value.tolist() if hasattr(value, "tolist") else value
-                for name, value in values}
+        return {f.name: _plain(getattr(self, f.name)) for f in fields(
+            cast(Any, self)) if f.init}
 
 
 class Body(NamedTuple):
@@ -916,6 +972,17 @@ class Body(NamedTuple):
     area: float
     mass: float
     centre: Point
+
+
+_NO_LOAD = (0.0, 0.0, 0.0)
+
+
+def _block(block: Any, what: str = "") -> Block:
+    """Returns the block. Raises TypeError where it is something else."""
+    if not isinstance(block, Block):
+        raise TypeError("%sa Block is expected, read %s"
+                        % (what, reprlib.repr(block)))
+    return block
 
 
 @dataclass(eq=False)
@@ -949,7 +1016,7 @@ class Block(_Answer):
     fixed: bool = False
     mass: Optional[float] = None
     centre: Optional[Point] = None
-    load: Tuple[float, float, float] = (0.0, 0.0, 0.0)
+    load: Tuple[float, float, float] = _NO_LOAD
     _taken: Any = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -988,9 +1055,9 @@ class Block(_Answer):
         """Makes an array of the vertices, and remembers where it lies."""
         parts = getattr(self.vertices, "geoms", None)
         if parts is not None:
-            raise ValueError("'%s': a %s of %d parts: a block is one polygon"
+            raise ValueError("'%s': a %s of %d part%s: a block is one polygon"
                              % (self.name, type(self.vertices).__name__,
-                                len(parts)))
+                                len(parts), "s" if len(parts) != 1 else ""))
         holes = len(getattr(self.vertices, "interiors", ()))
         if holes:
             raise ValueError("'%s': the polygon has %d hole%s, a block has none"
@@ -1009,10 +1076,11 @@ class Block(_Answer):
                 array = numpy.ascontiguousarray(ring, numpy.float64)
                 self._address = array.ctypes.data
             else:
-                memory = _numbers(ring)
+                memory = (c_double * (2 * len(ring)))(
+                    *chain.from_iterable(ring))
                 self._address = addressof(memory)
                 array = _rows_of(memory, 2)
-        except (TypeError, ValueError) as error:
+        except (TypeError, ValueError, OverflowError) as error:
             raise ValueError("'%s': vertices are not of shape (n, 2): %s"
                              % (self.name, error)) from None
         self.vertices = self._taken = array
@@ -1038,7 +1106,7 @@ class Block(_Answer):
             (c.mass,) = self._told("mass", [self.mass], 1)
         if self.centre is not None:
             c.centre = _Vec(*self._told("centre", self.centre, 2))
-        if any(self.load):
+        if self.load is not _NO_LOAD:
             c.load = _Wrench(*self._told("load", self.load, 3))
 
     def _told(self, what: str, values: Any, count: int) -> List[float]:
@@ -1071,7 +1139,9 @@ class Block(_Answer):
         """
         c = _Block()
         self._fill(c)
-        _block_load(byref(c), _Vec(*force), _Vec(*at), torque)
+        (torque,) = self._told("torque", [torque], 1)
+        _block_load(byref(c), _vector("'%s': force" % self.name, force),
+                    _vector("'%s': at" % self.name, at), torque)
         self.load = (c.load.fx, c.load.fy, c.load.torque)
         return self
 
@@ -1079,6 +1149,10 @@ class Block(_Answer):
         """Turns the block [rad] about its centre of mass, then shifts it [m],
         in place. Returns the block. Structures that hold it need an
         update()."""
+        x, y, turn = self._told("move()", (x, y, turn), 3)
+        if not math.isfinite(turn):
+            raise ValueError("'%s': turn: a finite angle is expected, read %r"
+                             % (self.name, turn))
         cx, cy = self.body().centre
         cos, sin = math.cos(turn), math.sin(turn)
         v = self.vertices
@@ -1119,20 +1193,36 @@ class Contact(_Answer):
     travel: float
 
     def _c(self) -> _Contact:
-        return _Contact(self.a, self.b, self.line, self.p, self.n, self.mu,
-                        self.travel)
+        try:
+            a, b = operator.index(self.a), operator.index(self.b)
+        except TypeError:
+            raise TypeError("a contact has the numbers of two blocks, read %r "
+                            "and %r" % (self.a, self.b)) from None
+        mu, travel = _several("a contact: mu and travel",
+                              (self.mu, self.travel), 2)
+        return _Contact(a, b, self.line, _vector("a contact: place", self.p),
+                        _vector("a contact: normal", self.n), mu, travel)
 
     @staticmethod
     def _of(c: _Contact) -> Contact:
         return Contact(c.a, c.b, bool(c.line), (c.p.x, c.p.y), (c.n.x, c.n.y),
                        c.mu, c.travel)
 
+    @_numeric
     def at(self, shrink: float, relative: bool = False) -> Point:
         """Returns the place of the point when the contact has shrunk.
 
         shrink:   at each end: a length [m], or with relative a share of it"""
         v = _contact_at(byref(self._c()), shrink, relative)
         return v.x, v.y
+
+
+def _contact(contact: Any) -> Contact:
+    """Returns the contact. Raises TypeError where it is something else."""
+    if not isinstance(contact, Contact):
+        raise TypeError("a Contact is expected, read %s"
+                        % reprlib.repr(contact))
+    return contact
 
 
 def contact_make(a: int, b: int, normal: Point, p: Point,
@@ -1152,8 +1242,9 @@ def contact_make(a: int, b: int, normal: Point, p: Point,
     """
     out = (_Contact * 2)()
     out[0] = Contact(a, b, False, p, normal, mu, 0)._c()
-    made = _contact_make(out, _Vec(*(q or p)),
-                         byref((options or Options())._c()))
+    made = _contact_make(
+        out, _vector("a contact: place", p if q is None else q),
+        byref(_asked_options(options)._c()))
     if made < 0:
         raise KernError(made, (), _Fault(-1, -1, -1, 0))
     return [Contact._of(c) for c in out[:made]]
@@ -1162,11 +1253,12 @@ def contact_make(a: int, b: int, normal: Point, p: Point,
 def contact_travels(contacts: Sequence[Contact]) -> List[Contact]:
     """Returns the contacts with their travels, which depend on the contacts
     beside them: call it once with all contacts of contact_make()."""
-    array = (_Contact * len(contacts))(*(c._c() for c in contacts))
+    array = (_Contact * len(contacts))(*(_contact(c)._c() for c in contacts))
     _contact_travels(array, len(contacts))
     return [Contact._of(c) for c in array[:len(contacts)]]
 
 
+@_numeric
 def work_need(blocks: int, contacts: int) -> Tuple[int, int]:
     """Returns how many doubles and ints of work memory kern.h needs."""
     reals, ints = c_int(), c_int()
@@ -1469,20 +1561,15 @@ class Solution(_Answer):
 # ---- Structures -------------------------------------------------------------
 
 
-_Method = TypeVar("_Method", bound=Callable[..., Any])
-
-
 def _asks(method: _Method) -> _Method:
     """A question: one thread at a time, of what update() has read."""
+    call = _numeric(method)
+
     @functools.wraps(method)
     def ask(self: Structure, *arguments: Any, **options: Any) -> Any:
         with self._lock:
             self._fresh()
-            try:
-                return method(self, *arguments, **options)
-            except ctypes.ArgumentError as error:
-                raise TypeError("%s(): a number is expected (%s)"
-                                % (method.__name__, error)) from None
+            return call(self, *arguments, **options)
     return ask  # type: ignore
 
 
@@ -1502,6 +1589,7 @@ class _Held:
 
 class _Kept(Block):
     """A block of a plan: it stays as it was when it was added."""
+    _kept = False
 
     def __init__(self, *arguments: Any):
         super().__init__(*arguments)
@@ -1519,7 +1607,7 @@ class _Kept(Block):
         self._kept = True
 
     def __setattr__(self, name: str, value: Any) -> None:
-        if getattr(self, "_kept", False):
+        if self._kept:
             raise TypeError("'%s' is in a plan: remove() it and add() a copy()"
                             % self.name)
         object.__setattr__(self, name, value)
@@ -1605,10 +1693,14 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         self._lock = threading.RLock()
         self.update()
 
+    # What update() makes: it is neither pickled nor copied.
+    _made = frozenset((
+        "_lock", "_held", "_task", "_at_task", "_told", "_forces", "_motions",
+        "_candidate", "_plan", "_at_plan", "_known"))
+
     def __getstate__(self) -> Dict[str, Any]:
-        return {key: getattr(self, key) for key in
-                ("blocks", "given", "options", "gravity", "name", "units",
-                 "notes", "skipped")}
+        return {key: value for key, value in self.__dict__.items()
+                if key not in self._made}
 
     def __setstate__(self, state: Dict[str, Any]) -> None:
         self.__dict__.update(state)
@@ -1663,9 +1755,9 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         the contacts if none are given. Raises KernError and ValueError."""
         with self._lock:
             given, n = self.given, len(self.blocks)
-            asked = cast(object, self.options)
-            if not isinstance(asked, Options):
-                raise TypeError("options are Options(...), read %r" % (asked,))
+            asked = _asked_options(self.options)
+            for i, block in enumerate(self.blocks):
+                _block(block, "block %d: " % i)
             names, options = [b.name for b in self.blocks], asked._c()
             search = asked._c()  # a short limit is meant for the questions
             if search.limit > 0:
@@ -1683,7 +1775,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
                     room *= 2
                 else:
                     found = room
-                    held.contact[:] = [contact._c() for contact in given]
+                    held.contact[:] = [_contact(c)._c() for c in given]
                 if found != Status.NO_SPACE or room > 1000000:
                     break
             if found < 0:
@@ -1732,7 +1824,11 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
                 if b.name == block:
                     return i
             raise KeyError("no block is named '%s'" % block)
-        i = operator.index(block)
+        try:
+            i = operator.index(block)
+        except TypeError:
+            raise TypeError("the name or the number of a block is expected, "
+                            "read %s" % reprlib.repr(block)) from None
         if not -len(self.blocks) <= i < len(self.blocks):
             raise IndexError("block %d of %d" % (i, len(self.blocks)))
         return i % len(self.blocks)
@@ -1848,8 +1944,9 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
     def let_go(self) -> LetGo:
         """Returns whether the structure stays when all blocks are released at
         once, from rest, a LetGo. A block that balances on its tip stays, too:
-        raised() has the reserve, and 0.0055 g is usually enough. Where the limit of work is reached it raises
-        nothing: `stays` is None and `why` is End.WORK.
+        raised() has the reserve, and 0.0055 g is usually enough. Where the
+        limit of work is reached it raises nothing: `stays` is None and `why`
+        is End.WORK.
 
         >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> low = Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
@@ -1888,12 +1985,23 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         status = self._check(_stays(self._at_task, i, byref(out)))
         return out.value if status == _STANDS else None
 
-    def _side(self, ask: str, side: int) -> None:
-        """Raises where a question to a side has no answer."""
+    def _side(self, ask: str, side: Any) -> Side:
+        """Returns a side. Raises where a question to it has no answer."""
         if side not in (LEFT, RIGHT):
             raise KernError(Status.BAD_OPTION, text="%s: a side is LEFT or "
                             "RIGHT, read %r" % (ask, side))
         self._pulls(ask)
+        return Side(side)
+
+    def _load(self, ask: str, side: Any, pattern: Any) -> Tuple[Side, Any]:
+        """Returns the side and the pattern of a load: one or the other."""
+        if pattern is None:
+            return self._side(ask, side), None
+        if side != SHRINK:
+            raise KernError(Status.BAD_OPTION, text="%s: a pattern takes the "
+                            "place of a side: pass SHRINK, read %r"
+                            % (ask, side))
+        return SHRINK, _rows(pattern, len(self.blocks), 3, "a load pattern")
 
     def _pulls(self, ask: str) -> None:
         if not any(self.gravity):
@@ -2001,7 +2109,8 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         side:    LEFT or RIGHT: a horizontal load of each block, its weight
                  times the factor
         shrink:  length by which contacts are shortened at each end [m]
-        pattern: instead of a side (fx, fy, torque) [N, N, N m] of each block
+        pattern: instead of a side, which is then SHRINK, (fx, fy, torque)
+                 [N, N, N m] of each block
 
         This is limit analysis, which is too high where joints slide; use
         raised_load() there. Raises KernError for SHRINK without a pattern, and
@@ -2010,11 +2119,9 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         >>> round(example().load_factor(RIGHT), 6)
         0.4
         """
-        if pattern is None:
-            self._side("load_factor()", side)
-            return self._factor(_load_factor, shrink, side)
-        return self._factor(_load_factor_of, shrink, _rows(
-            pattern, len(self.blocks), 3, "a load pattern"))
+        side, load = self._load("load_factor()", side, pattern)
+        return (self._factor(_load_factor, shrink, side) if load is None else
+                self._factor(_load_factor_of, shrink, load))
 
     @_asks
     def raised_load(self, side: int, shrink: float = 0.0,
@@ -2031,11 +2138,8 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         >>> round(example().raised_load(RIGHT), 2)
         0.4
         """
-        if pattern is None:
-            self._side("raised_load()", side)
-        out = self._factor(_raised_load, shrink, side,
-                           None if pattern is None else _rows(
-                               pattern, len(self.blocks), 3, "a load pattern"))
+        side, load = self._load("raised_load()", side, pattern)
+        out = self._factor(_raised_load, shrink, side, load)
         if out is not None:
             out.why = self._end()
         return out
@@ -2118,17 +2222,23 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         if loads is None and not self.lives:
             raise ValueError("no live load: %s([(NAME, FORCE, POINT), ...])"
                              % ask)
-        for name, force, at in self.lives if loads is None else loads:
+        for load in self.lives if loads is None else loads:
+            try:
+                name, force, at = load
+            except (TypeError, ValueError):
+                raise TypeError("%s(): (NAME, FORCE, POINT) is expected, read "
+                                "%s" % (ask, reprlib.repr(load))) from None
+            fx, fy = _several("%s(): the force" % ask, force, 2)
+            x, y = _several("%s(): the point" % ask, at, 2)
             if name not in index:
                 raise ValueError("no block is named %r" % name)
             if self.blocks[index[name]].fixed:
                 raise ValueError("'%s' is fixed" % name)
             centre = self.blocks[index[name]].body().centre
             row = pattern[index[name]]
-            row[0] += force[0]
-            row[1] += force[1]
-            row[2] += ((at[0] - centre[0]) * force[1]
-                       - (at[1] - centre[1]) * force[0])
+            row[0] += fx
+            row[1] += fy
+            row[2] += (x - centre[0]) * fy - (y - centre[1]) * fx
         return pattern
 
     @_asks
@@ -2141,8 +2251,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         >>> round(math.degrees(example().tilt(RIGHT)), 1)
         21.8
         """
-        self._side("tilt()", side)
-        return self._factor(_tilt, shrink, side)
+        return self._factor(_tilt, shrink, self._side("tilt()", side))
 
     @_asks
     def profile(self, side: int = SHRINK) -> Profile:
@@ -2153,8 +2262,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         >>> [round(value, 6) for value in example().profile().values]
         [inf, 0.5, 0.3]
         """
-        if side != SHRINK:
-            self._side("profile()", side)
+        side = SHRINK if side == SHRINK else self._side("profile()", side)
         value, c = (c_double * self._task.s.blocks)(), _Collapse()
         self._check(_profile(self._at_task, side, value, byref(c)))
         return Profile(value[:len(self.blocks)], c.least, c.mean, c.weak,
@@ -2171,8 +2279,10 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         >>> critical.meetings[critical.contact], critical.groups
         ('hinges', [[2]])
         """
-        if margin is None:
-            margin = self.measure()
+        margin = self.measure() if margin is None else margin
+        if not isinstance(cast(object, margin), Margin):
+            raise TypeError("critical(): a Margin is expected, read %s"
+                            % reprlib.repr(margin))
         if margin.motion is None:
             return None
         n = self._task.s.contacts
@@ -2248,6 +2358,9 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         or let_go() are proven if it is at most 1. Where let_go() has found that
         a structure moves and no block hangs, check_motion() checks the
         proof."""
+        if not isinstance(cast(object, raised), (Raised, LetGo)):
+            raise TypeError("check_raised(): a Raised or a LetGo is expected, "
+                            "read %s" % reprlib.repr(raised))
         how = raised.how if isinstance(raised, LetGo) else raised.raising
         force = _rows(_view(raised._force or b"", 2).tolist(),
                       self._task.s.contacts, 2, "forces")
@@ -2296,7 +2409,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
                      else None, -1 if limiting is None else limiting,
                      _numbers(values) if values else None,
                      max((v for v in values or () if v < math.inf), default=0),
-                     caption.encode(),
+                     str(caption).encode(),
                      _rows(self._live_pattern("svg", None), len(self.blocks), 3,
                            "a live load") if self.lives else None):
                 raise OSError("cannot write %s" % path)
@@ -2510,7 +2623,7 @@ class Plan(Structure):
     def _ask(self, function: Any, block: Block, *arguments: Any) -> int:
         """Asks about one more block, in larger arrays where these are full."""
         self._fresh()
-        block._fill(self._candidate)
+        _block(block)._fill(self._candidate)
         return self._asked(function, block, *arguments)
 
     def _asked(self, function: Any, block: Block, *arguments: Any) -> int:
@@ -2535,7 +2648,7 @@ class Plan(Structure):
         ValueError where its name is taken; the plan is then unchanged."""
         with self._lock:
             self._fresh()
-            _name_once([*self.blocks, block])
+            _name_once([*self.blocks, _block(block)])
             own = _Kept(block.name, block.vertices.tolist(), block.density,
                         block.fixed, block.mass, block.centre, block.load)
             vertex = own._copy_to(self._candidate)
@@ -2593,10 +2706,11 @@ class Plan(Structure):
         [0.5, 0.3, 0.5]
         """
         rows = poses.tolist() if hasattr(poses, "tolist") else list(poses)
-        own = block.copy()
+        own = _block(block).copy()
         vertices, (cx, cy) = own.vertices.tolist(), own.body().centre
         out: List[float] = []
-        for x, y, turn in rows:
+        for row in rows:
+            x, y, turn = _several("a pose", row, 3)
             cos, sin = math.cos(turn), math.sin(turn)
             for i, (px, py) in enumerate(vertices):
                 px, py = px - cx, py - cy
@@ -2612,6 +2726,7 @@ class Plan(Structure):
                 out.append(math.nan)
         return numpy.array(out) if numpy is not None else out
 
+    @_numeric
     def bears(self, block: Block, margin: float) -> bool:
         """Returns whether the margin [m] with the block added is at least this;
         False where it overlaps another. Quicker than try_()."""
@@ -2650,7 +2765,7 @@ class Plan(Structure):
         False
         None
         """
-        if block.fixed:
+        if _block(block).fixed:
             raise ValueError("'%s' is fixed" % block.name)
         self._pulls("try_stays()")
         with self._lock:
@@ -2664,6 +2779,7 @@ class Plan(Structure):
                 return None
             return chance.value if stands else None
 
+    @_numeric
     def rest(self, block: Block, x: float, turn: float = 0.0
              ) -> Optional[Block]:
         """Returns the block where it comes to rest when it is let down on the
@@ -2684,12 +2800,13 @@ class Plan(Structure):
         >>> plan.rest(box, 9) is None
         True
         """
+        (turn,) = _several("turn", [turn], 1)
         if not math.isfinite(turn):
             raise ValueError("turn: a finite angle is expected, read %r"
                              % turn)
         with self._lock:
             self._fresh()
-            block._fill(self._candidate)
+            _block(block)._fill(self._candidate)
             vertex = (_Vec * self._candidate.vertices)()
             pose = _Pose()
             status = _rest(byref(self._plan.task), byref(self._candidate), x,
@@ -2725,7 +2842,7 @@ class Plan(Structure):
         0.6 0.4 True
         0.7 0.3 True
         """
-        turns = list(turns)
+        xs, turns = list(xs), list(turns)
         try:
             alone = self.measure().margin
         except KernError as e:
@@ -2763,7 +2880,7 @@ class Plan(Structure):
                               load=min(side) if load else 0.0)
 
 
-def overlaps(blocks: Sequence[Block], *, options: Optional[Options] = None
+def overlaps(blocks: Iterable[Block], *, options: Optional[Options] = None
              ) -> List[Tuple[str, str, float, float]]:
     """Returns all pairs of blocks that overlap too deeply, a tuple each: two
     names, the depth [m] and the depth that is allowed [m]. Raises KernError.
@@ -2772,12 +2889,13 @@ def overlaps(blocks: Sequence[Block], *, options: Optional[Options] = None
     >>> overlaps([Block("a", box), Block("b", box).move(0.5, 0)])[0][:2]
     ('a', 'b')
     """
+    blocks = [_block(b, "block %d: " % i) for i, b in enumerate(blocks)]
     made = (_Block * len(blocks))()
     for i, block in enumerate(blocks):
         block._fill(made[i])
     index = (c_int * (2 * len(blocks)))()
     work = _Work(None, 0, addressof(index), len(index))
-    told = (options or Options())._c()
+    told = _asked_options(options)._c()
     found, out = 0, (_Overlap * 0)()
     for _ in range(2):
         out = (_Overlap * found)()
@@ -2801,8 +2919,8 @@ def example(shift: float = 0.2) -> Structure:
 # ---- Many structures ---------------------------------------------------------
 
 
-@dataclass
-class Many:
+@dataclass(eq=False)
+class Many(_Answer):
     """The answers of many(), an entry for each structure.
 
     status: Status.STANDS or FALLS; below 0 the reason why there is no answer
@@ -2832,19 +2950,26 @@ class Many:
 
 def _flat(values: Any, count: int, what: str) -> Any:
     """Returns nested numbers as a flat array of `count` doubles."""
-    if numpy is not None:
-        out = numpy.ascontiguousarray(values, numpy.float64).reshape(-1)
-    else:
-        out, rest = _array("d"), [iter((values,))]
-        while rest:
-            for value in rest[-1]:
-                if isinstance(value, (int, float)):
-                    out.append(value)
+    try:
+        if numpy is not None:
+            out = numpy.ascontiguousarray(values, numpy.float64).reshape(-1)
+        else:
+            out, rest = _array("d"), [iter((values,))]
+            while rest:
+                for value in rest[-1]:
+                    if isinstance(value, (int, float)):
+                        out.append(value)
+                    elif isinstance(value, (str, bytes)):
+                        raise TypeError
+                    else:
+                        rest.append(iter(value))
+                        break
                 else:
-                    rest.append(iter(value))
-                    break
-            else:
-                rest.pop()
+                    rest.pop()
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError("many(): %s: numbers are expected, in rows of equal "
+                        "length, read %s" % (what, reprlib.repr(values))
+                        ) from None
     if len(out) != count:
         raise ValueError("many(): %s has %d numbers, %d are expected"
                          % (what, len(out), count))
@@ -2878,6 +3003,14 @@ def _poses(wall: Structure, poses: Any, count: int) -> Any:
         for k in range(3):
             out[start + k::3 * n] = own[k::3]
     return out
+
+
+def _length(name: str, rows: Any) -> int:
+    try:
+        return len(rows)
+    except TypeError:
+        raise TypeError("many(): %s: a list or an array is expected, read %s"
+                        % (name, reprlib.repr(rows))) from None
 
 
 def many(wall: Structure, *, poses: Any = None,
@@ -2917,11 +3050,14 @@ def many(wall: Structure, *, poses: Any = None,
     >>> round(out.loads[1][1], 6)
     0.3
     """
+    if not isinstance(cast(object, wall), Structure):
+        raise TypeError("many(): a Structure or a Plan is expected, read %s"
+                        % reprlib.repr(wall))
     each: Any = poses
     if isinstance(poses, dict) and poses:
         each = next(iter(cast(Dict[str, Any], poses).values()))
     given: Dict[str, Any] = {"poses": each, "mu": mu, "stones": stones}
-    lengths = {name: len(rows) for name, rows in given.items()
+    lengths = {name: _length(name, rows) for name, rows in given.items()
                if rows is not None}
     if len(set(lengths.values())) != 1:
         raise ValueError("many(): give poses, mu or stones, as many of each; "
@@ -2937,7 +3073,7 @@ def many(wall: Structure, *, poses: Any = None,
                for b in wall.blocks]
         stone = (_Block * count)()
         for block, made in zip(stones or (), stone):
-            block._fill(made)
+            _block(block, "many(): stones: ")._fill(made)
 
         # What goes in and what comes out; the arrays live until C is done.
         options = wall.options._c()
@@ -2957,7 +3093,8 @@ def many(wall: Structure, *, poses: Any = None,
             *map(_address, (status, level, margin, load, motion)))
 
         # Threads take parts in turn: ctypes lets others run meanwhile.
-        workers = max(1, min(threads or os.cpu_count() or 1, count))
+        (asked,) = _several("many(): threads", [threads or 0], 1)
+        workers = max(1, min(int(asked) or os.cpu_count() or 1, count))
         part = -(-count // (8 * workers)) if workers > 1 else max(count, 1)
 
         def run(first: int) -> int:
@@ -3037,7 +3174,11 @@ def parse(text: Union[str, bytes], name: str = "structure") -> Structure:
     ValueError: structure:1: friction: a number not below zero is expected, \
 read 'much'
     """
-    data, t = text.encode() if isinstance(text, str) else text, _Text()
+    data: Any = text.encode() if isinstance(text, str) else text
+    if not isinstance(data, bytes):
+        raise TypeError("parse(): a str or bytes are expected, read %s"
+                        % reprlib.repr(text))
+    t = _Text()
     try:
         if _read(byref(t), data, len(data)):
             raise ValueError("%s:%d: %s" % (
@@ -3060,7 +3201,11 @@ def _words(values: Sequence[str]) -> Any:
 
 def _asked(what: Dict[str, Any], name: str) -> Tuple[_Asked, Any]:
     """What a reader of drawings is told; and the words it points to."""
-    roles: Dict[str, str] = what.get("layers") or {}
+    roles: Any = what.get("layers") or {}
+    if not isinstance(roles, dict):
+        raise TypeError("%s: layers takes a dict of names and roles, read %s"
+                        % (name, reprlib.repr(roles)))
+    roles = cast(Dict[str, str], roles)
     layers = ["%s=%s" % pair for pair in roles.items()]
     for word in layers:
         if word.rpartition("=")[2] not in ("ground", "stone", "fill", "ignore"):
@@ -3075,12 +3220,16 @@ def _asked(what: Dict[str, Any], name: str) -> Tuple[_Asked, Any]:
         densities = (cast(Dict[str, float], density)
                      if isinstance(density, dict) else {"": density})
     for value in densities.values():
+        (value,) = _several("%s: density" % name, [value], 1)
         if not 0 < value < math.inf:
             raise ValueError("%s: density takes a number above 0, read %r"
                              % (name, value))
     told = ["%s%s%r" % (label, "=" if label else "", float(value))
             for label, value in densities.items()]
     pixel, tolerance = what.get("pixel"), what.get("tolerance", 1.5)
+    for word, value in (("pixel", pixel), ("tolerance", tolerance),
+                        ("ground", what.get("ground"))):
+        _several("%s: %s" % (name, word), [value or 0], 1)
     if not (pixel is None or 0 < pixel < 1e15) or not 0 <= tolerance < 1e15:
         raise ValueError("%s: pixel is a length above 0, tolerance a number of "
                          "pixels, read %r and %r" % (name, pixel, tolerance))
@@ -3124,7 +3273,20 @@ def _drawn(data: bytes, ending: str, name: str, what: Dict[str, Any],
         del kept
 
 
-def read(path: Union[str, os.PathLike[str]], **what: Any) -> Structure:
+_Densities = Union[None, float, Dict[str, float]]
+
+
+def _given(**what: Any) -> Dict[str, Any]:
+    """Returns the keywords that have a value."""
+    return {word: value for word, value in what.items() if value is not None}
+
+
+def read(path: Union[str, os.PathLike[str]], *,
+         layers: Optional[Dict[str, str]] = None, density: _Densities = None,
+         ground: Optional[float] = None, pixel: Optional[float] = None,
+         tolerance: Optional[float] = None,
+         fixed: Union[None, str, Sequence[str]] = None,
+         image: Union[None, int, str] = None) -> Structure:
     """Returns the structure in a file: text (`kern --help format` describes
     it), a drawing (.dxf, .svg), or polygons of LabelMe, COCO or VIA (.json).
     For drawings and photographs there are keywords:
@@ -3140,14 +3302,12 @@ def read(path: Union[str, os.PathLike[str]], **what: Any) -> Structure:
     of lengths."""
     file = pathlib.Path(path)
     data, ending = file.read_bytes(), file.suffix.lower()
-    image = {"pixel", "tolerance", "fixed", "image"} & set(what)
-    known = {"layers", "density", "ground"} | image
-    if set(what) - known:
-        raise TypeError("read() does not know %s"
-                        % ", ".join(sorted(set(what) - known)))
-    if image and ending != ".json":
+    what = _given(layers=layers, density=density, ground=ground, pixel=pixel,
+                  tolerance=tolerance, fixed=fixed, image=image)
+    of_image = {"pixel", "tolerance", "fixed", "image"} & set(what)
+    if of_image and ending != ".json":
         raise TypeError("%s: %s go with polygons of an image (.json)"
-                        % (path, ", ".join(sorted(image))))
+                        % (path, ", ".join(sorted(of_image))))
     if what and ending not in (".json", ".dxf", ".svg"):
         raise TypeError("%s: %s go with drawings and images"
                         % (path, ", ".join(sorted(what))))
@@ -3172,21 +3332,22 @@ def simplified(points: Sequence[Point], tolerance: float) -> List[Point]:
     >>> simplified([(0, 0), (1, .01), (2, 0), (2, 1), (0, 1)], tolerance=.02)
     [(0, 0), (2, 0), (2, 1), (0, 1)]
     """
-    n = len(points)
+    n, (tolerance,) = len(points), _several("tolerance", [tolerance], 1)
     raw, out, kept = (_Vec * n)(), (_Vec * n)(), (c_int * n)()
-    for i, (x, y) in enumerate(points):
-        raw[i] = _Vec(x, y)
+    for i, point in enumerate(points):
+        raw[i] = _vector("point %d" % i, point)
     count = _outline_simplify(raw, n, tolerance, out, kept, n)
     if count < 0:
         raise KernError(count)
     return [points[i] for i in kept[:count]]
 
 
-def from_labelme(page: Any, pixel: Optional[float] = None,
-                 tolerance: float = 1.5,
-                 density: Union[None, float, Dict[str, float]] = None,
-                 fixed: Sequence[str] = (), name: str = "LabelMe",
-                 **what: Any) -> Structure:
+def from_labelme(page: Any, *, pixel: Optional[float] = None,
+                 tolerance: float = 1.5, density: _Densities = None,
+                 fixed: Union[str, Sequence[str]] = (),
+                 layers: Optional[Dict[str, str]] = None,
+                 ground: Optional[float] = None,
+                 name: str = "LabelMe") -> Structure:
     """Returns the structure of the polygons in a page of LabelMe.
 
     page:      the object that json.load() returns
@@ -3194,7 +3355,8 @@ def from_labelme(page: Any, pixel: Optional[float] = None,
     tolerance: outlines are simplified to this many pixels
     fixed:     labels of blocks that do not move, besides `ground`; without any,
                the lowest row is fixed
-    density, what: as in read()
+    density, layers, ground: as in read()
+    name:      for messages
     y points up. The errors of Options.measured() follow from pixel and
     tolerance.
 
@@ -3206,21 +3368,25 @@ def from_labelme(page: Any, pixel: Optional[float] = None,
     ...     pixel=.01).verdict()
     Verdict(stands=True)
     """
-    return _page(page, name, dict(what, pixel=pixel, tolerance=tolerance,
-                                  density=density, fixed=fixed))
+    return _page(page, name, _given(
+        pixel=pixel, tolerance=tolerance, density=density, fixed=fixed,
+        layers=layers, ground=ground))
 
 
-def from_coco(page: Any, pixel: Optional[float] = None, tolerance: float = 1.5,
-              density: Union[None, float, Dict[str, float]] = None,
-              fixed: Sequence[str] = (), image: Union[None, int, str] = None,
-              name: str = "COCO", **what: Any) -> Structure:
+def from_coco(page: Any, *, pixel: Optional[float] = None,
+              tolerance: float = 1.5, density: _Densities = None,
+              fixed: Union[str, Sequence[str]] = (),
+              image: Union[None, int, str] = None,
+              layers: Optional[Dict[str, str]] = None,
+              ground: Optional[float] = None, name: str = "COCO") -> Structure:
     """Returns the structure of the polygons and masks of one image in a COCO
     page; blocks are named by their categories.
 
     image: id or file name of the image, where the page has several
     The other parameters are those of from_labelme()."""
-    return _page(page, name, dict(what, pixel=pixel, tolerance=tolerance,
-                                  density=density, fixed=fixed, image=image))
+    return _page(page, name, _given(
+        pixel=pixel, tolerance=tolerance, density=density, fixed=fixed,
+        image=image, layers=layers, ground=ground))
 
 
 # ---- Linear programs ---------------------------------------------------------
@@ -3245,8 +3411,12 @@ def lp_solve(a: Sequence[Sequence[float]], rhs: Sequence[float],
             cost is not None and len(cost) != cols):
         raise ValueError("%d rows of a for %d of rhs, or rows of unequal length"
                          % (len(a), rows))
-    columns, right = _numbers(zip(*a)), _numbers(rhs)
-    prices = _numbers(cost) if cost is not None else None
+    try:
+        columns, right = _numbers(zip(*a)), _numbers(rhs)
+        prices = _numbers(cost) if cost is not None else None
+    except (TypeError, OverflowError) as error:
+        raise TypeError("lp_solve(): numbers are expected: %s" % error
+                        ) from None
     room = (rows + rows // 2 + 8) * (rows + 2)      # KERN_LP_ROOM
     real = (c_double * (room + 5 * rows + 16))()    # KERN_LP_REALS
     index = (c_int * (9 * rows + cols + 30))()      # KERN_LP_INTS

@@ -87,6 +87,14 @@ def main() -> None:
     ask.add_argument("--seed", type=int, default=1)
     ask.add_argument("--on", choices=("pool", "dask", "ray"))
     told = ask.parse_args()
+    if told.count < 0:
+        ask.error("count: a number not below 0 is expected, read %d"
+                  % told.count)
+    if told.on in ("dask", "ray"):
+        try:
+            importlib.import_module(told.on)
+        except ImportError as error:
+            ask.error("--on %s: %s" % (told.on, error))
     tasks = [("%d %d" % (told.seed, first), min(PART, told.count - first))
              for first in range(0, told.count, PART)]
     for lines in shared(tasks, told.on):

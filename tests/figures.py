@@ -1,0 +1,127 @@
+"""python3 tests/figures.py    the figures of README.md are those of its pages
+
+README has each figure that another page or a program gives once more, so a change
+there must reach it. A row below is a pattern in README.md, where its numbers come
+from, and a pattern there; the groups of both must be the same numbers, to the
+digits that README has. Fails where they are not, or a pattern is not found.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TRUST, PUBLISHED, REALITY = (
+    "tests/%s.md" % name for name in ("TRUST", "PUBLISHED", "REALITY"))
+STUDY = "examples/laboratory/STUDY.md"
+N = r"([\d.,]+)"  # a number
+
+ROWS = (
+    # which number answers which question
+    (r"of %s near-critical structures none" % N, TRUST,
+     r"`\./exact %s`: none wrong" % N),
+    (r"of %s toppling slopes it says `stays` for none below" % N, TRUST,
+     r"\| %s slopes at 0\.9 and 0\.99 .* 0 of 720" % N),
+    (r"for all at %s times that" % N, TRUST,
+     r"the same at %s and 1\.1 \| said to stay \| 720 of 720" % N),
+    (r"a chance of %s accepts %s %% .* rejects %s %%" % (N, N, N), TRUST,
+     r"\n\| (0\.5) \| %s \| %s \|" % (N, N)),
+    (r"algorithm on all of %s structures" % N, TRUST,
+     r"level on all %s structures" % N),
+    (r"a noise of %s %% of a stone the lower bound of the margin holds in %s %% "
+     r"of settled structures; %s %% of what stands and %s %% of what falls"
+     % (N, N, N, N), TRUST,
+     r"(?s)mean size \| 0\.2 % \| ([\d.]+) %.*?stands, and is certain \| 71 % \| "
+     r"([\d.]+) %.*?falls, and is certain \| 99 % \| ([\d.]+) %.*?above the "
+     r"lower end \| 94 % \| ([\d.]+) %"),
+    (r"%s of a simulator's collapse in the median of %s brick walls, from %s to "
+     r"%s" % (N, N, N, N), TRUST,
+     r"%s brick walls with openings, raised load .* \| median \| %s \|\n"
+     r"\| the same \| all \| %s to %s \|" % (N, N, N, N)),
+    (r"rank correlation with the level of collapse %s on %s structures; load "
+     r"factor %s, margin %s" % (N, N, N, N), STUDY,
+     r"(?s)near: expected drop \| %s .*?load factor \| (0\.45) .*?margin \| %s "
+     r".*?\| %s structures of the" % (N, N, N)),
+    (r"which was %s to %s of limit equilibrium on %s such rows" % (N, N, N),
+     TRUST,
+     r"%s rows of 20 to 90 columns, raised load / limit equilibrium \| at least "
+     r"0\.97 \| 75 of 90 \|\n\| the same \| all \| %s to %s \|" % (N, N, N)),
+    (r"besides, in g\) below %s as not" % N, TRUST, r"A reserve of %s g" % N),
+    # how many
+    (r"computes %s formulas" % N, "cc tests/published.c", r"\n%s results" % N),
+    (r"reality\.c\) %s experiments" % N, "cc tests/reality.c", r"\n%s rows" % N),
+    (r"%s structures with known outcomes" % N, "tests/CORPUS.md",
+     r"The corpus: %s structures" % N),
+    # textbooks and experiments
+    (r"Milankovitch 1907\) \| %s \| %s" % (N, N), PUBLISHED,
+     r"Milankovitch 1907\) \| %s \| %s" % (N, N)),
+    (r"157\.5 degrees: load factor \| %s \| %s" % (N, N), PUBLISHED,
+     r"157\.5 deg, t/R 0\.15: load factor, four hinges \| %s \| %s" % (N, N)),
+    (r"phi 30, delta 20: overturning \| %s \| %s" % (N, N), PUBLISHED,
+     r"phi 30, delta 2/3 phi: against overturning \| %s \| %s" % (N, N)),
+    (r"least friction, let go \| %s \| %s" % (N, N), PUBLISHED,
+     r"least friction, let go \| %s \| %s" % (N, N)),
+    (r"least push at its foot \| %s \| %s" % (N, N), PUBLISHED,
+     r"least push at the foot that holds it \| %s \| %s" % (N, N)),
+    (r"Prestwood bridge 1986, collapse \[kN\] \| %s \| %s" % (N, N), REALITY,
+     r"Prestwood 1986 \| %s \| %s" % (N, N)),
+    (r"Dundee model bridge \[kN\] \| %s \| %s" % (N, N), REALITY,
+     r"Dundee model 1989 \| %s \| %s" % (N, N)),
+    (r"no crushing: mean ratio, .* \| 1 \| %s," % N, REALITY,
+     r"\| no crushing \| %s " % N),
+    (r"from least to most \| 1 \| [\d.]+, %s to %s" % (N, N), REALITY,
+     r"(?s)\| Strathmashie 1989 \|[^|]*\|[^|]*\| %s .*\| Bolton model 1990 "
+     r"\|[^|]*\|[^|]*\| %s " % (N, N)),
+    (r"5 MPa: mean ratio \| 1 \| %s" % N, REALITY, r"\n\| 5 MPa \| %s " % N),
+    (r"right verdicts .* \| %s \| %s" % (N, N), REALITY,
+     r"Right in %s of %s\. C" % (N, N)),
+    (r"height of fill \[ft\] \| %s \| %s" % (N, N), REALITY,
+     r"brick in wet sand, fill \| %s \| %s" % (N, N)),
+)
+
+
+def text_of(source):
+    """The text of a page, or what a program prints."""
+    if not source.startswith("cc "):
+        return (ROOT / source).read_text(encoding="utf-8")
+    with tempfile.TemporaryDirectory() as folder:
+        program = folder + "/program"
+        subprocess.run(["cc", "-O2", "-ffp-contract=off", "-o", program,
+                        source[3:], "-lm"], cwd=ROOT, check=True)
+        return subprocess.run([program], cwd=ROOT, stdout=subprocess.PIPE,
+                              check=True, universal_newlines=True).stdout
+
+
+def words(found):
+    """The numbers of a match as they are written, in order of size."""
+    return sorted((word.replace(",", "").rstrip(".") for word in found.groups()
+                   if word), key=float)
+
+
+def same(mine, theirs):
+    """Are these the same, to the digits of mine? A share may be in per cent."""
+    return len(mine) == len(theirs) and all(
+        any(abs(float(m) - scale * float(t)) <= 0.5000001 / 10 ** len(
+            m.partition(".")[2]) for scale in (1, 100))
+        for m, t in zip(mine, theirs))
+
+
+def main():
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    flat, bad = re.sub(r"\n(?!\||\n)", " ", readme), 0
+    for mine, source, theirs in ROWS:
+        here, there = re.search(mine, flat), re.search(theirs, text_of(source))
+        if here and there and same(words(here), words(there)):
+            continue
+        bad += 1
+        print("README.md, %s: %s\n    %s: %s" % (
+            mine, here and words(here), source, there and words(there)))
+    print("%d of %d figures of README.md are not those of their pages"
+          % (bad, len(ROWS)))
+    return bad > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
