@@ -155,39 +155,82 @@ static int statements_corners(const struct outlines *o, double *x, int *index,
     return n;
 }
 
+/* The columns of a fill, from left to right: what it and the blocks take up in
+   the one that is looked at. */
+struct statements_columns {
+    double *corner; /* x of each, in no order        */
+    int *order;     /* of the corners                */
+    struct statements_span *fill, *block;
+    int corners, room; /* of the fill; of all outlines  */
+    int next;          /* the corner it goes on from    */
+    double left, right;
+    int fills, blocks; /* spans in it                   */
+};
+
+/* Finds the corners between which fill i has its columns. Returns how many there
+   are, or -1 where they are too many to weigh. Memory is freed by
+   statements_close(). */
+static int statements_open(const struct outlines *o, int i, int room,
+                           struct statements_columns *c)
+{
+    struct shapes *s = o->s;
+    const struct statements_columns none = {0};
+    *c = none;
+    c->room = room;
+    c->corner = shapes_array(s, room, sizeof *c->corner);
+    c->order = shapes_array(s, room, sizeof *c->order);
+    c->fill = shapes_array(s, 2 * room, sizeof *c->fill);
+    c->block = c->fill ? c->fill + room : NULL;
+    if (c->corner && c->order && c->fill)
+        c->corners = statements_corners(o, c->corner, c->order,
+                                        o->block[i].left, o->block[i].right);
+    if ((double)c->corners * room > STATEMENTS_FILL)
+        c->corners = -1;
+    return c->corners;
+}
+
+/* Goes on to the next column that has a width. Returns 0 where there is none. */
+static int statements_next(const struct outlines *o, int i,
+                           struct statements_columns *c)
+{
+    for (c->next++; c->next < c->corners; c->next++) {
+        c->left = c->corner[c->order[c->next - 1]];
+        c->right = c->corner[c->order[c->next]];
+        if (!(c->right - c->left > 1e-9 * o->size))
+            continue;
+        c->fills = statements_spans(o, i, -1, c->left, c->right, c->fill, 0,
+                                    c->room);
+        c->blocks = 0;
+        for (int b = 0; b < o->blocks; b++)
+            if (outlines_path(o, b)->role != SHAPES_FILL)
+                c->blocks = statements_spans(o, b, b, c->left, c->right,
+                                             c->block, c->blocks, c->room - 1);
+        return 1;
+    }
+    return 0;
+}
+
+static void statements_close(struct statements_columns *c)
+{
+    free(c->corner);
+    free(c->order);
+    free(c->fill);
+}
+
 /* Lays the weight of one fill on the blocks below it. Returns the share of it
    that lies on none, or -1 where it was too much to weigh. */
 static double statements_lay(struct outlines *o, int i, int corners,
                              double density)
 {
-    struct shapes *s = o->s;
-    double *x = shapes_array(s, corners, sizeof *x), lost = 0;
-    int *index = shapes_array(s, corners, sizeof *index), columns = 0;
-    struct statements_span *span = shapes_array(s, 2 * corners, sizeof *span);
-    struct statements_span *fill = span ? span + corners : NULL;
-    if (x && index && span)
-        columns = statements_corners(o, x, index, o->block[i].left,
-                                     o->block[i].right);
-    if ((double)columns * corners > STATEMENTS_FILL)
-        columns = -1;
-    for (int k = 0; k + 1 < columns; k++) {
-        const double left = x[index[k]], right = x[index[k + 1]];
-        int n = 0, fills;
-        if (!(right - left > 1e-9 * o->size))
-            continue;
-        fills = statements_spans(o, i, -1, left, right, fill, 0, corners);
-        for (int b = 0; b < o->blocks && fills > 0; b++)
-            if (outlines_path(o, b)->role != SHAPES_FILL)
-                n = statements_spans(o, b, b, left, right, span, n,
-                                     corners - 1);
-        for (int f = 0; f < fills; f++)
-            lost += statements_column(o, left, right, fill + f, span, n,
-                                      density);
-    }
-    free(x);
-    free(index);
-    free(span);
-    return columns < 0 ? -1 : lost / outlines_path(o, i)->area;
+    struct statements_columns c;
+    const int known = statements_open(o, i, corners, &c);
+    double lost = 0;
+    while (statements_next(o, i, &c))
+        for (int f = 0; f < c.fills; f++)
+            lost += statements_column(o, c.left, c.right, c.fill + f, c.block,
+                                      c.blocks, density);
+    statements_close(&c);
+    return known < 0 ? -1 : lost / outlines_path(o, i)->area;
 }
 
 static void statements_put(struct shapes_text *t, double x)
@@ -318,34 +361,14 @@ static void statements_differ(double wide, double top, const double floor[3],
    such a fill below, by which its outline is not that: 1 where it is none. */
 static double statements_misfit(const struct outlines *o, int i, int corners)
 {
-    struct shapes *s = o->s;
-    double *x = shapes_array(s, corners, sizeof *x), all = 0, differs = 0;
-    int *index = shapes_array(s, corners, sizeof *index), columns = 0;
-    struct statements_span *span = shapes_array(s, 2 * corners, sizeof *span);
-    struct statements_span *fill = span ? span + corners : NULL;
-    if (x && index && span)
-        columns = statements_corners(o, x, index, o->block[i].left,
-                                     o->block[i].right);
-    if ((double)columns * corners > STATEMENTS_FILL)
-        columns = 0;
-    for (int k = 0; k + 1 < columns; k++) {
-        const double left = x[index[k]], right = x[index[k + 1]];
-        double floor[3];
-        int n = 0, fills;
-        if (!(right - left > 1e-9 * o->size))
-            continue;
-        fills = statements_spans(o, i, -1, left, right, fill, 0, corners);
-        for (int b = 0; b < o->blocks; b++)
-            if (outlines_path(o, b)->role != SHAPES_FILL)
-                n = statements_spans(o, b, b, left, right, span, n,
-                                     corners - 1);
-        if (statements_floor(o, i, left, right, span, n, floor))
-            statements_differ(right - left, o->block[i].high, floor, fill,
-                              fills, &all, &differs);
-    }
-    free(x);
-    free(index);
-    free(span);
+    struct statements_columns c;
+    double all = 0, differs = 0, floor[3];
+    statements_open(o, i, corners, &c);
+    while (statements_next(o, i, &c))
+        if (statements_floor(o, i, c.left, c.right, c.block, c.blocks, floor))
+            statements_differ(c.right - c.left, o->block[i].high, floor, c.fill,
+                              c.fills, &all, &differs);
+    statements_close(&c);
     return all > 0 ? differs / all : 1;
 }
 
