@@ -928,7 +928,9 @@ thrust() { # the least and the greatest of a support: of a stone that friction
         "$kern" --json --thrust right $stone >"$out/thrust.json" &&
         "$kern" --help >"$out/help" &&
         $judge keys "$out/thrust.json" "$out/help" &&
-        refuses "--thrust: there is no fixed block 'v1'" --thrust v1 $stone
+        refuses "--thrust: there is no fixed block 'v1'" --thrust v1 $stone &&
+        says 'thrust      undecided' --thrust ground \
+            examples/structures/retaining-wall.kern
 }
 
 kept() { # no picture is written over a structure
