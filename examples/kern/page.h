@@ -200,7 +200,7 @@ static inline void page_factors(FILE *out, const struct analysis *a)
     char one[40], two[40], value[100];
     if (a->shown != KERN_STANDS || !(gravity_of(a) > 0))
         return;
-    if (asks_raised_loads(a) && !is_near(a)) {
+    if (has_friction_loads(a)) {
         snprintf(value, sizeof value, "%s left, %s right",
                  shown_text(a, LEFT, one), shown_text(a, RIGHT, two));
         page_row(out, "horizontal load", value,
@@ -215,7 +215,7 @@ static inline void page_factors(FILE *out, const struct analysis *a)
         "it is too high");
 
     /* of weight alone, what friction bears sideways is what it bears tilted */
-    if (asks_raised_loads(a) && !is_near(a) && !has_loads(a)) {
+    if (has_friction_loads(a) && !has_loads(a)) {
         snprintf(value, sizeof value, "%s left, %s right",
                  angle_text(atan(a->raised_load[LEFT]), a->cut[LEFT], degrees,
                             "\xc2\xb0", one),
