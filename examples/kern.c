@@ -365,6 +365,10 @@ static int name_option(struct settings *set, char **argv, int *i)
         return output_option("--kern", set->kern_file, ".kern");
     if (args_value(argv, i, "--report", &set->page))
         return output_option("--report", set->page, ".html");
+    if (args_value(argv, i, "--title", &set->title))
+        return set->title && set->title[0]
+                 ? 0
+                 : bad_use("a text is missing after", "--title");
     if (args_value(argv, i, "--svg", &set->svg))
         return output_option("--svg", set->svg, ".svg");
     return unknown_option(word);
@@ -434,7 +438,8 @@ static int check_share(const struct settings *set, const char *name,
     return -1;
 }
 
-/* What drawings and photographs are read with; and no file is written over. */
+/* What drawings and photographs are read with; no file is written over, and no
+   title is without its page. */
 static int set_drawing(struct settings *set)
 {
     set->drawing.layer = set->layer;
@@ -444,6 +449,8 @@ static int set_drawing(struct settings *set)
     set->drawing.pixel = (double)set->pixel;
     set->drawing.phi = (double)set->phi;
     set->drawing.tolerance = 1.5;
+    if (set->title && !set->page)
+        return bad_use("--report OUT.html is missing beside", "--title");
     for (int i = 0; set->kern_file && i < set->files; i++)
         if (strcmp(set->kern_file, set->file[i]) == 0)
             return bad_use("--kern would write over", set->file[i]);

@@ -578,6 +578,14 @@ layers() { # fill in layers: each is counted once, from files and from drawings
     says 'skipped     1 outline drawn twice on FILL' --density 1000 --phi 30 \
         "$out/again.dxf" && says 'fill        weighs 9810 N' --density 1000 \
         --phi 30 "$out/again.dxf" || return 1
+    says 'fill        weighs 9810 N about (0.5, 3.5) on 1 block' --density 1000 \
+        "$g" && { printf '%s\n' 'units m N' 'fixed g -2 -1 3 -1 3 0 -2 0' \
+        'block a 5 0 0 1 0 1 2 0 2' 'mass a 1000 .5 2' 'mass a 3000 .5 3'; } >"$f" &&
+        says 'mass        weighs 39.24 kN about (0.5, 2.75) in 2 statements' "$f" &&
+        "$kern" --json "$f" >"$out/mass.json" &&
+        grep -q '"mass_weight": 39240, "mass_x": 0.5, "mass_y": 2.75' \
+            "$out/mass.json" && "$kern" --help >"$out/help" &&
+        $judge keys "$out/mass.json" "$out/help" || return 1
     "$kern" --density 1000 --phi 30 --kern "$f" "$g" >"$out/o" &&
         grep -q 'its outline differs by 66.7 % from a fill' "$out/o" &&
         grep -q '^mass STONE_2 1000 \|^mass STONE_2 999.99' "$f"
@@ -678,7 +686,7 @@ hand_in() { # drawings of the bridge and the wall, and a photograph: the answers
     "$kern" --mu .75 --density 2273.19 --kern "$out/wall.kern" "$out/wall.dxf" \
         >"$out/o" && echo "earth right 6.096 1393.48 35 23.3333" >>"$out/wall.kern" &&
         says 'margin      0.2191 m' "$out/wall.kern" &&
-        says 'earth       5.7e+04 N to the left' "$out/wall.kern" || return 1
+        says 'earth       57 kN to the left' "$out/wall.kern" || return 1
     "$kern" --pixel .01 --density 2000 --report "$out/photo.html" \
         tests/seeds/drawing-labelme.json >"$out/o"
     [ $? -le 1 ] || return 1
@@ -699,6 +707,19 @@ END
     for name in read photo all-prestwood all-retaining-wall; do
         $judge page "$out/$name.html" || { echo "$name"; return 1; }
     done
+    # its headline has the factor that governs; large forces in N are kN
+    grep -q 'The factor that governs is 1.924, on the pressure of the earth' \
+        "$out/all-retaining-wall.html" &&
+        "$kern" --title 'Wall <B>, 1834' --report "$out/n.html" "$out/wall.kern" \
+            >"$out/o" && grep -q '<h1>Wall &lt;B&gt;, 1834</h1>' "$out/n.html" &&
+        grep -q '<td>57 kN to the left' "$out/n.html" &&
+        grep -q '<th>normal \[kN\]</th><th>shear \[kN\]</th>' "$out/n.html" &&
+        grep -q '<th>stress \[kPa\]</th>' "$out/n.html" &&
+        grep -q '<td>162.7</td><td>-57</td>' "$out/n.html" &&
+        "$kern" --title Walls --report "$out/t.html" $bridge $wall >"$out/o" &&
+        grep -q '<title>Walls: prestwood.kern</title>' "$out/t-prestwood.html" &&
+        refuses "--report OUT.html is missing beside --title" --title T $wall &&
+        refuses "a text is missing after --title" --title '' $wall || return 1
     refuses "--report takes a name that ends in .html" --report a.kern $wall &&
         refuses "--phi takes an angle in degrees from 5 to 60" --phi .6 $wall &&
         refuses "--mu takes a number not below zero" --mu a=b $wall

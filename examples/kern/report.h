@@ -874,6 +874,15 @@ static inline void report_near(const struct analysis *a)
                 : "");
 }
 
+static inline void report_growth(const struct analysis *a)
+{
+    char growth[LOADS_ROOM];
+    if (!has_growth(a))
+        return;
+    loads_growth(a, growth);
+    loads_print("earth", growth, NULL);
+}
+
 static inline void report_thrust(const struct analysis *a)
 {
     char thrust[LOADS_ROOM];
@@ -928,6 +937,7 @@ static inline void report(const struct analysis *a)
     report_loads(a);
     if (a->set->raised)
         report_raised_loads(a);
+    report_growth(a);
     report_thrust(a);
     report_sweep(a);
     if (a->set->place)

@@ -30,7 +30,8 @@ struct settings { /* of the command line; numbers < 0: not given */
     kern_real own_error, own_turn; /* of --error                          */
     int relative, forces, mechanism, profile, touching, json, verdict_only;
     int raised, sequence, mechanism_live, lone;
-    const char *svg, *page, *c_file, *kern_file, *stays, *place, *thrust;
+    const char *svg, *page, *title, *c_file, *kern_file, *stays, *place,
+        *thrust;
     struct shapes_asked drawing; /* of drawings and photographs         */
     const char *layer[LABELS_MOST], *density[LABELS_MOST],
         *friction[LABELS_MOST];

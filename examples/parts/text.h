@@ -121,6 +121,8 @@ struct text_file {
     struct text_live *axle; /* the statements of the pattern                  */
     kern_vec *mass; /* where statements `mass` put it                  */
     int masses;     /* how many                                        */
+    double added, added_x,
+        added_y; /* the mass of all of these, and its moments */
     kern_vec gravity;
     kern_options options;  /* the defaults, and what the file says            */
     int epsilon_line;      /* where `epsilon` stands, 0: nowhere              */
@@ -632,6 +634,9 @@ static int text_mass(struct text_reader *r)
         || text_vec(r, &at))
         return -1;
     r->t->mass[r->t->masses++] = at;
+    r->t->added += (double)mass;
+    r->t->added_x += (double)(mass * at.x);
+    r->t->added_y += (double)(mass * at.y);
     return text_weigh(r, b, mass, at);
 }
 
