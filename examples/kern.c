@@ -346,29 +346,25 @@ static int unknown_option(const char *word)
 /* An option with a name behind it. */
 static int name_option(struct settings *set, char **argv, int *i)
 {
+    const struct {
+        const char *name, **out, *missing;
+    } text[] = {
+        {"--stays", &set->stays, "a block, or all, is missing after"},
+        {"--place", &set->place, "the file of a stone is missing after"},
+        {"--thrust", &set->thrust, "a fixed block is missing after"},
+        {"--title", &set->title, "a text is missing after"}};
     const char *word = argv[*i];
-    if (args_value(argv, i, "--stays", &set->stays))
-        return set->stays && set->stays[0]
-                 ? 0
-                 : bad_use("a block, or all, is missing after", "--stays");
-    if (args_value(argv, i, "--place", &set->place))
-        return set->place && set->place[0]
-                 ? 0
-                 : bad_use("the file of a stone is missing after", "--place");
-    if (args_value(argv, i, "--thrust", &set->thrust))
-        return set->thrust && set->thrust[0]
-                 ? 0
-                 : bad_use("a fixed block is missing after", "--thrust");
+    for (size_t k = 0; k < sizeof text / sizeof *text; k++)
+        if (args_value(argv, i, text[k].name, text[k].out))
+            return *text[k].out && **text[k].out
+                     ? 0
+                     : bad_use(text[k].missing, text[k].name);
     if (args_value(argv, i, "--c", &set->c_file))
         return output_option("--c", set->c_file, ".h");
     if (args_value(argv, i, "--kern", &set->kern_file))
         return output_option("--kern", set->kern_file, ".kern");
     if (args_value(argv, i, "--report", &set->page))
         return output_option("--report", set->page, ".html");
-    if (args_value(argv, i, "--title", &set->title))
-        return set->title && set->title[0]
-                 ? 0
-                 : bad_use("a text is missing after", "--title");
     if (args_value(argv, i, "--svg", &set->svg))
         return output_option("--svg", set->svg, ".svg");
     return unknown_option(word);

@@ -85,20 +85,22 @@ static inline int find_live_forces(struct analysis *a)
     return there ? 0 : fail_memory(a);
 }
 
-static inline int stays_under(const struct analysis *a, kern_block *block,
+static inline int stays_under(const struct analysis *a,
+                              const kern_wrench *pattern, kern_block *block,
                               double factor)
 {
-    const kern_task task = loaded_task(&a->task, a->text.live, factor, block);
+    const kern_task task = loaded_task(&a->task, pattern, factor, block);
     return kern_let_go(&task, NULL, NULL) == KERN_STANDS;
 }
 
-/* The factor nearest to `moves` at which it stays, to .1 %. */
-static inline double live_edge(const struct analysis *a, kern_block *block,
+/* The factor of a pattern nearest to `moves` at which it stays, to .1 %. */
+static inline double live_edge(const struct analysis *a,
+                               const kern_wrench *pattern, kern_block *block,
                                double stays, double moves)
 {
     while (fabs(stays - moves) > 1e-3 * fmax(stays, moves)) {
         const double middle = (stays + moves) / 2;
-        *(stays_under(a, block, middle) ? &stays : &moves) = middle;
+        *(stays_under(a, pattern, block, middle) ? &stays : &moves) = middle;
     }
     return stays;
 }
@@ -131,18 +133,19 @@ static inline void find_live_let_go(struct analysis *a, kern_block *block)
 
     /* The first factor at which it stays, and the first beyond that at which it
        does not. */
-    for (k = 0; k < STEPS && at <= a->live && !stays_under(a, block, at); k++) {
+    for (k = 0; k < STEPS && at <= a->live && !stays_under(a, live, block, at);
+         k++) {
         moves = at;
         at *= 1.25;
     }
     if (k == STEPS || !(at <= a->live))
         return;
-    a->live_let_go[0] = moves > 0 ? live_edge(a, block, at, moves) : at;
-    for (;
-         k < STEPS && 1.25 * at <= a->live && stays_under(a, block, 1.25 * at);
+    a->live_let_go[0] = moves > 0 ? live_edge(a, live, block, at, moves) : at;
+    for (; k < STEPS && 1.25 * at <= a->live
+           && stays_under(a, live, block, 1.25 * at);
          k++)
         at *= 1.25;
-    a->live_let_go[1] = live_edge(a, block, at, fmin(1.25 * at, a->live));
+    a->live_let_go[1] = live_edge(a, live, block, at, fmin(1.25 * at, a->live));
 }
 
 /* Between which factors of the live load it stands, and how it falls just beyond

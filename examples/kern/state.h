@@ -45,6 +45,7 @@ struct swept {
     double x, y, live, raised;
     int block; /* -1: beyond the structure */
     int cut;   /* the limit of work ended `raised` */
+    int edge;  /* `raised` is known to .1 %        */
 };
 
 /* A place of one more stone, which is there. */
