@@ -921,6 +921,15 @@ styled() { # what is not read of an SVG is left out by name or refused; so are a
         says '1 use in more than 8 others' "$f" &&
         svg '<g><rect width="9" height="9">' &&
         refuses "styled.svg:1: the element 'rect' of line 1 is not closed" "$f" &&
+        awk 'BEGIN { printf "<svg><path d=\""
+            for (i = 0; i < 40000; i++) printf "M0 0h1v1h-1z"
+            print "M0 1h1v-1h-1zM0 1h1v1h-1z\"/></svg>" }' >"$f" &&
+        timeout 30 "$kern" --ground .5 "$f" >"$out/o" &&
+        grep -q 'skipped     40000 outline drawn twice' "$out/o" &&
+        awk 'BEGIN { printf "<svg><path d=\""
+            for (i = 0; i < 20001; i++) printf "M%d 0h1v1h-1z", 2 * i
+            print "\"/></svg>" }' >"$f" &&
+        refuses "styled.svg: 20001 closed outlines, at most 20000 are" "$f" &&
         printf 'AC1032\0\0' >"$out/a.dwg" &&
         refuses 'a DWG, which is not read: save it as DXF' "$out/a.dwg" || return 1
     echo 'GROUND -5 -1 5 -1 5 0 -5 0' | drawing | awk '/^ENTITIES$/ {

@@ -263,6 +263,55 @@ static void outlines_simplify(struct shapes *s, struct shapes_path *path,
     free(kept);
 }
 
+/* Returns 1 if two outlines are the same to the last digit, as stones or as
+   fill. */
+static int outlines_same(const struct shapes *s, const struct shapes_path *a,
+                         const struct shapes_path *b)
+{
+    const struct shapes_point *p = outlines_points(s, a);
+    const struct shapes_point *q = outlines_points(s, b);
+    int same = a->points == b->points && a->role == b->role
+            && a->group == b->group;
+    for (int k = 0; k < a->points && same; k++)
+        same = !(p[k].x < q[k].x) && !(p[k].x > q[k].x) && !(p[k].y < q[k].y)
+            && !(p[k].y > q[k].y) && !(p[k].bulge < q[k].bulge)
+            && !(p[k].bulge > q[k].bulge);
+    return same;
+}
+
+/* Lists outlines that are drawn twice to the last digit, but for the first of
+   them. They are sorted by a sum of their corners, since comparing each with each
+   would take the square of their number. Returns how many outlines are left. */
+static int outlines_repeated(struct shapes *s)
+{
+    double *key = shapes_array(s, s->paths, sizeof *key);
+    int *index = shapes_array(s, s->paths, sizeof *index), n = 0, left = 0;
+    for (int i = 0; key && index && i < s->paths; i++) {
+        const struct shapes_point *p = outlines_points(s, s->path + i);
+        if (s->path[i].gone)
+            continue;
+        for (int k = 0; k < s->path[i].points; k++)
+            key[i] += p[k].x + 3 * p[k].y + (p[k].x + p[k].y) * k;
+        index[n++] = i;
+    }
+    if (n > 0)
+        lines_sort(index, n, key);
+    for (int from = 0, to; from < n; from = to) {
+        int first = index[from];
+        for (to = from; to < n && !(key[index[to]] > key[index[from]]); to++)
+            first = index[to] < first ? index[to] : first;
+        for (int k = from; k < to; k++) {
+            struct shapes_path *path = s->path + index[k];
+            if (index[k] != first && outlines_same(s, s->path + first, path))
+                shapes_leave(s, path, "outline drawn twice");
+            left += !path->gone;
+        }
+    }
+    free(key);
+    free(index);
+    return left;
+}
+
 /* Gives outlines on one arc the same corners, and simplifies them: within `off`,
    or where that is 0 within what the smallest outline around each may be off. */
 static void outlines_prepare(struct shapes *s, double off)

@@ -989,8 +989,20 @@ static void statements_notes(struct outlines *o)
         shapes_put(&s->notes, "lengths are in pixels\n");
 }
 
-/* Makes one outline of each stone, and lists what is none. */
-static void statements_outlines(struct outlines *o)
+/* Says that there are more outlines than are read. */
+static int statements_too_many(struct shapes *s, int outlines)
+{
+    struct shapes_text *t = shapes_fault(s, 0);
+    shapes_put_int(t, outlines);
+    shapes_put(t, " closed outlines, at most ");
+    shapes_put_int(t, KERN_BLOCKS_MOST);
+    shapes_put(t, " are read (--layer NAME=ignore)");
+    return -1;
+}
+
+/* Makes one outline of each stone, and lists what is none. Returns 0, or -1 with
+   a message. */
+static int statements_outlines(struct outlines *o)
 {
     struct shapes *s = o->s;
     const double off = s->photograph ? s->asked->tolerance * s->unit : 0;
@@ -1000,6 +1012,9 @@ static void statements_outlines(struct outlines *o)
     statements_find_apart(s);
     statements_put_apart(s, &s->notes, "", "\n");
     statements_sort_out(s);
+    const int left = outlines_repeated(s);
+    if (left > KERN_BLOCKS_MOST)
+        return statements_too_many(s, left);
     outlines_prepare(s, off);
     for (int i = 0; i < s->paths && !s->lost; i++)
         if (!s->path[i].gone)
@@ -1015,6 +1030,7 @@ static void statements_outlines(struct outlines *o)
         outlines_line(o, y, reach);
         outlines_list(o);
     }
+    return 0;
 }
 
 /* Makes statements of the shapes. Returns 0, or -1 with a message. */
@@ -1031,10 +1047,10 @@ static int statements_make(struct shapes *s, struct outlines *o)
     statements_unheard(s);
     statements_note_roles(s);
     if (!s->lost)
-        statements_outlines(o);
-    if (!s->lost && o->blocks == 0)
+        bad = statements_outlines(o);
+    if (!s->lost && !bad && o->blocks == 0)
         bad = statements_none(s, 0, "no closed outline: ");
-    else if (!s->lost) {
+    else if (!s->lost && !bad) {
         int stones = 0;
         outlines_names(o);
         outlines_lowest(o);
