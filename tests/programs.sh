@@ -573,6 +573,18 @@ layers() { # fill in layers: each is counted once, from files and from drawings
     "$kern" --density 1000 --phi 30 "$g" >"$out/o" &&
         [ "$(grep -c 'fill        weighs 9810 N' "$out/o")" -eq 2 ] || return 1
     printf '%s\n' "$ground" "$stone" 'FILL 0 3 1 3 1 4 0 4' | drawing >"$g"
+    # fills that overlap by half count once: 1.5 wide; and slopes of 1
+    # each that cross in the middle: 1 + 1 - .5
+    printf '%s\n' "$ground" 'STONE 0 0 2 0 2 1 0 1' 'FILL 0 1 1 1 1 2 0 2' \
+        'FILL .5 1 1.5 1 1.5 2 .5 2' | drawing >"$out/half.dxf"
+    says 'fill        weighs 14.71 kN about (0.75, 1.5) on 1 block' \
+        --density 1000 "$out/half.dxf" &&
+        says '50 % of it is drawn over other fill, and counts once' \
+            "$out/half.dxf" || return 1
+    printf '%s\n' "$ground" 'STONE 0 0 2 0 2 1 0 1' 'FILL 0 1 2 1 2 2' \
+        'FILL 0 1 2 1 0 2' | drawing >"$out/half.dxf"
+    says 'fill        weighs 14.71 kN about (1, 1.389) on 1 block' \
+        --density 1000 "$out/half.dxf" || return 1
     printf '%s\n' "$ground" "$stone" 'FILL 0 1 1 1 1 2 0 2' \
         'FILL 1 2 0 2 0 1 1 1' | drawing >"$out/again.dxf"
     says 'skipped     1 outline drawn twice on FILL' --density 1000 --phi 30 \

@@ -43,6 +43,7 @@ struct outlines_block {
     double mass, mass_x, mass_y; /* of the fill on it                  */
     int idle;                    /* nonzero: fill that lies on no stone */
     int pushes;                  /* nonzero: fill that is a statement   */
+    int counted;                 /* nonzero: fill whose weight is there */
     double misfit; /* share of such a fill that is not as drawn          */
 };
 

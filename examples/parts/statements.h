@@ -28,7 +28,13 @@ enum {
 /* Where a column leaves an outline: y at its left side, middle and right. */
 struct statements_span {
     double low[3], high[3];
-    int block; /* -1: the fill                                         */
+    int block; /* -1: fill                                             */
+};
+
+/* Areas of a fill that add no weight: over no block, and within fill whose weight
+   is there already. */
+struct statements_lost {
+    double none, twice;
 };
 
 /* Finds the heights at which an edge passes a column. Returns 0 where it
@@ -98,40 +104,52 @@ static void statements_weigh(struct outlines *o, double left, double right,
     }
 }
 
-/* Weighs the pieces of one span of fill between the blocks. Returns the area
-   that lies on none. */
-static double statements_column(struct outlines *o, double left, double right,
-                                const struct statements_span *fill,
-                                const struct statements_span *span, int n,
-                                double density)
+/* Finds the lowest span that begins below `high` and ends above `low`, NULL where
+   there is none, and in *carrier the highest block below `low`, -1 for none. */
+static const struct statements_span *statements_above(
+    const struct outlines *o, double low, double high,
+    const struct statements_span *span, int n, int *carrier)
 {
-    const double *low = fill->low;
-    double lost = 0;
+    const struct statements_span *next = NULL;
+    double top = 0;
+    *carrier = -1;
+    for (int k = 0; k < n; k++) {
+        const struct statements_span *b = span + k;
+        if (b->high[1] > low + 1e-3 * o->size && b->low[1] < high
+            && (!next || b->low[1] < next->low[1]))
+            next = b;
+        else if (b->high[1] <= low + 1e-3 * o->size && b->block >= 0
+                 && (*carrier < 0 || b->high[1] > top)) {
+            *carrier = b->block;
+            top = b->high[1];
+        }
+    }
+    return next;
+}
+
+/* Weighs the pieces of one span of fill between the blocks, and between fill whose
+   weight is there already. Adds what has none to *lost. */
+static void statements_column(struct outlines *o, double left, double right,
+                              const struct statements_span *fill,
+                              const struct statements_span *span, int n,
+                              double density, struct statements_lost *lost)
+{
+    const double wide = right - left, top = fill->high[1], *low = fill->low;
     for (;;) {
-        const struct statements_span *next = NULL;
-        int carrier = -1;
-        double top = 0;
-        for (int k = 0; k < n; k++) {
-            const struct statements_span *b = span + k;
-            if (b->high[1] > low[1] + 1e-3 * o->size
-                && b->low[1] < fill->high[1]
-                && (!next || b->low[1] < next->low[1]))
-                next = b;
-            else if (b->high[1] <= low[1] + 1e-3 * o->size
-                     && (carrier < 0 || b->high[1] > top)) {
-                carrier = b->block;
-                top = b->high[1];
-            }
-        }
+        int carrier;
+        const struct statements_span *next = statements_above(
+            o, low[1], top, span, n, &carrier);
         const double *high = next ? next->low : fill->high;
-        if (high[1] > low[1]) {
-            if (carrier >= 0)
-                statements_weigh(o, left, right, low, high, density, carrier);
-            else
-                lost += (high[1] - low[1]) * (right - left);
-        }
-        if (!next || !(next->high[1] < fill->high[1]))
-            return lost;
+        if (high[1] > low[1] && carrier >= 0)
+            statements_weigh(o, left, right, low, high, density, carrier);
+        else if (high[1] > low[1])
+            lost->none += (high[1] - low[1]) * wide;
+        if (next && next->block < 0)
+            lost->twice += ((next->high[1] < top ? next->high[1] : top)
+                            - (high[1] > low[1] ? high[1] : low[1]))
+                         * wide;
+        if (!next || !(next->high[1] < top))
+            return;
         low = next->high;
     }
 }
@@ -163,6 +181,7 @@ struct statements_columns {
     struct statements_span *fill, *block;
     int corners, room; /* of the fill; of all outlines  */
     int next;          /* the corner it goes on from    */
+    int cut;           /* nonzero: it goes on from `right`, before the next */
     double left, right;
     int fills, blocks; /* spans in it                   */
 };
@@ -189,23 +208,73 @@ static int statements_open(const struct outlines *o, int i, int room,
     return c->corners;
 }
 
+/* Finds what the fill, the blocks, and fill whose weight is there already take up
+   in the column. */
+static void statements_look(const struct outlines *o, int i,
+                            struct statements_columns *c)
+{
+    c->fills = statements_spans(o, i, -1, c->left, c->right, c->fill, 0,
+                                c->room);
+    c->blocks = 0;
+    for (int b = 0; b < o->blocks; b++) {
+        const int fill = outlines_path(o, b)->role == SHAPES_FILL;
+        if (!fill || (b != i && o->block[b].counted))
+            c->blocks = statements_spans(o, b, fill ? -1 : b, c->left, c->right,
+                                         c->block, c->blocks, c->room - 1);
+    }
+}
+
+/* Finds where the line from p[0] at the left to p[2] at the right of a column
+   crosses another, as a share of the width. Returns the less of that and `most`. */
+static double statements_cross(const double p[3], const double q[3],
+                               double least, double most)
+{
+    const double from = p[0] - q[0], to = p[2] - q[2];
+    const double share = (from < 0) == (to < 0) ? 1 : from / (from - to);
+    return share > least && share < most ? share : most;
+}
+
+/* Ends the column where the fill first crosses fill whose weight is there, which
+   is between corners. Returns 1 if it does. */
+static int statements_cut(const struct outlines *o,
+                          struct statements_columns *c)
+{
+    const double wide = c->right - c->left, least = 1e-9 * o->size / wide;
+    double share = 1 - least;
+    for (int f = 0; f < c->fills; f++)
+        for (int k = 0; k < c->blocks; k++) {
+            const struct statements_span *p = c->fill + f, *q = c->block + k;
+            if (q->block >= 0)
+                continue;
+            share = statements_cross(p->low, q->low, least, share);
+            share = statements_cross(p->low, q->high, least, share);
+            share = statements_cross(p->high, q->low, least, share);
+            share = statements_cross(p->high, q->high, least, share);
+        }
+    if (!(share < 1 - least))
+        return 0;
+    c->right = c->left + share * wide;
+    return 1;
+}
+
 /* Goes on to the next column that has a width. Returns 0 where there is none. */
 static int statements_next(const struct outlines *o, int i,
                            struct statements_columns *c)
 {
-    for (c->next++; c->next < c->corners; c->next++) {
-        c->left = c->corner[c->order[c->next - 1]];
-        c->right = c->corner[c->order[c->next]];
-        if (!(c->right - c->left > 1e-9 * o->size))
-            continue;
-        c->fills = statements_spans(o, i, -1, c->left, c->right, c->fill, 0,
-                                    c->room);
-        c->blocks = 0;
-        for (int b = 0; b < o->blocks; b++)
-            if (outlines_path(o, b)->role != SHAPES_FILL)
-                c->blocks = statements_spans(o, b, b, c->left, c->right,
-                                             c->block, c->blocks, c->room - 1);
-        return 1;
+    while (c->next + 1 < c->corners) {
+        const double end = c->corner[c->order[c->next + 1]];
+        c->left = c->cut ? c->right : c->corner[c->order[c->next]];
+        c->right = end;
+        c->cut = 0;
+        if (c->right - c->left > 1e-9 * o->size) {
+            statements_look(o, i, c);
+            c->cut = statements_cut(o, c);
+            if (c->cut)
+                statements_look(o, i, c);
+        }
+        c->next += !c->cut;
+        if (c->right - c->left > 1e-9 * o->size)
+            return 1;
     }
     return 0;
 }
@@ -217,20 +286,23 @@ static void statements_close(struct statements_columns *c)
     free(c->fill);
 }
 
-/* Lays the weight of one fill on the blocks below it. Returns the share of it
-   that lies on none, or -1 where it was too much to weigh. */
-static double statements_lay(struct outlines *o, int i, int corners,
-                             double density)
+/* Lays the weight of one fill on the blocks below it. Writes the shares of it that
+   add none. Returns 0, or -1 where it was too much to weigh. */
+static int statements_lay(struct outlines *o, int i, int corners,
+                          double density, struct statements_lost *lost)
 {
+    const double area = outlines_path(o, i)->area;
     struct statements_columns c;
     const int known = statements_open(o, i, corners, &c);
-    double lost = 0;
+    lost->none = lost->twice = 0;
     while (statements_next(o, i, &c))
         for (int f = 0; f < c.fills; f++)
-            lost += statements_column(o, c.left, c.right, c.fill + f, c.block,
-                                      c.blocks, density);
+            statements_column(o, c.left, c.right, c.fill + f, c.block, c.blocks,
+                              density, lost);
     statements_close(&c);
-    return known < 0 ? -1 : lost / outlines_path(o, i)->area;
+    lost->none /= area;
+    lost->twice /= area;
+    return known < 0 ? -1 : 0;
 }
 
 static void statements_put(struct shapes_text *t, double x)
@@ -300,11 +372,12 @@ static int statements_lies(struct outlines *o, int i, int corners,
 {
     struct outlines_block *before = shapes_array(o->s, o->blocks,
                                                  sizeof *before);
+    struct statements_lost lost;
     double mass = 0;
     if (!before)
         return 0;
     memcpy(before, o->block, (size_t)o->blocks * sizeof *before);
-    statements_lay(o, i, corners, density);
+    statements_lay(o, i, corners, density, &lost);
     for (int j = 0; j < o->blocks; j++)
         if (outlines_path(o, j)->role == SHAPES_STONE)
             mass += o->block[j].mass - before[j].mass;
@@ -501,6 +574,42 @@ static void statements_note_misfit(struct outlines *o, int i)
                           "stones: a void, another outline or a slope");
 }
 
+/* Says a share of a fill that adds no weight, where it is more than 1 %. */
+static void statements_note_lost(struct shapes *s, double share,
+                                 const char *where)
+{
+    if (!(share > 0.01))
+        return;
+    shapes_put(&s->notes, "; ");
+    shapes_put_number(&s->notes, 100 * share, 2);
+    shapes_put(&s->notes, where);
+}
+
+/* Lays the weight of a fill that is weight alone, and says so. */
+static void statements_lay_alone(struct outlines *o, int i, int corners,
+                                 double density)
+{
+    struct shapes *s = o->s;
+    struct statements_lost lost;
+    const int bad = statements_lay(o, i, corners, density, &lost);
+    o->block[i].counted = 1;
+    shapes_put(&s->notes, "fill: ");
+    shapes_put_shown(&s->notes, shapes_at(s, o->block[i].name));
+    if (bad) {
+        shapes_put(&s->notes, " has too many corners and counts for nothing\n");
+        return;
+    }
+    shapes_put(&s->notes, " is no stone: its weight, of density ");
+    shapes_put_number(&s->notes, density, 4);
+    shapes_put(&s->notes, ", lies on the blocks right below it; it gives "
+                          "neither thrust nor support");
+    statements_note_misfit(o, i);
+    statements_note_lost(s, lost.none, " % of it lies on nothing");
+    statements_note_lost(s, lost.twice,
+                         " % of it is drawn over other fill, and counts once");
+    shapes_put(&s->notes, "\n");
+}
+
 /* Lays the weight of all fill, and says so. */
 static void statements_fill(struct outlines *o)
 {
@@ -509,41 +618,22 @@ static void statements_fill(struct outlines *o)
     for (int i = 0; i < o->blocks; i++)
         corners += outlines_path(o, i)->points;
     statements_pushes(o, corners);
+    for (int i = 0; i < o->blocks; i++)
+        o->block[i].counted = o->block[i].pushes;
     for (int i = 0; i < o->blocks && !s->lost; i++) {
         const char *label = shapes_at(s, outlines_path(o, i)->label);
-        double density, lost;
+        double density;
         if (outlines_path(o, i)->role != SHAPES_FILL)
             continue;
         density = shapes_density(s, label);
         density = density > 0 ? density : 1;
         statements_note_thrust(o, i, density);
-        if (o->block[i].idle) {
+        if (o->block[i].idle)
             statements_note_idle(o, i);
-            continue;
-        }
-        if (o->block[i].pushes) {
+        else if (o->block[i].pushes)
             statements_note_push(o, i);
-            continue;
-        }
-        lost = statements_lay(o, i, corners, density);
-        shapes_put(&s->notes, "fill: ");
-        shapes_put_shown(&s->notes, shapes_at(s, o->block[i].name));
-        if (lost < 0) {
-            shapes_put(&s->notes, " has too many corners and counts for "
-                                  "nothing\n");
-            continue;
-        }
-        shapes_put(&s->notes, " is no stone: its weight, of density ");
-        shapes_put_number(&s->notes, density, 4);
-        shapes_put(&s->notes, ", lies on the blocks right below it; it gives "
-                              "neither thrust nor support");
-        statements_note_misfit(o, i);
-        if (lost > 0.01) {
-            shapes_put(&s->notes, "; ");
-            shapes_put_number(&s->notes, 100 * lost, 2);
-            shapes_put(&s->notes, " % of it lies on nothing");
-        }
-        shapes_put(&s->notes, "\n");
+        else
+            statements_lay_alone(o, i, corners, density);
     }
 }
 
