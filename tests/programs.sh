@@ -689,9 +689,11 @@ hand_in() { # drawings of the bridge and the wall, and a photograph: the answers
     "$kern" --density RING=2100 --density BACKFILL=2000 --mu RING=.75 \
         --mu RING,ABUTMENT=.75 --phi 37 --kern "$out/bridge.kern" \
         --report "$out/read.html" "$out/bridge.dxf" >"$out/o" || return 1
-    grep -q '^  fill .* N about (0, ' "$out/o" && grep -q ' Pa ' "$out/o" &&
+    grep -q '^  fill .* kN about (0, ' "$out/o" && grep -q ' kPa ' "$out/o" &&
         echo "axle -1.6375 58860 .3" >>"$out/bridge.kern" &&
-        says '[0, 0.9854]: factors' "$out/bridge.kern" || return 1
+        says '[0, 0.9854]: factors' "$out/bridge.kern" &&
+        "$kern" --svg "$out/bridge.svg" "$out/bridge.kern" >"$out/o" &&
+        grep -q '>58.86 kN<' "$out/bridge.svg" || return 1
     awk '$1 == "block" { $1 = "WALL"; $2 = $3 = ""; print }
          $1 == "fixed" { $1 = "GROUND"; $2 = ""; print }' $wall |
         drawing >"$out/wall.dxf"
@@ -727,6 +729,8 @@ END
         grep -q '<td>57 kN to the left' "$out/n.html" &&
         grep -q '<th>normal \[kN\]</th><th>shear \[kN\]</th>' "$out/n.html" &&
         grep -q '<th>stress \[kPa\]</th>' "$out/n.html" &&
+        grep -q '>length 0.5 m<' "$out/n.html" &&
+        grep -q 'margin 0.2191 m<' "$out/n.html" &&
         grep -q '<td>162.7</td><td>-57</td>' "$out/n.html" &&
         "$kern" --title Walls --report "$out/t.html" $bridge $wall >"$out/o" &&
         grep -q '<title>Walls: prestwood.kern</title>' "$out/t-prestwood.html" &&
@@ -791,7 +795,7 @@ assumed() { # of a drawing: density, friction, ground; masks of LabelMe
         says ' per unit of density  mean stress' "$out/arch.dxf" &&
         "$kern" --mu .6 --density 2000 --kern "$out/arch.kern" "$out/arch.dxf" \
             >"$out/o" && ! grep -q assumed "$out/o" &&
-        grep -q '^  stress .* Pa ' "$out/o" &&
+        grep -q '^  stress .* k*Pa ' "$out/o" &&
         grep -q '^friction .6$' "$out/arch.kern" &&
         says 'friction 0.4 is assumed where --mu names no' --mu RING=.6 \
             "$out/arch.dxf" &&
@@ -942,7 +946,9 @@ styled() { # what is not read of an SVG is left out by name or refused; so are a
             for (i = 0; i < 20001; i++) printf "M%d 0h1v1h-1z", 2 * i
             print "\"/></svg>" }' >"$f" &&
         refuses "styled.svg: 20001 closed outlines, at most 20000 are" "$f" &&
-        printf 'AC1032\0\0' >"$out/a.dwg" &&
+        svg '<rect width="-9" height="9"/>' && says \
+            'skipped     1 outline that cannot be read on rect, line 1' \
+            "$f" && printf 'AC1032\0\0' >"$out/a.dwg" &&
         refuses 'a DWG, which is not read: save it as DXF' "$out/a.dwg" || return 1
     echo 'GROUND -5 -1 5 -1 5 0 -5 0' | drawing | awk '/^ENTITIES$/ {
             print "BLOCKS\n0\nBLOCK\n2\nA\n10\n0\n20\n0\n0\nLWPOLYLINE\n8\n0"

@@ -474,6 +474,8 @@ static inline struct draw_scene scene_of(const struct analysis *a)
     scene.relative = a->set->relative;
     scene.shrink = (double)shrinkage(a);
     scene.live = a->text.live;
+    scene.unit = a->text.units;
+    scene.force_unit = a->text.force_units;
     scene.mass = a->text.mass;
     scene.masses = a->text.masses;
     scene.pushes = a->text.props;

@@ -25,6 +25,7 @@
 #include "shapes.h"
 
 enum {
+    OUTLINES_MOST = 20000, /* that are read: as many as kern analyses     */
     OUTLINES_MEND = 2000,  /* points of an outline that is mended         */
     OUTLINES_MOVE = 200,   /* of one whose corner is moved                */
     OUTLINES_TRIES = 64,   /* seams between two parts                     */

@@ -1085,7 +1085,7 @@ static int statements_too_many(struct shapes *s, int outlines)
     struct shapes_text *t = shapes_fault(s, 0);
     shapes_put_int(t, outlines);
     shapes_put(t, " closed outlines, at most ");
-    shapes_put_int(t, KERN_BLOCKS_MOST);
+    shapes_put_int(t, OUTLINES_MOST);
     shapes_put(t, " are read (--layer NAME=ignore)");
     return -1;
 }
@@ -1103,7 +1103,7 @@ static int statements_outlines(struct outlines *o)
     statements_put_apart(s, &s->notes, "", "\n");
     statements_sort_out(s);
     const int left = outlines_repeated(s);
-    if (left > KERN_BLOCKS_MOST)
+    if (left > OUTLINES_MOST)
         return statements_too_many(s, left);
     outlines_prepare(s, off);
     for (int i = 0; i < s->paths && !s->lost; i++)
