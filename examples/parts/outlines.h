@@ -270,15 +270,9 @@ static void outlines_simplify(struct shapes *s, struct shapes_path *path,
 static int outlines_same(const struct shapes *s, const struct shapes_path *a,
                          const struct shapes_path *b)
 {
-    const struct shapes_point *p = outlines_points(s, a);
-    const struct shapes_point *q = outlines_points(s, b);
-    int same = a->points == b->points && a->role == b->role
-            && a->group == b->group;
-    for (int k = 0; k < a->points && same; k++)
-        same = !(p[k].x < q[k].x) && !(p[k].x > q[k].x) && !(p[k].y < q[k].y)
-            && !(p[k].y > q[k].y) && !(p[k].bulge < q[k].bulge)
-            && !(p[k].bulge > q[k].bulge);
-    return same;
+    const size_t bytes = (size_t)a->points * sizeof *s->point;
+    return a->points == b->points && a->role == b->role && a->group == b->group
+        && memcmp(outlines_points(s, a), outlines_points(s, b), bytes) == 0;
 }
 
 /* Lists outlines that are drawn twice to the last digit, but for the first of

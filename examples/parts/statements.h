@@ -266,11 +266,11 @@ static int statements_next(const struct outlines *o, int i,
         c->left = c->cut ? c->right : c->corner[c->order[c->next]];
         c->right = end;
         c->cut = 0;
-        if (c->right - c->left > 1e-9 * o->size) {
+        while (c->right - c->left > 1e-9 * o->size) {
             statements_look(o, i, c);
-            c->cut = statements_cut(o, c);
-            if (c->cut)
-                statements_look(o, i, c);
+            if (c->cut || !statements_cut(o, c))
+                break;
+            c->cut = 1;
         }
         c->next += !c->cut;
         if (c->right - c->left > 1e-9 * o->size)
