@@ -346,19 +346,19 @@ static int unknown_option(const char *word)
 /* An option with a name behind it. */
 static int name_option(struct settings *set, char **argv, int *i)
 {
+    const struct {
+        const char *name, **out, *missing;
+    } text[] = {
+        {"--stays", &set->stays, "a block, or all, is missing after"},
+        {"--place", &set->place, "the file of a stone is missing after"},
+        {"--thrust", &set->thrust, "a fixed block is missing after"},
+        {"--title", &set->title, "a text is missing after"}};
     const char *word = argv[*i];
-    if (args_value(argv, i, "--stays", &set->stays))
-        return set->stays && set->stays[0]
-                 ? 0
-                 : bad_use("a block, or all, is missing after", "--stays");
-    if (args_value(argv, i, "--place", &set->place))
-        return set->place && set->place[0]
-                 ? 0
-                 : bad_use("the file of a stone is missing after", "--place");
-    if (args_value(argv, i, "--thrust", &set->thrust))
-        return set->thrust && set->thrust[0]
-                 ? 0
-                 : bad_use("a fixed block is missing after", "--thrust");
+    for (size_t k = 0; k < sizeof text / sizeof *text; k++)
+        if (args_value(argv, i, text[k].name, text[k].out))
+            return *text[k].out && **text[k].out
+                     ? 0
+                     : bad_use(text[k].missing, text[k].name);
     if (args_value(argv, i, "--c", &set->c_file))
         return output_option("--c", set->c_file, ".h");
     if (args_value(argv, i, "--kern", &set->kern_file))
@@ -434,7 +434,8 @@ static int check_share(const struct settings *set, const char *name,
     return -1;
 }
 
-/* What drawings and photographs are read with; and no file is written over. */
+/* What drawings and photographs are read with; no file is written over, and no
+   title is without its page. */
 static int set_drawing(struct settings *set)
 {
     set->drawing.layer = set->layer;
@@ -444,6 +445,8 @@ static int set_drawing(struct settings *set)
     set->drawing.pixel = (double)set->pixel;
     set->drawing.phi = (double)set->phi;
     set->drawing.tolerance = 1.5;
+    if (set->title && !set->page)
+        return bad_use("--report OUT.html is missing beside", "--title");
     for (int i = 0; set->kern_file && i < set->files; i++)
         if (strcmp(set->kern_file, set->file[i]) == 0)
             return bad_use("--kern would write over", set->file[i]);

@@ -93,9 +93,10 @@ def axles(name, arch, folder):
 
 def worst(name):
     """The least factor of a sweep is the same from few places as from many."""
-    found = [min(p['live'] for p in o['sweep'] if p['live'] is not None)
-             for o in objects(name)]
-    assert max(found) < 1.001 * min(found), found
+    for key in 'live', 'raised_live':
+        found = [min(p[key] for p in o['sweep'] if p[key] is not None)
+                 for o in objects(name)]
+        assert max(found) < 1.001 * min(found), (key, found)
 
 
 def page(name):

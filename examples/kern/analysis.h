@@ -38,27 +38,17 @@ static inline int find_contacts(struct analysis *a)
                 t->contact[k].mu = a->task.options.mu;
         return 0;
     }
-    int found = KERN_NO_SPACE, ints = 2 * t->blocks;
     kern_options search = a->task.options; /* a short limit is for questions */
+    kern_fault fault;
     if (search.limit > 0 && search.limit < kern_defaults().limit)
         search.limit = kern_defaults().limit;
-    int *index = malloc((size_t)ints * sizeof *index + 1);
-    kern_work work = kern_work_of(NULL, 0, index, ints);
-    for (int room = 16 * t->blocks + 64;
-         index && found == KERN_NO_SPACE && room < INT_MAX / 4; room *= 2) {
-        kern_contact *more = realloc(a->contact, (size_t)room * sizeof *more);
-        if (!more)
-            break;
-        a->contact = more;
-        found = kern_contacts(t->block, t->blocks, &search, a->contact, room,
-                              &work);
-    }
-    free(index);
+    const int found = text_all_contacts(t->block, t->blocks, &search,
+                                        &a->contact, &fault);
     if (found == KERN_NO_SPACE)
         return fail(a, 0, "not enough memory for the contacts of %d blocks",
                     t->blocks);
     if (found < 0)
-        return fail_blocks(a, (kern_status)found, &work.fault);
+        return fail_blocks(a, (kern_status)found, &fault);
     a->task.s.contacts = found;
     return 0;
 }

@@ -64,37 +64,6 @@ static inline int fail_blocks(struct analysis *a, kern_status status,
     return fail_overlaps(a, i > j ? i : j);
 }
 
-/* The task with the live load at a factor, in `block`. */
-static inline kern_task loaded_task(const struct analysis *a, kern_block *block,
-                                    double factor)
-{
-    const kern_wrench *live = a->text.live;
-    const kern_real share = (kern_real)factor;
-    kern_task task = a->task;
-    for (int i = 0; i < task.s.blocks; i++) {
-        block[i] = a->task.s.block[i];
-        if (block[i].fixed)
-            continue;
-        block[i].load.fx += share * live[i].fx;
-        block[i].load.fy += share * live[i].fy;
-        block[i].load.torque += share * live[i].torque;
-    }
-    task.s.block = block;
-    return task;
-}
-
-/* The largest factor of the live load, on top of its least one, and how it
-   falls just beyond. */
-static inline void find_live_most(struct analysis *a, kern_block *block)
-{
-    const kern_task task = loaded_task(a, block, a->live_least);
-    kern_real value = 0;
-    kern_status status = crush_factor(
-        a, &task, a->text.live, a->set->mechanism_live ? a->collapse : NULL,
-        &value);
-    a->live = a->live_least + value_or_nan(status, value);
-}
-
 /* The least forces with the live load as the file has it. With stone that crushes
    they would crush other contacts than those at rest, and are not found. */
 static inline int find_live_forces(struct analysis *a)
@@ -106,7 +75,7 @@ static inline int find_live_forces(struct analysis *a)
     a->live_force = array(a->task.s.contacts, sizeof *a->live_force);
     const int there = block && a->live_force;
     if (there) {
-        const kern_task task = loaded_task(a, block, 1);
+        const kern_task task = loaded_task(&a->task, a->text.live, 1, block);
         if (kern_forces(&task, shrinkage(a), a->live_force) != KERN_STANDS) {
             free(a->live_force);
             a->live_force = NULL;
@@ -116,20 +85,22 @@ static inline int find_live_forces(struct analysis *a)
     return there ? 0 : fail_memory(a);
 }
 
-static inline int stays_under(const struct analysis *a, kern_block *block,
+static inline int stays_under(const struct analysis *a,
+                              const kern_wrench *pattern, kern_block *block,
                               double factor)
 {
-    const kern_task task = loaded_task(a, block, factor);
+    const kern_task task = loaded_task(&a->task, pattern, factor, block);
     return kern_let_go(&task, NULL, NULL) == KERN_STANDS;
 }
 
-/* The factor nearest to `moves` at which it stays, to .1 %. */
-static inline double live_edge(const struct analysis *a, kern_block *block,
+/* The factor of a pattern nearest to `moves` at which it stays, to .1 %. */
+static inline double live_edge(const struct analysis *a,
+                               const kern_wrench *pattern, kern_block *block,
                                double stays, double moves)
 {
     while (fabs(stays - moves) > 1e-3 * fmax(stays, moves)) {
         const double middle = (stays + moves) / 2;
-        *(stays_under(a, block, middle) ? &stays : &moves) = middle;
+        *(stays_under(a, pattern, block, middle) ? &stays : &moves) = middle;
     }
     return stays;
 }
@@ -162,36 +133,36 @@ static inline void find_live_let_go(struct analysis *a, kern_block *block)
 
     /* The first factor at which it stays, and the first beyond that at which it
        does not. */
-    for (k = 0; k < STEPS && at <= a->live && !stays_under(a, block, at); k++) {
+    for (k = 0; k < STEPS && at <= a->live && !stays_under(a, live, block, at);
+         k++) {
         moves = at;
         at *= 1.25;
     }
     if (k == STEPS || !(at <= a->live))
         return;
-    a->live_let_go[0] = moves > 0 ? live_edge(a, block, at, moves) : at;
-    for (;
-         k < STEPS && 1.25 * at <= a->live && stays_under(a, block, 1.25 * at);
+    a->live_let_go[0] = moves > 0 ? live_edge(a, live, block, at, moves) : at;
+    for (; k < STEPS && 1.25 * at <= a->live
+           && stays_under(a, live, block, 1.25 * at);
          k++)
         at *= 1.25;
-    a->live_let_go[1] = live_edge(a, block, at, fmin(1.25 * at, a->live));
+    a->live_let_go[1] = live_edge(a, live, block, at, fmin(1.25 * at, a->live));
 }
 
-/* Between which factors of the live load it stands. */
+/* Between which factors of the live load it stands, and how it falls just beyond
+   the largest, and between which it stays let go. */
 static inline int find_live(struct analysis *a)
 {
-    kern_real least = 0;
+    kern_block *block;
     a->live_least = a->live = a->live_let_go[0] = a->live_let_go[1] = (double)
         NAN;
     if (a->shown < 0 || a->text.lives == 0)
         return 0;
-    a->lived = kern_least_load_of(&a->task, shrinkage(a), a->text.live, &least,
-                                  NULL);
+    a->lived = crush_range(a, &a->task, a->text.live,
+                           a->set->mechanism_live ? a->collapse : NULL,
+                           &a->live_least, &a->live);
     if (a->lived != KERN_STANDS)
-        return 0;
-    kern_block *block = array(a->task.s.blocks, sizeof *block);
-    a->live_least = (double)least;
-    if (block)
-        find_live_most(a, block);
+        return a->lived == KERN_NO_SPACE ? fail_memory(a) : 0;
+    block = array(a->task.s.blocks, sizeof *block);
     if (block && asks_raised_loads(a))
         find_live_let_go(a, block);
 

@@ -149,6 +149,25 @@ static inline int crush_settle(struct analysis *a)
     return 0;
 }
 
+/* The structure of a task with a factor of a pattern of loads, in `block`. */
+static inline kern_task loaded_task(const kern_task *task,
+                                    const kern_wrench *pattern, double factor,
+                                    kern_block *block)
+{
+    const kern_real f = (kern_real)factor;
+    kern_task loaded = *task;
+    for (int i = 0; i < task->s.blocks; i++) {
+        block[i] = task->s.block[i];
+        if (block[i].fixed)
+            continue;
+        block[i].load.fx += f * pattern[i].fx;
+        block[i].load.fy += f * pattern[i].fy;
+        block[i].load.torque += f * pattern[i].torque;
+    }
+    loaded.s.block = block;
+    return loaded;
+}
+
 /* Room to try a factor in; NULL where memory is lacking. */
 struct crush_room {
     kern_block *block;
@@ -163,20 +182,11 @@ static inline int crush_bears(const struct analysis *a, const kern_task *task,
                               const struct crush_room *r)
 {
     const size_t bytes = sizeof *a->whole * (size_t)task->s.contacts;
-    const kern_real f = (kern_real)factor;
     struct crushing c = {*task, r->contact, r->whole, r->force, NULL, 0};
     const kern_proof proof = {r->force, r->motion};
-    for (int i = 0; i < task->s.blocks; i++) {
-        r->block[i] = task->s.block[i];
-        if (r->block[i].fixed)
-            continue;
-        r->block[i].load.fx += f * pattern[i].fx;
-        r->block[i].load.fy += f * pattern[i].fy;
-        r->block[i].load.torque += f * pattern[i].torque;
-    }
     memcpy(r->contact, a->whole, bytes);
     memcpy(r->whole, a->whole, bytes);
-    c.task.s.block = r->block;
+    c.task = loaded_task(task, pattern, factor, r->block);
     c.task.s.contact = r->contact;
     kern_status status = kern_forces(&c.task, shrinkage(a), r->force);
     if (status != KERN_STANDS)
@@ -266,6 +276,33 @@ static inline kern_status crush_factor(struct analysis *a,
     free(r.contact);
     free(r.whole);
     free(r.force);
+    return status;
+}
+
+/* Between which factors of a pattern it stands: the least, and on top of that the
+   largest that crush_factor() finds, NAN where that is not known. KERN_FALLS: it
+   stands at none. `motion` may be NULL. */
+static inline kern_status crush_range(struct analysis *a, const kern_task *task,
+                                      const kern_wrench *pattern,
+                                      kern_motion *motion, double *least,
+                                      double *most)
+{
+    kern_block *block = array(task->s.blocks, sizeof *block);
+    kern_real value = 0;
+    kern_status status = KERN_NO_SPACE;
+    *least = *most = (double)NAN;
+    if (block)
+        status = kern_least_load_of(task, shrinkage(a), pattern, &value, NULL);
+    if (status == KERN_STANDS) {
+        const kern_task loaded = loaded_task(task, pattern, (double)value,
+                                             block);
+        const double low = (double)value;
+        const kern_status beyond = crush_factor(a, &loaded, pattern, motion,
+                                                &value);
+        *least = low;
+        *most = low + value_or_nan(beyond, value);
+    }
+    free(block);
     return status;
 }
 

@@ -38,26 +38,18 @@ static inline void earth_press(const struct analysis *a,
                                const struct text_surface *back,
                                kern_wrench *pattern)
 {
-    const struct soil_earth *earth = &s->earth;
     const kern_real way = s->side == SOIL_LEFT ? -1 : 1;
     for (int k = 0; k < back->edges; k++) {
         const struct soil_edge *e = back->edge + k;
-        kern_vec p = e->p, q = e->q, cut = q;
+        struct soil_force force[4];
+        kern_vec p = e->p, q = e->q;
         if (a->task.s.block[e->block].fixed)
             continue;
         p.x *= way;
         q.x *= way;
-        cut.x *= way;
-
-        /* what is below the water, then what is above */
-        if (earth->water > 0 && (double)p.y < earth->level
-            && (double)q.y > earth->level) {
-            cut.y = (kern_real)earth->level;
-            cut.x = p.x + (q.x - p.x) * (cut.y - p.y) / (q.y - p.y);
-            earth_add(a, s->side, e->block, soil_earth(cut, q, earth), pattern);
-        }
-        earth_add(a, s->side, e->block, soil_earth(p, cut, earth), pattern);
-        earth_add(a, s->side, e->block, soil_water(p, cut, earth), pattern);
+        soil_back(p, q, &s->earth, force);
+        for (int i = 0; i < 4; i++)
+            earth_add(a, s->side, e->block, force[i], pattern);
     }
 }
 

@@ -268,6 +268,13 @@ static inline int asks_raised_loads(const struct analysis *a)
     return a->set->raised || (!is_near(a) && a->task.s.blocks <= RAISED_MOST);
 }
 
+/* Are loads sideways that friction bears reported beside those of limit
+   analysis? Those are of real contacts. */
+static inline int has_friction_loads(const struct analysis *a)
+{
+    return asks_raised_loads(a) && !is_near(a);
+}
+
 static inline const char *end_word(kern_status status, kern_end end)
 {
     if (status == KERN_LIMIT || end == KERN_END_WORK)
@@ -305,7 +312,7 @@ static inline int is_lower(const struct analysis *a, int side)
     const double raised = side == LIVE ? a->live_let_go[1]
                                        : a->raised_load[side];
     const double plain = side == LIVE ? a->live : a->load[side];
-    if (is_near(a) || !asks_raised_loads(a) || isnan(plain) || isinf(raised))
+    if (!has_friction_loads(a) || isnan(plain) || isinf(raised))
         return 0;
     return isnan(raised) || raised < 0.98 * plain;
 }

@@ -26,28 +26,51 @@ static inline double tidy(const struct analysis *a, double x)
     return fabs(x) < 2e-6 * mean_size(a) ? 0 : x;
 }
 
-/* A quantity with its unit, of a slice of depth 1, where units are known:
-   `per_length` times a length under the force. */
-static inline const char *loads_number(const struct analysis *a, double value,
-                                       int per_length, char *out)
+/* Returns 1 if a quantity is written in kN, or kPa: a force in N from 10 kN on, a
+   stress in Pa likewise. JSON and the tables of --forces have the file's units. */
+static inline int loads_is_large(const struct analysis *a, double value,
+                                 int per_length)
+{
+    const struct text_file *t = &a->text;
+    return t->force_units && strcmp(t->force_units, "N") == 0
+        && (per_length == 0 || strcmp(t->units, "m") == 0)
+        && fabs(value) >= 9999.5;
+}
+
+/* The unit of a force on a slice of depth 1, where units are known, over
+   `per_length` times a length; `large` as loads_is_large() says. */
+static inline const char *loads_unit(const struct analysis *a, int per_length,
+                                     int large, char out[TEXT_SHOW_ROOM])
 {
     const struct text_file *t = &a->text;
     char force[TEXT_SHOW_ROOM], length[TEXT_SHOW_ROOM];
+    const char *kilo = large ? "k" : "";
+    if (per_length == 0)
+        snprintf(out, TEXT_SHOW_ROOM, "%s%.20s", kilo,
+                 text_show(force, t->force_units));
+    else if (per_length == 2 && strcmp(t->force_units, "N") == 0
+             && strcmp(t->units, "m") == 0)
+        snprintf(out, TEXT_SHOW_ROOM, "%sPa", kilo);
+    else
+        snprintf(out, TEXT_SHOW_ROOM, "%s%.20s/%.20s%s", kilo,
+                 text_show(force, t->force_units), text_show(length, t->units),
+                 per_length == 2 ? "2" : "");
+    return out;
+}
+
+/* A quantity with its unit, where units are known. */
+static inline const char *loads_number(const struct analysis *a, double value,
+                                       int per_length, char *out)
+{
     const double shown = fabs(value) < 1e-12 ? 0 : value;
-    const char *unit = t->force_units;
-    if (!unit)
+    const int large = loads_is_large(a, value, per_length);
+    char unit[TEXT_SHOW_ROOM];
+    if (a->text.force_units)
+        snprintf(out, LOADS_QUANTITY, "%.4g %s", large ? shown / 1000 : shown,
+                 loads_unit(a, per_length, large, unit));
+    else
         snprintf(out, LOADS_QUANTITY, "%.4g%s", shown,
                  is_per_density(a) ? " per unit of density" : "");
-    else if (per_length == 0)
-        snprintf(out, LOADS_QUANTITY, "%.4g %.20s", shown,
-                 text_show(force, unit));
-    else if (per_length == 2 && strcmp(unit, "N") == 0
-             && strcmp(t->units, "m") == 0)
-        snprintf(out, LOADS_QUANTITY, "%.4g Pa", shown);
-    else
-        snprintf(out, LOADS_QUANTITY, "%.4g %.20s/%.20s%s", shown,
-                 text_show(force, unit), text_show(length, t->units),
-                 per_length == 2 ? "2" : "");
     return out;
 }
 
@@ -107,6 +130,26 @@ static inline void loads_line(const struct analysis *a, int i,
         snprintf(out + n, (size_t)(LOADS_ROOM - n),
                  "; pushes %d of them back, with up to %.60s in all, as needed",
                  s->props, loads_number(a, s->most, 0, two));
+}
+
+/* What weight that is no stone adds: of a drawing, fill that is weight alone. */
+static inline void loads_masses(const struct analysis *a, char out[LOADS_ROOM])
+{
+    const struct text_file *t = &a->text;
+    char one[LOADS_QUANTITY], at[64];
+    kern_vec middle;
+    middle.x = (kern_real)(t->added_x / t->added);
+    middle.y = (kern_real)(t->added_y / t->added);
+    snprintf(out, LOADS_ROOM, "weighs %.60s about %s %s %d %s%s",
+             loads_number(a, t->added * gravity_of(a), 0, one),
+             loads_at(a, middle, at), a->drawing.made ? "on" : "in", t->masses,
+             a->drawing.made ? "block" : "statement", plural(t->masses));
+}
+
+/* Is it known, or asked and not known, by how much earth may grow? */
+static inline int has_growth(const struct analysis *a)
+{
+    return isnan(a->earth_limit) || a->earth_limit > 0;
 }
 
 /* To how many times its pressure the earth may grow. */
@@ -236,9 +279,9 @@ static inline void loads_each(const struct analysis *a,
         loads_line(a, i, text);
         line(loads_word[a->text.soil[i].kind], text, data);
     }
-    if (isnan(a->earth_limit) || a->earth_limit > 0) {
-        loads_growth(a, text);
-        line("earth", text, data);
+    if (a->text.masses > 0) {
+        loads_masses(a, text);
+        line(a->drawing.made ? "fill" : "mass", text, data);
     }
     for (int k = 0; k < a->text.wheels; k++) {
         loads_axle(a, k, text);
@@ -283,6 +326,11 @@ static inline void json_soil(const struct analysis *a)
         json_number("crushed", a->crushed);
         printf(", \"crushes\": %s, \"broken\": %d",
                a->crushes ? "true" : "false", a->broken);
+    }
+    if (a->text.masses > 0) {
+        json_number("mass_weight", a->text.added * gravity_of(a));
+        json_number("mass_x", a->text.added_x / a->text.added);
+        json_number("mass_y", a->text.added_y / a->text.added);
     }
     if (a->text.soils == 0)
         return;

@@ -72,6 +72,32 @@ static inline const char *page_live(const struct analysis *a, char out[100])
     return out;
 }
 
+/* Writes the factor on the pressure of earth: let go where that is asked for.
+   Without a live load it is the one that governs. */
+static inline void page_growing(FILE *out, const struct analysis *a)
+{
+    const char *name = a->text.lives > 0 ? "factor" : "factor that governs";
+    const int asked = asks_raised_loads(a);
+    const double value = asked ? a->earth_let_go : a->earth_limit;
+    char limit[48] = "", shown[40];
+    if (!has_growth(a))
+        return;
+    if (asked)
+        snprintf(limit, sizeof limit, " %s",
+                 factor_text(a->earth_limit, 1, "", shown));
+    if (isnan(value))
+        fprintf(out,
+                " The %s, on the pressure of the earth, is not shown%s (limit "
+                "analysis%s).",
+                name, asked ? " when it is let go" : "", limit);
+    else
+        fprintf(out,
+                " The %s is %s, on the pressure of the earth%s (limit "
+                "analysis%s).",
+                name, factor_text(value, 1, "", shown),
+                asked ? ", when it is let go" : "", limit);
+}
+
 /* Writes the factor that governs: of all places, or of the file's. */
 static inline void page_governing(FILE *out, const struct analysis *a)
 {
@@ -122,6 +148,7 @@ static inline void page_verdict(FILE *out, const struct analysis *a)
                            ? " Under the live load as stated it stands."
                            : " Under the live load as stated it falls.");
     page_governing(out, a);
+    page_growing(out, a);
     if (a->certain >= 0)
         page_text(out, a->certain ? " Within the error of the outlines that is "
                                     "certain."
@@ -200,7 +227,7 @@ static inline void page_factors(FILE *out, const struct analysis *a)
     char one[40], two[40], value[100];
     if (a->shown != KERN_STANDS || !(gravity_of(a) > 0))
         return;
-    if (asks_raised_loads(a) && !is_near(a)) {
+    if (has_friction_loads(a)) {
         snprintf(value, sizeof value, "%s left, %s right",
                  shown_text(a, LEFT, one), shown_text(a, RIGHT, two));
         page_row(out, "horizontal load", value,
@@ -215,7 +242,7 @@ static inline void page_factors(FILE *out, const struct analysis *a)
         "it is too high");
 
     /* of weight alone, what friction bears sideways is what it bears tilted */
-    if (asks_raised_loads(a) && !is_near(a) && !has_loads(a)) {
+    if (has_friction_loads(a) && !has_loads(a)) {
         snprintf(value, sizeof value, "%s left, %s right",
                  angle_text(atan(a->raised_load[LEFT]), a->cut[LEFT], degrees,
                             "\xc2\xb0", one),
@@ -292,7 +319,7 @@ static inline void page_results(FILE *out, const struct analysis *a)
     page_head(out, "Results");
     fputs("<table>\n", out);
     page_live_load(out, a);
-    if (isnan(a->earth_limit) || a->earth_limit > 0) {
+    if (has_growth(a)) {
         loads_growth(a, earth);
         page_row(out, "earth", "", earth);
     }
@@ -393,23 +420,44 @@ static inline void page_reactions(FILE *out, const struct analysis *a)
     fputs("</ul>\n", out);
 }
 
-/* A cell of the head of a table, with its unit. */
+/* A cell of the head of a table, with its unit: of lengths where `per_length` is
+   below 0. */
 static inline void page_unit(FILE *out, const struct analysis *a,
-                             const char *name, int per_length)
+                             const char *name, int per_length, int large)
 {
     const struct text_file *t = &a->text;
-    char value[LOADS_QUANTITY];
+    char unit[TEXT_SHOW_ROOM];
     fputs("<th>", out);
     page_text(out, name);
     if (per_length < 0 ? t->units != NULL : t->force_units != NULL) {
         fputs(" [", out);
-        page_text(out,
-                  per_length < 0
-                      ? t->units
-                      : strchr(loads_number(a, 0, per_length, value), ' ') + 1);
+        page_text(out, per_length < 0 ? t->units
+                                      : loads_unit(a, per_length, large, unit));
         fputs("]", out);
     }
     fputs("</th>", out);
+}
+
+/* Which columns of the table of beds are in kN, or kPa: all of it, since columns
+   are compared. */
+struct page_large {
+    int force, stress;
+};
+
+static inline struct page_large page_find_large(const struct analysis *a,
+                                                const struct bed *bed, int beds)
+{
+    struct page_large large = {0, 0};
+    struct bed_row r;
+    for (int i = 0; i < beds; i++) {
+        if (!bed_row_of(a, bed + i, &r))
+            continue;
+        large.force |= loads_is_large(a, r.normal, 0)
+                    || loads_is_large(a, r.shear, 0);
+        large.stress |= loads_is_large(a, isfinite(r.low) ? r.low : 0, 2)
+                     || loads_is_large(a, isfinite(r.high) ? r.high : 0, 2);
+    }
+    return large;
 }
 
 /* One resultant a bed. */
@@ -417,6 +465,9 @@ static inline void page_thrust(FILE *out, const struct analysis *a, int loaded)
 {
     struct bed *bed;
     const int beds = find_beds(a, &bed);
+    const struct page_large large = page_find_large(a, bed, beds);
+    const double force = large.force ? 1e-3 : 1;
+    const double stress = large.stress ? 1e-3 : 1;
     char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
     struct bed_row r;
     if (beds > 0) {
@@ -434,14 +485,14 @@ static inline void page_thrust(FILE *out, const struct analysis *a, int loaded)
                 a->text.bond > 0 ? ", below 0 what mortar bears"
                                  : " without tension");
         fputs("<table class=\"numbers\">\n<tr><th>from</th><th>on</th>", out);
-        page_unit(out, a, "x", -1);
-        page_unit(out, a, "y", -1);
-        page_unit(out, a, "normal", 0);
-        page_unit(out, a, "shear", 0);
+        page_unit(out, a, "x", -1, 0);
+        page_unit(out, a, "y", -1, 0);
+        page_unit(out, a, "normal", 0, large.force);
+        page_unit(out, a, "shear", 0, large.force);
         fputs("<th>eccentricity</th>", out);
-        page_unit(out, a, "stress", 2);
+        page_unit(out, a, "stress", 2, large.stress);
         fputs("<th>at one end</th>", out);
-        page_unit(out, a, "stress", 2);
+        page_unit(out, a, "stress", 2, large.stress);
         fputs("<th>at the second</th></tr>\n", out);
     }
     for (int i = 0; i < beds && i < PAGE_BEDS; i++) {
@@ -457,10 +508,10 @@ static inline void page_thrust(FILE *out, const struct analysis *a, int loaded)
                 "</td><td>%.4g</td><td>%.4g</td><td>%.4g</td><td>%.4g</td>"
                 "<td>%.3f</td><td>%s</td><td>%s</td><td>%s</td><td>%s</td>"
                 "</tr>\n",
-                tidy(a, (double)r.at.x), tidy(a, (double)r.at.y), r.normal,
-                r.shear, r.e, bed_number(r.low, from),
-                loads_at(a, r.low_end, low), bed_number(r.high, to),
-                loads_at(a, r.high_end, high));
+                tidy(a, (double)r.at.x), tidy(a, (double)r.at.y),
+                force * r.normal, force * r.shear, r.e,
+                bed_number(stress * r.low, from), loads_at(a, r.low_end, low),
+                bed_number(stress * r.high, to), loads_at(a, r.high_end, high));
     }
     if (beds > 0)
         fputs("</table>\n", out);
@@ -704,20 +755,31 @@ static const char page_style[] =
     "@media print{body{margin:0;max-width:none}pre{max-height:none}}"
     "@page{margin:18mm}\n";
 
+/* Writes the title that was told, and of several files, or where none was told,
+   the name of the file. */
+static inline void page_title(FILE *out, const struct analysis *a)
+{
+    const char *title = a->set->title;
+    int length;
+    if (title)
+        page_text(out, title);
+    if (title && a->set->files > 1)
+        fputs(": ", out);
+    if (!title || a->set->files > 1)
+        page_text(out, stem_of(a->file, &length));
+}
+
 /* Writes the whole page. */
 static inline int page_write(FILE *out, const struct analysis *a)
 {
     const struct analysis loaded = page_loaded(a);
-    char name[200];
-    int stem;
-    snprintf(name, sizeof name, "%s", stem_of(a->file, &stem));
     fputs("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
           "<title>",
           out);
-    page_text(out, name);
+    page_title(out, a);
     fprintf(out, "</title>\n<style>\n%s</style></head><body>\n<h1>",
             page_style);
-    page_text(out, name);
+    page_title(out, a);
     fputs("</h1>\n", out);
     page_verdict(out, a);
     fputs("<div class=\"picture\">\n", out);

@@ -8,6 +8,7 @@
 #include "../../kern.h"
 
 #include "place.h"
+#include "loads.h"
 #include "state.h"
 
 #include <errno.h>
@@ -86,7 +87,7 @@ static inline void write_caption(const struct analysis *a, char *out,
 {
     int stem;
     const char *name = stem_of(a->file, &stem);
-    char level[80] = "level undecided";
+    char level[120] = "level undecided", unit[TEXT_SHOW_ROOM];
     if (a->set->verdict_only)
         snprintf(level, sizeof level, "margin not asked for");
     else if (a->measured == KERN_FALLS)
@@ -95,11 +96,15 @@ static inline void write_caption(const struct analysis *a, char *out,
                                       : "level 0, wider contacts do not help",
                  a->deficit);
     else if (a->measured == KERN_STANDS)
-        snprintf(level, sizeof level, "level %d, margin %.4g%s", a->m.level,
-                 (double)a->m.margin,
-                 a->m.saturated     ? " (every kern closed)"
-                 : a->set->relative ? " of each contact"
-                                    : " (a length)");
+        snprintf(
+            level, sizeof level, "level %d, margin %.4g%s%.20s%s", a->m.level,
+            (double)a->m.margin, a->text.units && !a->set->relative ? " " : "",
+            a->text.units && !a->set->relative ? text_show(unit, a->text.units)
+                                               : "",
+            a->m.saturated     ? " (every kern closed)"
+            : a->set->relative ? " of each contact"
+            : a->text.units    ? ""
+                               : " (a length)");
     char shrunk[40] = "";
     if (shrinkage(a) > 0)
         snprintf(shrunk, sizeof shrunk, " when shrunk by %.4g",
@@ -211,14 +216,14 @@ static inline void draw_axle(const struct draw_view *v,
 {
     const struct text_axle *w = &a->text.wheel[k];
     double cone, y = text_road(&a->text, w->x, &cone);
-    char value[40];
+    char value[LOADS_QUANTITY];
     if (!(cone > 0) && sweep_top(a, w->x, &y) < 0)
         return;
     struct draw_pt from = draw_place(v, w->x, y), to;
     from.y = fmax(from.y, v->top + 2); /* the road may be out of view */
     to = draw_vec(from.x, from.y + 26);
     draw_arrow(v->out, from, to, 2, DRAW_LIVE);
-    snprintf(value, sizeof value, "%.4g", w->force);
+    loads_number(a, w->force, 0, value);
     draw_text(v->out, from.x + 6, from.y + 10, 10, "start", value,
               strlen(value));
 }

@@ -352,64 +352,63 @@ static inline const char *shown_text(const struct analysis *a, int k,
     return isfinite(raised) ? out : factor_text(raised, 1, "", out);
 }
 
-/* The range of the live load: first that in which it stays let go. */
+/* The range of the live load: first that in which it stays let go, where that is
+   asked for, then that of limit analysis, as report_load() has loads. */
 static inline void report_live(const struct analysis *a)
 {
+    const int asked = asks_raised_loads(a);
     char low[32], high[32];
-    printf("  live        ");
-    if (a->lived == KERN_FALLS)
-        printf("none: it falls at every factor of the live load\n");
-    else if (a->lived != KERN_STANDS)
-        printf("undecided: factors of the live load\n");
-    else if (asks_raised_loads(a)) {
-        if (isnan(a->live_let_go[0]))
-            printf("not shown: no factor of the live load at which it stays "
-                   "when it is let go\n");
-        else
-            printf("[%s, %s]: factors of the live load at which it stays when "
-                   "it is let go\n",
-                   factor_text(a->live_let_go[0], 1, "", low),
-                   shown_text(a, LIVE, high));
-        printf("  live limit  [%s, %s]: limit analysis%s\n",
+    if (a->lived != KERN_STANDS)
+        printf("  live        %s\n",
+               a->lived == KERN_FALLS
+                   ? "none: it falls at every factor of the live load"
+                   : "undecided: factors of the live load");
+    else if (asked && isnan(a->live_let_go[0]))
+        printf("  live        not shown: no factor of the live load at which "
+               "it stays when it is let go\n");
+    else if (asked)
+        printf("  live        [%s, %s]: factors of the live load at which it "
+               "stays when it is let go\n",
+               factor_text(a->live_let_go[0], 1, "", low),
+               shown_text(a, LIVE, high));
+    if (a->lived == KERN_STANDS)
+        printf("  live limit  [%s, %s]: %s%s\n",
                factor_text(a->live_least, 1, "", low),
                factor_text(a->live, 1, "", high),
+               asked ? "limit analysis"
+                     : "factors of the live load at which it stands, by limit "
+                       "analysis (--raised: let go)",
                !is_lower(a, LIVE) ? ""
                : isinf(a->live)   ? ", no bound"
                                   : ", dilatant sliding, too high");
-    } else
-        printf("[%s, %s]: factors of the live load at which it stands, by "
-               "limit analysis\n",
-               factor_text(a->live_least, 1, "", low),
-               factor_text(a->live, 1, "", high));
     if (as_stated(a) == KERN_FALLS)
         printf("  warning     it falls under the live load as stated: 1 is "
                "outside of these factors\n");
 }
 
-/* The load factors: first those that friction bears, where these are lower. */
+/* The load factors: those that Coulomb friction bears from rest, wherever they
+   are asked for, then those of limit analysis. Page and JSON have the same two,
+   each under a name of its own, however near they are to each other. */
 static inline void report_load(const struct analysis *a, const char *stay)
 {
     const int lower_left = is_lower(a, LEFT), lower_right = is_lower(a, RIGHT);
-    const int lower = lower_left || lower_right;
+    const int asked = has_friction_loads(a);
     char left[32], right[32];
-    if (lower)
+    if (asked)
         printf("  load        %s left, %s right: horizontal load, in g, that "
                "Coulomb friction bears from rest%s\n",
                shown_text(a, LEFT, left), shown_text(a, RIGHT, right), stay);
-    printf("  %-10s  %s left, %s right: ", lower ? "load limit" : "load",
+    printf("  load limit  %s left, %s right: %slimit analysis%s%s%s\n",
            factor_text(a->load[LEFT], 1, "", left),
-           factor_text(a->load[RIGHT], 1, "", right));
-    if (lower)
-        printf("limit analysis, dilatant sliding, too high %s\n",
-               lower_left && lower_right ? "here"
-               : lower_left              ? "to the left"
-                                         : "to the right");
-    else
-        printf("horizontal load factor, in g%s%s\n",
-               asks_raised_loads(a) ? ""
-                                    : ", of limit analysis (--raised: of "
-                                      "friction)",
-               stay);
+           factor_text(a->load[RIGHT], 1, "", right),
+           asked ? "" : "horizontal load, in g, by ",
+           lower_left || lower_right ? ", dilatant sliding, too high " : "",
+           lower_left && lower_right ? "here"
+           : lower_left              ? "to the left"
+           : lower_right             ? "to the right"
+           : asks_raised_loads(a)    ? ""
+                                     : " (--raised: of friction)",
+           asked ? "" : stay);
 }
 
 /* An angle, or why it is not known. */
@@ -439,7 +438,7 @@ static inline void report_loads(const struct analysis *a)
     const char *stay = a->text.loads > 0 ? " (loads stay as they are)"
                      : a->text.lives > 0 ? " (without the live load)"
                                          : "";
-    const int lower = is_lower(a, LEFT) || is_lower(a, RIGHT);
+    const int tilts = has_friction_loads(a) && !has_loads(a);
     const int undecided[2] = {1, 1};
     if (a->shown >= 0 && a->text.lives > 0)
         report_live(a);
@@ -449,13 +448,15 @@ static inline void report_loads(const struct analysis *a)
 
     /* Weight alone at a slant is a load sideways: what friction bears of it is
        the tilt that friction bears. */
-    if (lower && !has_loads(a)) {
+    if (tilts) {
         const double angle[2] = {atan(a->raised_load[LEFT]),
                                  atan(a->raised_load[RIGHT])};
         report_tilt("tilt", angle, a->cut, ": Coulomb friction, from rest");
     }
-    report_tilt(lower ? "tilt limit" : "tilt", a->tilt, undecided,
-                lower ? ": limit analysis, dilatant sliding" : stay);
+    report_tilt("tilt limit", a->tilt, undecided,
+                is_lower(a, LEFT) || is_lower(a, RIGHT)
+                    ? ": limit analysis, dilatant sliding"
+                    : ": limit analysis");
 }
 
 static inline void report_forces(const struct analysis *a)
@@ -873,6 +874,15 @@ static inline void report_near(const struct analysis *a)
                 : "");
 }
 
+static inline void report_growth(const struct analysis *a)
+{
+    char growth[LOADS_ROOM];
+    if (!has_growth(a))
+        return;
+    loads_growth(a, growth);
+    loads_print("earth", growth, NULL);
+}
+
 static inline void report_thrust(const struct analysis *a)
 {
     char thrust[LOADS_ROOM];
@@ -927,6 +937,7 @@ static inline void report(const struct analysis *a)
     report_loads(a);
     if (a->set->raised)
         report_raised_loads(a);
+    report_growth(a);
     report_thrust(a);
     report_sweep(a);
     if (a->set->place)

@@ -30,7 +30,8 @@ struct settings { /* of the command line; numbers < 0: not given */
     kern_real own_error, own_turn; /* of --error                          */
     int relative, forces, mechanism, profile, touching, json, verdict_only;
     int raised, sequence, mechanism_live, lone;
-    const char *svg, *page, *c_file, *kern_file, *stays, *place, *thrust;
+    const char *svg, *page, *title, *c_file, *kern_file, *stays, *place,
+        *thrust;
     struct shapes_asked drawing; /* of drawings and photographs         */
     const char *layer[LABELS_MOST], *density[LABELS_MOST],
         *friction[LABELS_MOST];
@@ -44,6 +45,7 @@ struct swept {
     double x, y, live, raised;
     int block; /* -1: beyond the structure */
     int cut;   /* the limit of work ended `raised` */
+    int edge;  /* `raised` is known to .1 %        */
 };
 
 /* A place of one more stone, which is there. */
@@ -472,6 +474,8 @@ static inline struct draw_scene scene_of(const struct analysis *a)
     scene.relative = a->set->relative;
     scene.shrink = (double)shrinkage(a);
     scene.live = a->text.live;
+    scene.unit = a->text.units;
+    scene.force_unit = a->text.force_units;
     scene.mass = a->text.mass;
     scene.masses = a->text.masses;
     scene.pushes = a->text.props;

@@ -38,8 +38,12 @@ struct sweep {
 enum {
     SWEEP_PLACES = 2500, /* that are tried at most, but for a few          */
     SWEEP_PARTS = 4,     /* tried from joint to joint, under fill          */
-    SWEEP_CUTS = 12      /* steps of the search between two places         */
+    SWEEP_CUTS = 12,     /* steps of the search between two places         */
+    SWEEP_EDGES = 24     /* places whose factor let go is found to .1 %    */
 };
+
+/* Share by which a path of loading may end below what it bears. */
+#define SWEEP_NARROW 0.01
 
 /* The forces that move: statements live, then axles. */
 static inline int sweep_lives(const struct analysis *a)
@@ -134,7 +138,7 @@ static inline void sweep_factor(struct sweep *w, double x, struct swept *at)
     status = crush_factor(w->a, &w->a->task, w->pattern, NULL, &value);
     at->live = value_or_nan(status, value);
     at->raised = (double)NAN;
-    at->cut = 0;
+    at->cut = at->edge = 0;
 }
 
 /* Are the factors at which it stays when it is let go asked for as well? Without
@@ -332,42 +336,89 @@ static inline double sweep_step(const struct sweep *w,
     return step;
 }
 
-/* Searches between the places beside the least one, by the golden section:
-   loads that spread have their least anywhere. */
-static inline void sweep_refine(struct sweep *w, double step,
-                                struct swept *least)
+/* Finds the factor at which it stays when it is let go to .1 %, where its path of
+   loading may have ended before that. */
+static inline void sweep_edge(struct sweep *w, struct swept *at)
+{
+    const struct analysis *a = w->a;
+    const double beyond = fmin((1 + SWEEP_NARROW) * at->raised, at->live);
+    kern_block *block;
+    struct swept here;
+    at->edge = 1;
+    if (!(beyond > (1 + 1e-3) * at->raised))
+        return;
+    block = array(a->task.s.blocks, sizeof *block);
+    if (!block)
+        return;
+    sweep_pattern(w, at->x, &here);
+    at->raised = stays_under(a, w->pattern, block, beyond)
+                   ? beyond
+                   : live_edge(a, w->pattern, block, at->raised, beyond);
+    free(block);
+}
+
+/* A factor with the load at x: of limit analysis, or let go. */
+static inline double sweep_value(struct sweep *w, enum answer which, double x,
+                                 struct swept *at)
+{
+    if (which == OF_VERDICT) {
+        sweep_factor(w, x, at);
+        return at->live;
+    }
+    sweep_at(w, x, at);
+    sweep_edge(w, at);
+    return at->raised;
+}
+
+/* Searches between two places for the least factor, less than `known`, by the
+   golden section: loads that spread have their least anywhere. */
+static inline void sweep_refine(struct sweep *w, enum answer which, double low,
+                                double high, double known, struct swept *least)
 {
     const double golden = 0.61803398874989485;
-    double low = fmax(least->x - step, w->low);
-    double high = fmin(least->x + step, w->high);
     struct swept p, q;
-    sweep_factor(w, high - golden * (high - low), &p);
-    sweep_factor(w, low + golden * (high - low), &q);
+    double of_p = sweep_value(w, which, high - golden * (high - low), &p);
+    double of_q = sweep_value(w, which, low + golden * (high - low), &q);
     for (int k = 0; k < SWEEP_CUTS; k++) {
-        if (p.live < least->live)
+        if (of_p < known) {
             *least = p;
-        if (q.live < least->live)
+            known = of_p;
+        }
+        if (of_q < known) {
             *least = q;
-        if (p.live < q.live) {
+            known = of_q;
+        }
+        if (of_p < of_q) {
             high = q.x;
             q = p;
-            sweep_factor(w, high - golden * (high - low), &p);
+            of_q = of_p;
+            of_p = sweep_value(w, which, high - golden * (high - low), &p);
         } else {
             low = p.x;
             p = q;
-            sweep_factor(w, low + golden * (high - low), &q);
+            of_p = of_q;
+            of_q = sweep_value(w, which, low + golden * (high - low), &q);
         }
     }
 }
 
-/* Adds the place with the least factor of all, where the samples miss it. */
+/* Puts a place among the others, in order. */
+static inline void sweep_insert(struct analysis *a, struct swept at)
+{
+    int k = a->sweeps++;
+    for (; k > 0 && a->swept[k - 1].x > at.x; k--)
+        a->swept[k] = a->swept[k - 1];
+    a->swept[k] = at;
+}
+
+/* Adds the place with the least factor of limit analysis, where the samples miss
+   it. */
 static inline void sweep_add_least(struct sweep *w)
 {
     struct analysis *a = w->a;
     const int sample = sweep_least(a);
     struct swept least;
     double known = HUGE_VAL;
-    int k = a->sweeps;
 
     /* where no sample has a bound, others may */
     least = a->swept[sample < 0 ? 0 : sample];
@@ -375,17 +426,39 @@ static inline void sweep_add_least(struct sweep *w)
         known = least.live;
     least.live = known;
     sweep_joints(w, &least);
-    if (a->text.wheels > 0 && least.live < HUGE_VAL)
-        sweep_refine(w, sweep_step(w, &least), &least);
+    if (a->text.wheels > 0 && least.live < HUGE_VAL) {
+        const double step = sweep_step(w, &least);
+        sweep_refine(w, OF_VERDICT, fmax(least.x - step, w->low),
+                     fmin(least.x + step, w->high), least.live, &least);
+    }
     if (!(least.live < known * (1 - 1e-9)))
         return;
-    for (; k > 0 && a->swept[k - 1].x > least.x; k--)
-        a->swept[k] = a->swept[k - 1];
-    sweep_at(w, least.x, &a->swept[k]);
-    a->sweeps++;
+    sweep_at(w, least.x, &least);
+    sweep_insert(a, least);
 }
 
-/* At places in the middle of equal parts of the way, and at the worst one. */
+/* Finds the least factor let go to .1 %, among the places that are known, and then
+   between those beside it where it is less than that of limit analysis. */
+static inline void sweep_add_let_go(struct sweep *w)
+{
+    struct analysis *a = w->a;
+    struct swept least;
+    int k = sweep_governs(a);
+    for (int n = 0; n < SWEEP_EDGES && k >= 0 && !a->swept[k].edge; n++) {
+        sweep_edge(w, a->swept + k);
+        k = sweep_governs(a);
+    }
+    if (k < 0 || !(a->swept[k].raised < (1 - 1e-3) * a->swept[k].live))
+        return;
+    least = a->swept[k];
+    sweep_refine(w, OF_LET_GO, k > 0 ? a->swept[k - 1].x : w->low,
+                 k + 1 < a->sweeps ? a->swept[k + 1].x : w->high, least.raised,
+                 &least);
+    if (least.raised < a->swept[k].raised * (1 - 1e-9))
+        sweep_insert(a, least);
+}
+
+/* At places in the middle of equal parts of the way, and at the worst ones. */
 static inline int find_sweep(struct analysis *a)
 {
     const int places = (int)a->set->sweep;
@@ -395,7 +468,7 @@ static inline int find_sweep(struct analysis *a)
     if (a->shown != KERN_STANDS)
         return 0;
     w.pattern = array(a->task.s.blocks, sizeof *w.pattern);
-    a->swept = array(places + 1, sizeof *a->swept);
+    a->swept = array(places + 2, sizeof *a->swept);
     const int there = w.pattern && a->swept
                    && !text_outline(&a->text, SOIL_ABOVE, &w.above);
     for (int k = 0; k < places && there; k++) {
@@ -405,6 +478,8 @@ static inline int find_sweep(struct analysis *a)
     }
     if (there)
         sweep_add_least(&w);
+    if (there && sweeps_let_go(a))
+        sweep_add_let_go(&w);
     free(w.above.edge);
     free(w.pattern);
     return there ? 0 : fail_memory(a);

@@ -14,6 +14,7 @@
 #include "../../kern.h"
 
 #include "../parts/room.h"
+#include "crush.h"
 #include "state.h"
 
 #include <math.h>
@@ -105,39 +106,28 @@ static inline kern_status thrust_open(const struct analysis *a,
     return KERN_OK;
 }
 
-/* The least and the largest force toward the side, -1 or 1. */
-static inline kern_status thrust_toward(struct thrust *t, double shrink,
-                                        int side, double *least, double *most)
+/* The least and the largest force toward the side, -1 or 1. Contacts stay as the
+   load at rest crushes them. */
+static inline kern_status thrust_toward(const struct analysis *a,
+                                        struct thrust *t, int side,
+                                        double *least, double *most)
 {
-    kern_wrench *push = t->push + t->support;
-    kern_real value = 0;
-    kern_status status;
-    push->fx = (kern_real)side;
-    status = kern_least_load_of(&t->task, (kern_real)shrink, t->push, &value,
-                                NULL);
-    if (status != KERN_STANDS)
-        return status;
-    *least = (double)value;
-    t->block[t->support].load.fx = push->fx * value;
-    status = kern_load_factor_of(&t->task, (kern_real)shrink, t->push, &value,
-                                 NULL);
-    t->block[t->support].load.fx = 0;
-    *most = status == KERN_STANDS ? *least + (double)value : (double)NAN;
-    return status;
+    struct analysis rigid = *a;
+    rigid.whole = NULL;
+    t->push[t->support].fx = (kern_real)side;
+    return crush_range(&rigid, &t->task, t->push, NULL, least, most);
 }
 
 /* Between which forces to the left it stands; below 0 to the right. */
 static inline kern_status thrust_range(struct analysis *a, struct thrust *t)
 {
-    const double shrink = (double)shrinkage(a);
-    double least = 0, most = 0;
-    kern_status status = thrust_toward(t, shrink, -1, &least, &most);
-    a->thrust_least = least;
-    a->thrust_most = most;
-    if (status == KERN_STANDS && least > 0)
+    double least, most;
+    kern_status status = thrust_toward(a, t, -1, &a->thrust_least,
+                                       &a->thrust_most);
+    if (status == KERN_STANDS && a->thrust_least > 0)
         return status;
     const int left = status == KERN_STANDS;
-    status = thrust_toward(t, shrink, 1, &least, &most);
+    status = thrust_toward(a, t, 1, &least, &most);
     if (status == KERN_STANDS) { /* or to the left where that holds it */
         a->thrust_least = -most;
         a->thrust_most = left ? a->thrust_most : -least;

@@ -57,6 +57,8 @@ struct draw_scene {
     double most;               /* the value with the last colour              */
     const char *value_name;    /* what it is                                  */
     const char *caption;       /* UTF-8, \n starts a line; NULL: none         */
+    const char *unit;          /* of lengths; NULL: not known                 */
+    const char *force_unit;    /* the same of forces; N is kN from 10 kN on   */
     void (*over)(const struct draw_view *view, const void *data);
     const void *data;      /* draws over the stones; NULL: nothing        */
     const kern_vec *shown; /* places that the picture shows as well     */
@@ -1104,14 +1106,20 @@ static void draw_torque(const struct draw_view *v, const struct draw_sizes *z,
 
 /* The size of a load, at the tail of its arrow. */
 static void draw_load_value(const struct draw_view *v, const kern_wrench *load,
-                            struct draw_pt tail, const char *colour)
+                            const char *unit, struct draw_pt tail,
+                            const char *colour)
 {
     const double f = draw_hypot(load->fx, load->fy);
-    char text[40], style[120];
+    const int large = unit && strcmp(unit, "N") == 0 && f >= 9999.5;
+    char text[64], style[120];
 
     if (!(f > 0))
         return;
-    snprintf(text, sizeof text, "%.4g", f);
+    snprintf(text, sizeof text, "%.4g%s%.20s", large ? f / 1000 : f,
+             !unit   ? ""
+             : large ? " k"
+                     : " ",
+             unit ? unit : "");
     snprintf(style, sizeof style, "font-family=\"" DRAW_FONT "\" fill=\"%s\"",
              colour);
     draw_open(v->out, style);
@@ -1150,7 +1158,8 @@ static void draw_loads_of(const struct draw_scene *d, const struct draw_view *v,
             draw_arrow(v->out, draw_place(v, a.x, a.y), draw_place(v, b.x, b.y),
                        1.3 * z->arrow, colour);
         if (kind > 0 && named)
-            draw_load_value(v, load, draw_place(v, a.x, a.y), colour);
+            draw_load_value(v, load, d->force_unit, draw_place(v, a.x, a.y),
+                            colour);
         if (kind == 2)
             draw_torque(v, z, k, load->torque, colour);
     }
@@ -1389,13 +1398,15 @@ static struct draw_pt draw_key_entry(struct draw_key *key, double sign,
     return p;
 }
 
-static void draw_key_scale(struct draw_key *key, const struct draw_view *v)
+static void draw_key_scale(struct draw_key *key, const struct draw_view *v,
+                           const char *unit)
 {
     double length = draw_round(90 / v->scale), w = length * v->scale;
     struct draw_pt p;
     char text[60];
 
-    snprintf(text, sizeof text, "length %g", length);
+    snprintf(text, sizeof text, "length %g%s%.20s", length, unit ? " " : "",
+             unit ? unit : "");
     p = draw_key_entry(key, w, text);
     if (key->out)
         fprintf(key->out,
@@ -1540,7 +1551,7 @@ static double draw_key_all(FILE *out, const struct draw_scene *d,
     key.x = DRAW_PAD;
     key.y = y + 6;
     key.right = width - DRAW_PAD;
-    draw_key_scale(&key, v);
+    draw_key_scale(&key, v, d->unit);
     if (d->s->contacts > 0)
         draw_key_contacts(&key, d);
     if (d->limiting >= 0)

@@ -473,6 +473,10 @@ static int dxf_round(struct dxf *d, int i, int end, int side)
         && (dxf_value(d, i, end, 50, 0, &from)
             || dxf_value(d, i, end, 51, 360, &to)))
         return -1;
+    if (!(r > 0)) {
+        dxf_skip(d, "sizeless ", i, end);
+        return 0;
+    }
     shapes_arc(d->s, x, y, r, from, to);
     dxf_path(d, first, whole, side, i, end);
     return 0;

@@ -25,6 +25,7 @@
 #include "shapes.h"
 
 enum {
+    OUTLINES_MOST = 20000, /* that are read: as many as kern analyses     */
     OUTLINES_MEND = 2000,  /* points of an outline that is mended         */
     OUTLINES_MOVE = 200,   /* of one whose corner is moved                */
     OUTLINES_TRIES = 64,   /* seams between two parts                     */
@@ -43,6 +44,7 @@ struct outlines_block {
     double mass, mass_x, mass_y; /* of the fill on it                  */
     int idle;                    /* nonzero: fill that lies on no stone */
     int pushes;                  /* nonzero: fill that is a statement   */
+    int counted;                 /* nonzero: fill whose weight is there */
     double misfit; /* share of such a fill that is not as drawn          */
 };
 
@@ -261,6 +263,49 @@ static void outlines_simplify(struct shapes *s, struct shapes_path *path,
     free(raw);
     free(simple);
     free(kept);
+}
+
+/* Returns 1 if two outlines are the same to the last digit, as stones or as
+   fill. */
+static int outlines_same(const struct shapes *s, const struct shapes_path *a,
+                         const struct shapes_path *b)
+{
+    const size_t bytes = (size_t)a->points * sizeof *s->point;
+    return a->points == b->points && a->role == b->role && a->group == b->group
+        && memcmp(outlines_points(s, a), outlines_points(s, b), bytes) == 0;
+}
+
+/* Lists outlines that are drawn twice to the last digit, but for the first of
+   them. They are sorted by a sum of their corners, since comparing each with each
+   would take the square of their number. Returns how many outlines are left. */
+static int outlines_repeated(struct shapes *s)
+{
+    double *key = shapes_array(s, s->paths, sizeof *key);
+    int *index = shapes_array(s, s->paths, sizeof *index), n = 0, left = 0;
+    for (int i = 0; key && index && i < s->paths; i++) {
+        const struct shapes_point *p = outlines_points(s, s->path + i);
+        if (s->path[i].gone)
+            continue;
+        for (int k = 0; k < s->path[i].points; k++)
+            key[i] += p[k].x + 3 * p[k].y + (p[k].x + p[k].y) * k;
+        index[n++] = i;
+    }
+    if (n > 0)
+        lines_sort(index, n, key);
+    for (int from = 0, to; from < n; from = to) {
+        int first = index[from];
+        for (to = from; to < n && !(key[index[to]] > key[index[from]]); to++)
+            first = index[to] < first ? index[to] : first;
+        for (int k = from; k < to; k++) {
+            struct shapes_path *path = s->path + index[k];
+            if (index[k] != first && outlines_same(s, s->path + first, path))
+                shapes_leave(s, path, "outline drawn twice");
+            left += !path->gone;
+        }
+    }
+    free(key);
+    free(index);
+    return left;
 }
 
 /* Gives outlines on one arc the same corners, and simplifies them: within `off`,

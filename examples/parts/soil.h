@@ -265,6 +265,22 @@ static inline struct soil_force soil_water(kern_vec p, kern_vec q,
                       e->water * (e->level - high), way);
 }
 
+/* Writes what earth and water press with on an edge of a back, from its foot p
+   up to its head q: each below the level of the water, then above it. */
+static inline void soil_back(kern_vec p, kern_vec q, const struct soil_earth *e,
+                             struct soil_force out[4])
+{
+    kern_vec cut = q;
+    if (e->water > 0 && (double)p.y < e->level && (double)q.y > e->level) {
+        cut.y = (kern_real)e->level;
+        cut.x = p.x + (q.x - p.x) * (cut.y - p.y) / (q.y - p.y);
+    }
+    out[0] = soil_earth(p, cut, e);
+    out[1] = soil_water(p, cut, e);
+    out[2] = soil_earth(cut, q, e);
+    out[3] = soil_water(cut, q, e);
+}
+
 /* ---- A load that spreads ------------------------------------------------- */
 
 /* Adds a share of a unit load, downwards at px, to the pattern of a block. */

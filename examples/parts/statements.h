@@ -28,7 +28,13 @@ enum {
 /* Where a column leaves an outline: y at its left side, middle and right. */
 struct statements_span {
     double low[3], high[3];
-    int block; /* -1: the fill                                         */
+    int block; /* -1: fill                                             */
+};
+
+/* Areas of a fill that add no weight: over no block, and within fill whose weight
+   is there already. */
+struct statements_lost {
+    double none, twice;
 };
 
 /* Finds the heights at which an edge passes a column. Returns 0 where it
@@ -98,40 +104,52 @@ static void statements_weigh(struct outlines *o, double left, double right,
     }
 }
 
-/* Weighs the pieces of one span of fill between the blocks. Returns the area
-   that lies on none. */
-static double statements_column(struct outlines *o, double left, double right,
-                                const struct statements_span *fill,
-                                const struct statements_span *span, int n,
-                                double density)
+/* Finds the lowest span that begins below `high` and ends above `low`, NULL where
+   there is none, and in *carrier the highest block below `low`, -1 for none. */
+static const struct statements_span *statements_above(
+    const struct outlines *o, double low, double high,
+    const struct statements_span *span, int n, int *carrier)
 {
-    const double *low = fill->low;
-    double lost = 0;
+    const struct statements_span *next = NULL;
+    double top = 0;
+    *carrier = -1;
+    for (int k = 0; k < n; k++) {
+        const struct statements_span *b = span + k;
+        if (b->high[1] > low + 1e-3 * o->size && b->low[1] < high
+            && (!next || b->low[1] < next->low[1]))
+            next = b;
+        else if (b->high[1] <= low + 1e-3 * o->size && b->block >= 0
+                 && (*carrier < 0 || b->high[1] > top)) {
+            *carrier = b->block;
+            top = b->high[1];
+        }
+    }
+    return next;
+}
+
+/* Weighs the pieces of one span of fill between the blocks, and between fill whose
+   weight is there already. Adds what has none to *lost. */
+static void statements_column(struct outlines *o, double left, double right,
+                              const struct statements_span *fill,
+                              const struct statements_span *span, int n,
+                              double density, struct statements_lost *lost)
+{
+    const double wide = right - left, top = fill->high[1], *low = fill->low;
     for (;;) {
-        const struct statements_span *next = NULL;
-        int carrier = -1;
-        double top = 0;
-        for (int k = 0; k < n; k++) {
-            const struct statements_span *b = span + k;
-            if (b->high[1] > low[1] + 1e-3 * o->size
-                && b->low[1] < fill->high[1]
-                && (!next || b->low[1] < next->low[1]))
-                next = b;
-            else if (b->high[1] <= low[1] + 1e-3 * o->size
-                     && (carrier < 0 || b->high[1] > top)) {
-                carrier = b->block;
-                top = b->high[1];
-            }
-        }
+        int carrier;
+        const struct statements_span *next = statements_above(
+            o, low[1], top, span, n, &carrier);
         const double *high = next ? next->low : fill->high;
-        if (high[1] > low[1]) {
-            if (carrier >= 0)
-                statements_weigh(o, left, right, low, high, density, carrier);
-            else
-                lost += (high[1] - low[1]) * (right - left);
-        }
-        if (!next || !(next->high[1] < fill->high[1]))
-            return lost;
+        if (high[1] > low[1] && carrier >= 0)
+            statements_weigh(o, left, right, low, high, density, carrier);
+        else if (high[1] > low[1])
+            lost->none += (high[1] - low[1]) * wide;
+        if (next && next->block < 0)
+            lost->twice += ((next->high[1] < top ? next->high[1] : top)
+                            - (high[1] > low[1] ? high[1] : low[1]))
+                         * wide;
+        if (!next || !(next->high[1] < top))
+            return;
         low = next->high;
     }
 }
@@ -155,39 +173,136 @@ static int statements_corners(const struct outlines *o, double *x, int *index,
     return n;
 }
 
-/* Lays the weight of one fill on the blocks below it. Returns the share of it
-   that lies on none, or -1 where it was too much to weigh. */
-static double statements_lay(struct outlines *o, int i, int corners,
-                             double density)
+/* The columns of a fill, from left to right: what it and the blocks take up in
+   the one that is looked at. */
+struct statements_columns {
+    double *corner; /* x of each, in no order        */
+    int *order;     /* of the corners                */
+    struct statements_span *fill, *block;
+    int corners, room; /* of the fill; of all outlines  */
+    int next;          /* the corner it goes on from    */
+    int cut;           /* nonzero: it goes on from `right`, before the next */
+    double left, right;
+    int fills, blocks; /* spans in it                   */
+};
+
+/* Finds the corners between which fill i has its columns. Returns how many there
+   are, or -1 where they are too many to weigh. Memory is freed by
+   statements_close(). */
+static int statements_open(const struct outlines *o, int i, int room,
+                           struct statements_columns *c)
 {
     struct shapes *s = o->s;
-    double *x = shapes_array(s, corners, sizeof *x), lost = 0;
-    int *index = shapes_array(s, corners, sizeof *index), columns = 0;
-    struct statements_span *span = shapes_array(s, 2 * corners, sizeof *span);
-    struct statements_span *fill = span ? span + corners : NULL;
-    if (x && index && span)
-        columns = statements_corners(o, x, index, o->block[i].left,
-                                     o->block[i].right);
-    if ((double)columns * corners > STATEMENTS_FILL)
-        columns = -1;
-    for (int k = 0; k + 1 < columns; k++) {
-        const double left = x[index[k]], right = x[index[k + 1]];
-        int n = 0, fills;
-        if (!(right - left > 1e-9 * o->size))
-            continue;
-        fills = statements_spans(o, i, -1, left, right, fill, 0, corners);
-        for (int b = 0; b < o->blocks && fills > 0; b++)
-            if (outlines_path(o, b)->role != SHAPES_FILL)
-                n = statements_spans(o, b, b, left, right, span, n,
-                                     corners - 1);
-        for (int f = 0; f < fills; f++)
-            lost += statements_column(o, left, right, fill + f, span, n,
-                                      density);
+    const struct statements_columns none = {0};
+    *c = none;
+    c->room = room;
+    c->corner = shapes_array(s, room, sizeof *c->corner);
+    c->order = shapes_array(s, room, sizeof *c->order);
+    c->fill = shapes_array(s, 2 * room, sizeof *c->fill);
+    c->block = c->fill ? c->fill + room : NULL;
+    if (c->corner && c->order && c->fill)
+        c->corners = statements_corners(o, c->corner, c->order,
+                                        o->block[i].left, o->block[i].right);
+    if ((double)c->corners * room > STATEMENTS_FILL)
+        c->corners = -1;
+    return c->corners;
+}
+
+/* Finds what the fill, the blocks, and fill whose weight is there already take up
+   in the column. */
+static void statements_look(const struct outlines *o, int i,
+                            struct statements_columns *c)
+{
+    c->fills = statements_spans(o, i, -1, c->left, c->right, c->fill, 0,
+                                c->room);
+    c->blocks = 0;
+    for (int b = 0; b < o->blocks; b++) {
+        const int fill = outlines_path(o, b)->role == SHAPES_FILL;
+        if (!fill || (b != i && o->block[b].counted))
+            c->blocks = statements_spans(o, b, fill ? -1 : b, c->left, c->right,
+                                         c->block, c->blocks, c->room - 1);
     }
-    free(x);
-    free(index);
-    free(span);
-    return columns < 0 ? -1 : lost / outlines_path(o, i)->area;
+}
+
+/* Finds where the line from p[0] at the left to p[2] at the right of a column
+   crosses another, as a share of the width. Returns the less of that and `most`. */
+static double statements_cross(const double p[3], const double q[3],
+                               double least, double most)
+{
+    const double from = p[0] - q[0], to = p[2] - q[2];
+    const double share = (from < 0) == (to < 0) ? 1 : from / (from - to);
+    return share > least && share < most ? share : most;
+}
+
+/* Ends the column where the fill first crosses fill whose weight is there, which
+   is between corners. Returns 1 if it does. */
+static int statements_cut(const struct outlines *o,
+                          struct statements_columns *c)
+{
+    const double wide = c->right - c->left, least = 1e-9 * o->size / wide;
+    double share = 1 - least;
+    for (int f = 0; f < c->fills; f++)
+        for (int k = 0; k < c->blocks; k++) {
+            const struct statements_span *p = c->fill + f, *q = c->block + k;
+            if (q->block >= 0)
+                continue;
+            share = statements_cross(p->low, q->low, least, share);
+            share = statements_cross(p->low, q->high, least, share);
+            share = statements_cross(p->high, q->low, least, share);
+            share = statements_cross(p->high, q->high, least, share);
+        }
+    if (!(share < 1 - least))
+        return 0;
+    c->right = c->left + share * wide;
+    return 1;
+}
+
+/* Goes on to the next column that has a width. Returns 0 where there is none. */
+static int statements_next(const struct outlines *o, int i,
+                           struct statements_columns *c)
+{
+    while (c->next + 1 < c->corners) {
+        const double end = c->corner[c->order[c->next + 1]];
+        c->left = c->cut ? c->right : c->corner[c->order[c->next]];
+        c->right = end;
+        c->cut = 0;
+        while (c->right - c->left > 1e-9 * o->size) {
+            statements_look(o, i, c);
+            if (c->cut || !statements_cut(o, c))
+                break;
+            c->cut = 1;
+        }
+        c->next += !c->cut;
+        if (c->right - c->left > 1e-9 * o->size)
+            return 1;
+    }
+    return 0;
+}
+
+static void statements_close(struct statements_columns *c)
+{
+    free(c->corner);
+    free(c->order);
+    free(c->fill);
+}
+
+/* Lays the weight of one fill on the blocks below it. Writes the shares of it that
+   add none. Returns 0, or -1 where it was too much to weigh. */
+static int statements_lay(struct outlines *o, int i, int corners,
+                          double density, struct statements_lost *lost)
+{
+    const double area = outlines_path(o, i)->area;
+    struct statements_columns c;
+    const int known = statements_open(o, i, corners, &c);
+    lost->none = lost->twice = 0;
+    while (statements_next(o, i, &c))
+        for (int f = 0; f < c.fills; f++)
+            statements_column(o, c.left, c.right, c.fill + f, c.block, c.blocks,
+                              density, lost);
+    statements_close(&c);
+    lost->none /= area;
+    lost->twice /= area;
+    return known < 0 ? -1 : 0;
 }
 
 static void statements_put(struct shapes_text *t, double x)
@@ -257,11 +372,12 @@ static int statements_lies(struct outlines *o, int i, int corners,
 {
     struct outlines_block *before = shapes_array(o->s, o->blocks,
                                                  sizeof *before);
+    struct statements_lost lost;
     double mass = 0;
     if (!before)
         return 0;
     memcpy(before, o->block, (size_t)o->blocks * sizeof *before);
-    statements_lay(o, i, corners, density);
+    statements_lay(o, i, corners, density, &lost);
     for (int j = 0; j < o->blocks; j++)
         if (outlines_path(o, j)->role == SHAPES_STONE)
             mass += o->block[j].mass - before[j].mass;
@@ -318,34 +434,14 @@ static void statements_differ(double wide, double top, const double floor[3],
    such a fill below, by which its outline is not that: 1 where it is none. */
 static double statements_misfit(const struct outlines *o, int i, int corners)
 {
-    struct shapes *s = o->s;
-    double *x = shapes_array(s, corners, sizeof *x), all = 0, differs = 0;
-    int *index = shapes_array(s, corners, sizeof *index), columns = 0;
-    struct statements_span *span = shapes_array(s, 2 * corners, sizeof *span);
-    struct statements_span *fill = span ? span + corners : NULL;
-    if (x && index && span)
-        columns = statements_corners(o, x, index, o->block[i].left,
-                                     o->block[i].right);
-    if ((double)columns * corners > STATEMENTS_FILL)
-        columns = 0;
-    for (int k = 0; k + 1 < columns; k++) {
-        const double left = x[index[k]], right = x[index[k + 1]];
-        double floor[3];
-        int n = 0, fills;
-        if (!(right - left > 1e-9 * o->size))
-            continue;
-        fills = statements_spans(o, i, -1, left, right, fill, 0, corners);
-        for (int b = 0; b < o->blocks; b++)
-            if (outlines_path(o, b)->role != SHAPES_FILL)
-                n = statements_spans(o, b, b, left, right, span, n,
-                                     corners - 1);
-        if (statements_floor(o, i, left, right, span, n, floor))
-            statements_differ(right - left, o->block[i].high, floor, fill,
-                              fills, &all, &differs);
-    }
-    free(x);
-    free(index);
-    free(span);
+    struct statements_columns c;
+    double all = 0, differs = 0, floor[3];
+    statements_open(o, i, corners, &c);
+    while (statements_next(o, i, &c))
+        if (statements_floor(o, i, c.left, c.right, c.block, c.blocks, floor))
+            statements_differ(c.right - c.left, o->block[i].high, floor, c.fill,
+                              c.fills, &all, &differs);
+    statements_close(&c);
     return all > 0 ? differs / all : 1;
 }
 
@@ -478,6 +574,42 @@ static void statements_note_misfit(struct outlines *o, int i)
                           "stones: a void, another outline or a slope");
 }
 
+/* Says a share of a fill that adds no weight, where it is more than 1 %. */
+static void statements_note_lost(struct shapes *s, double share,
+                                 const char *where)
+{
+    if (!(share > 0.01))
+        return;
+    shapes_put(&s->notes, "; ");
+    shapes_put_number(&s->notes, 100 * share, 2);
+    shapes_put(&s->notes, where);
+}
+
+/* Lays the weight of a fill that is weight alone, and says so. */
+static void statements_lay_alone(struct outlines *o, int i, int corners,
+                                 double density)
+{
+    struct shapes *s = o->s;
+    struct statements_lost lost;
+    const int bad = statements_lay(o, i, corners, density, &lost);
+    o->block[i].counted = 1;
+    shapes_put(&s->notes, "fill: ");
+    shapes_put_shown(&s->notes, shapes_at(s, o->block[i].name));
+    if (bad) {
+        shapes_put(&s->notes, " has too many corners and counts for nothing\n");
+        return;
+    }
+    shapes_put(&s->notes, " is no stone: its weight, of density ");
+    shapes_put_number(&s->notes, density, 4);
+    shapes_put(&s->notes, ", lies on the blocks right below it; it gives "
+                          "neither thrust nor support");
+    statements_note_misfit(o, i);
+    statements_note_lost(s, lost.none, " % of it lies on nothing");
+    statements_note_lost(s, lost.twice,
+                         " % of it is drawn over other fill, and counts once");
+    shapes_put(&s->notes, "\n");
+}
+
 /* Lays the weight of all fill, and says so. */
 static void statements_fill(struct outlines *o)
 {
@@ -486,41 +618,22 @@ static void statements_fill(struct outlines *o)
     for (int i = 0; i < o->blocks; i++)
         corners += outlines_path(o, i)->points;
     statements_pushes(o, corners);
+    for (int i = 0; i < o->blocks; i++)
+        o->block[i].counted = o->block[i].pushes;
     for (int i = 0; i < o->blocks && !s->lost; i++) {
         const char *label = shapes_at(s, outlines_path(o, i)->label);
-        double density, lost;
+        double density;
         if (outlines_path(o, i)->role != SHAPES_FILL)
             continue;
         density = shapes_density(s, label);
         density = density > 0 ? density : 1;
         statements_note_thrust(o, i, density);
-        if (o->block[i].idle) {
+        if (o->block[i].idle)
             statements_note_idle(o, i);
-            continue;
-        }
-        if (o->block[i].pushes) {
+        else if (o->block[i].pushes)
             statements_note_push(o, i);
-            continue;
-        }
-        lost = statements_lay(o, i, corners, density);
-        shapes_put(&s->notes, "fill: ");
-        shapes_put_shown(&s->notes, shapes_at(s, o->block[i].name));
-        if (lost < 0) {
-            shapes_put(&s->notes, " has too many corners and counts for "
-                                  "nothing\n");
-            continue;
-        }
-        shapes_put(&s->notes, " is no stone: its weight, of density ");
-        shapes_put_number(&s->notes, density, 4);
-        shapes_put(&s->notes, ", lies on the blocks right below it; it gives "
-                              "neither thrust nor support");
-        statements_note_misfit(o, i);
-        if (lost > 0.01) {
-            shapes_put(&s->notes, "; ");
-            shapes_put_number(&s->notes, 100 * lost, 2);
-            shapes_put(&s->notes, " % of it lies on nothing");
-        }
-        shapes_put(&s->notes, "\n");
+        else
+            statements_lay_alone(o, i, corners, density);
     }
 }
 
@@ -966,8 +1079,20 @@ static void statements_notes(struct outlines *o)
         shapes_put(&s->notes, "lengths are in pixels\n");
 }
 
-/* Makes one outline of each stone, and lists what is none. */
-static void statements_outlines(struct outlines *o)
+/* Says that there are more outlines than are read. */
+static int statements_too_many(struct shapes *s, int outlines)
+{
+    struct shapes_text *t = shapes_fault(s, 0);
+    shapes_put_int(t, outlines);
+    shapes_put(t, " closed outlines, at most ");
+    shapes_put_int(t, OUTLINES_MOST);
+    shapes_put(t, " are read (--layer NAME=ignore)");
+    return -1;
+}
+
+/* Makes one outline of each stone, and lists what is none. Returns 0, or -1 with
+   a message. */
+static int statements_outlines(struct outlines *o)
 {
     struct shapes *s = o->s;
     const double off = s->photograph ? s->asked->tolerance * s->unit : 0;
@@ -977,6 +1102,9 @@ static void statements_outlines(struct outlines *o)
     statements_find_apart(s);
     statements_put_apart(s, &s->notes, "", "\n");
     statements_sort_out(s);
+    const int left = outlines_repeated(s);
+    if (left > OUTLINES_MOST)
+        return statements_too_many(s, left);
     outlines_prepare(s, off);
     for (int i = 0; i < s->paths && !s->lost; i++)
         if (!s->path[i].gone)
@@ -992,6 +1120,7 @@ static void statements_outlines(struct outlines *o)
         outlines_line(o, y, reach);
         outlines_list(o);
     }
+    return 0;
 }
 
 /* Makes statements of the shapes. Returns 0, or -1 with a message. */
@@ -1008,10 +1137,10 @@ static int statements_make(struct shapes *s, struct outlines *o)
     statements_unheard(s);
     statements_note_roles(s);
     if (!s->lost)
-        statements_outlines(o);
-    if (!s->lost && o->blocks == 0)
+        bad = statements_outlines(o);
+    if (!s->lost && !bad && o->blocks == 0)
         bad = statements_none(s, 0, "no closed outline: ");
-    else if (!s->lost) {
+    else if (!s->lost && !bad) {
         int stones = 0;
         outlines_names(o);
         outlines_lowest(o);

@@ -511,6 +511,8 @@ static int svg_basic(struct svg *v)
     for (int k = 0; k < 4; k++)
         if (!svg_value(v, key[kind][k], a + k))
             return 0;
+    if (kind < 3 && (a[2] < 0 || a[3] < 0))
+        return 0; /* a size below 0 is an error in SVG */
     if (kind == 0) {
         shapes_point(s, a[0], a[1], 0);
         shapes_point(s, a[0] + a[2], a[1], 0);

@@ -121,6 +121,8 @@ struct text_file {
     struct text_live *axle; /* the statements of the pattern                  */
     kern_vec *mass; /* where statements `mass` put it                  */
     int masses;     /* how many                                        */
+    double added, added_x,
+        added_y; /* the mass of all of these, and its moments */
     kern_vec gravity;
     kern_options options;  /* the defaults, and what the file says            */
     int epsilon_line;      /* where `epsilon` stands, 0: nowhere              */
@@ -632,6 +634,9 @@ static int text_mass(struct text_reader *r)
         || text_vec(r, &at))
         return -1;
     r->t->mass[r->t->masses++] = at;
+    r->t->added += (double)mass;
+    r->t->added_x += (double)(mass * at.x);
+    r->t->added_y += (double)(mass * at.y);
     return text_weigh(r, b, mass, at);
 }
 
@@ -1206,28 +1211,6 @@ static int text_twice(struct text_file *t, const struct text_soil *s,
     return 0;
 }
 
-/* Presses earth and water on a piece of a back, as its side sees it: on what is
-   above the water, and on what is below. */
-static int text_piece(struct text_reader *r, struct text_soil *s, int block,
-                      kern_vec p, kern_vec q)
-{
-    const struct soil_earth *e = &s->earth;
-    kern_vec cut = q;
-    int parts = 1;
-    if (e->water > 0 && (double)p.y < e->level && (double)q.y > e->level) {
-        cut.y = (kern_real)e->level;
-        cut.x = p.x + (q.x - p.x) * (cut.y - p.y) / (q.y - p.y);
-        parts = 2;
-    }
-    for (int k = 0; k < parts; k++) {
-        const kern_vec low = k ? cut : p, high = k ? q : cut;
-        if (text_press(r, s, block, soil_earth(low, high, e))
-            || text_press(r, s, block, soil_water(low, high, e)))
-            return -1;
-    }
-    return 0;
-}
-
 /* Presses earth and water on the outline of a side. */
 static int text_back(struct text_reader *r, struct text_soil *s,
                      const struct text_surface *back)
@@ -1241,6 +1224,7 @@ static int text_back(struct text_reader *r, struct text_soil *s,
         return -1;
     for (int i = 0; i < back->edges; i++) {
         const struct soil_edge *e = back->edge + i;
+        struct soil_force force[4];
         kern_vec p = e->p, q = e->q;
         if (t->block[e->block].fixed)
             continue;
@@ -1248,8 +1232,10 @@ static int text_back(struct text_reader *r, struct text_soil *s,
             p.x = -p.x;
             q.x = -q.x;
         }
-        if (text_piece(r, s, e->block, p, q))
-            return -1;
+        soil_back(p, q, &s->earth, force);
+        for (int k = 0; k < 4; k++)
+            if (text_press(r, s, e->block, force[k]))
+                return -1;
     }
     t->loads += !s->live;
     return 0;
@@ -1618,34 +1604,47 @@ static int text_given(struct text_reader *r)
     return 0;
 }
 
+/* Finds the contacts between all blocks, in *contact, which grows as they need
+   and is the caller's to free. Returns how many there are, KERN_NO_SPACE where
+   memory is lacking, or a status below 0 with the blocks in *fault. */
+static inline int text_all_contacts(const kern_block *block, int blocks,
+                                    const kern_options *options,
+                                    kern_contact **contact, kern_fault *fault)
+{
+    int *index = calloc((size_t)(2 * blocks) + 1, sizeof *index);
+    kern_work work = kern_work_of(NULL, 0, index, 2 * blocks);
+    int found = KERN_NO_SPACE;
+    for (int room = 16 * blocks + 64;
+         index && found == KERN_NO_SPACE && room < INT_MAX / 8; room *= 2) {
+        kern_contact *more = realloc(*contact, (size_t)room * sizeof *more);
+        if (!more)
+            break;
+        *contact = more;
+        found = kern_contacts(block, blocks, options, *contact, room, &work);
+    }
+    *fault = work.fault;
+    free(index);
+    return found;
+}
+
 /* Finds the contacts between all blocks, as the file's options say. */
 static int text_find(struct text_reader *r)
 {
     struct text_file *t = r->t;
     const kern_real size = kern_mean_size(t->block, t->blocks);
     kern_options options = t->options;
-    int found = KERN_NO_SPACE, *index;
+    kern_fault fault;
     char *own;
-    kern_work work;
+    int found;
     if (t->error > 0)
         options = kern_measured_options(
             &options, t->error, t->turn > 0 ? t->turn : t->error / size);
-    index = calloc((size_t)(2 * t->blocks), sizeof *index);
-    work = kern_work_of(NULL, 0, index, 2 * t->blocks);
-    for (int room = 16 * t->blocks + 64;
-         index && found == KERN_NO_SPACE && room < INT_MAX / 8; room *= 2) {
-        kern_contact *more = realloc(t->contact, (size_t)room * sizeof *more);
-        if (!more)
-            break;
-        t->contact = more;
-        found = kern_contacts(t->block, t->blocks, &options, t->contact, room,
-                              &work);
-    }
-    free(index);
+    found = text_all_contacts(t->block, t->blocks, &options, &t->contact,
+                              &fault);
     if (found == KERN_NO_SPACE)
         return text_no_memory(t);
     if (found < 0) {
-        const int i = work.fault.block, j = work.fault.other;
+        const int i = fault.block, j = fault.other;
         char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
         t->line = i < 0 ? 0 : t->block_line[i > j ? i : j];
         return text_fail(
