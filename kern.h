@@ -1002,7 +1002,7 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
 
 /* Adds a force [N] that acts at a point, and a torque [N m], to the block's
    load. The load acts at the centre of mass, so set the centre first. */
-KERN_API void kern_block_load(kern_block *block, kern_vec force, kern_vec at,
+KERN_API void kern_block_load(kern_block *block, kern_vec force, kern_vec point,
                               kern_real torque);
 
 /* Returns the mean size of the free blocks [m]: the mean of the square roots of
@@ -2076,7 +2076,7 @@ extern "C" {
    which blocks are free. All other blocks are held. With 3 or 5 the chance
    separates stones that stay from stones that move less well. */
 #define KERN_STAYS_NEAR 4
-/* kern_stays(): stiffness of contacts along t, as kern_dual.stiff. The
+/* kern_stays(): stiffness of contacts along t, as kern_dual.shear. The
    stiffness for a proof is larger, since contacts must then stick within
    KERN_STICKS. */
 #define KERN_STAYS_STIFF KERN_R(4)
@@ -2190,16 +2190,17 @@ static kern_real kern_sine(kern_real angle)
     return angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42)));
 }
 
-/* Shortens the interval [*low, *high] to those s for which at + s * slope lies
-   in [least, most]. An empty interval has *low > *high. */
-static void kern_clip(kern_real *low, kern_real *high, kern_real at,
-                      kern_real slope, kern_real least, kern_real most)
+/* Shortens the interval [*low, *high] to those s for which offset + s * slope
+   lies in [lower, upper]. An empty interval has *low > *high. */
+static void kern_clip(kern_real *low, kern_real *high, kern_real offset,
+                      kern_real slope, kern_real lower, kern_real upper)
 {
     if (slope > 0 || slope < 0) {
-        const kern_real a = (least - at) / slope, b = (most - at) / slope;
+        const kern_real a = (lower - offset) / slope,
+                        b = (upper - offset) / slope;
         *low = kern_max(*low, kern_min(a, b));
         *high = kern_min(*high, kern_max(a, b));
-    } else if (at < least || at > most) {
+    } else if (offset < lower || offset > upper) {
         *low = 1;
         *high = 0;
     }
@@ -2220,8 +2221,8 @@ static kern_real kern_block_size(const kern_block *block)
    0, finite only if all are finite. */
 static kern_real kern_wrench_sum(const void *w)
 {
-    const kern_real *of = (const kern_real *)w;
-    return kern_abs(of[0]) + kern_abs(of[1]) + kern_abs(of[2]);
+    const kern_real *value = (const kern_real *)w;
+    return kern_abs(value[0]) + kern_abs(value[1]) + kern_abs(value[2]);
 }
 
 /* v := s v, for an array of n numbers or structs with n numbers in total */
@@ -2319,18 +2320,18 @@ typedef enum kern_carry { KERN_CARRY_ALL, KERN_CARRY_NESTED } kern_carry;
 /* A query: the weights and loads that the structure has to carry, and the
    shrinkage of its kerns. */
 typedef struct kern_query {
-    kern_real shrink; /* shrinkage of all kerns [m; relative: a share]      */
-    int relative;     /* nonzero: shrink is a share                         */
-    kern_real narrow; /* options.narrow of the task                         */
-    kern_real mean;   /* mean size of the free blocks                       */
+    kern_real shrink;    /* shrinkage of all kerns [m; relative: a share] */
+    int relative;        /* nonzero: shrink is a share                    */
+    kern_real narrow;    /* options.narrow of the task                    */
+    kern_real mean_size; /* mean size of the free blocks                  */
     kern_vec gravity;
     const kern_wrench *pattern; /* NULL: side * m |g| horizontally          */
     kern_real factor;           /* factor of the pattern                    */
     kern_real loads;            /* factor of the loads of the blocks        */
     int side;                   /* 1 or -1: side of a NULL pattern or tilt  */
-    const kern_real *fallen;    /* block i has been removed if fallen[i] >= 0;
-                                   NULL: no block                           */
-    kern_real shortest;         /* [m]: shorter contacts carry nothing      */
+    const kern_real *fallen;    /* block i has been removed if fallen[i] >=
+                                   0; NULL: no block                        */
+    kern_real length_min;       /* [m]: shorter contacts carry nothing      */
     kern_carry carry;           /* contacts that may carry                  */
 } kern_query;
 
@@ -2373,13 +2374,15 @@ static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
 
 /* Returns 1 if a contact carries nothing: it is too short, one of its blocks
    has been removed, or q->carry excludes it as a point that travels. */
-static inline int kern_is_out(const kern_query *q, const kern_contact *c)
+static inline int kern_is_idle(const kern_query *q, const kern_contact *c)
 {
-    const kern_real len = q->shortest > 0 ? kern_contact_length(c, q->mean) : 0;
+    const kern_real len = q->length_min > 0
+                            ? kern_contact_length(c, q->mean_size)
+                            : 0;
     if (q->carry == KERN_CARRY_NESTED && !c->line
-        && kern_abs(kern_travel(c, q->mean)) > 0)
+        && kern_abs(kern_travel(c, q->mean_size)) > 0)
         return 1;
-    return (len > 0 && len < q->shortest) || kern_is_gone(q, c->a)
+    return (len > 0 && len < q->length_min) || kern_is_gone(q, c->a)
         || kern_is_gone(q, c->b);
 }
 
@@ -2392,8 +2395,8 @@ static void kern_weigh(kern_vec gravity, kern_real mass, kern_wrench *w)
 }
 
 /* Writes the load pattern's wrench on block i, for a factor of 1. */
-static void kern_pattern_on(const kern_structure *s, const kern_query *q, int i,
-                            kern_wrench *w)
+static void kern_pattern_wrench(const kern_structure *s, const kern_query *q,
+                                int i, kern_wrench *w)
 {
     if (q->pattern)
         *w = q->pattern[i];
@@ -2425,9 +2428,9 @@ static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
 /* Writes the sum of all wrenches on block i except those of its contacts to
    *sum. Returns the sum of their magnitudes, the scale of the block's
    residual. */
-static inline kern_real kern_wrench_on(const kern_structure *s,
-                                       const kern_query *q, int i,
-                                       kern_wrench *sum)
+static inline kern_real kern_block_wrench(const kern_structure *s,
+                                          const kern_query *q, int i,
+                                          kern_wrench *sum)
 {
     const kern_block *b = s->block + i;
     kern_wrench pattern;
@@ -2436,7 +2439,7 @@ static inline kern_real kern_wrench_on(const kern_structure *s,
     size = kern_force_size(sum) + kern_wrench_add(sum, b, &b->load, q->loads);
     if (!(q->factor > 0))
         return size;
-    kern_pattern_on(s, q, i, &pattern);
+    kern_pattern_wrench(s, q, i, &pattern);
     return size + kern_wrench_add(sum, b, &pattern, q->factor);
 }
 
@@ -2472,7 +2475,7 @@ static inline kern_real kern_arms(const kern_structure *s,
                                   kern_vec arm[2])
 {
     kern_real rate;
-    const kern_real shift = kern_shift(kern_travel(c, q->mean), q->shrink,
+    const kern_real shift = kern_shift(kern_travel(c, q->mean_size), q->shrink,
                                        q->relative, &rate);
     const kern_vec way = kern_vec_scale(kern_vec_turn(c->n), shift);
     arm[0] = kern_vec_add(kern_vec_sub(c->p, s->block[c->a].centre), way);
@@ -2528,27 +2531,28 @@ typedef struct kern_take {
 /* Opens the whole work memory of a call. */
 KERN_SHARED static void kern_take_open(kern_take *take, const kern_work *work)
 {
-    const kern_take all = {work->real, work->index, work->reals, work->indices};
-    *take = all;
+    const kern_take memory = {work->real, work->index, work->reals,
+                              work->indices};
+    *take = memory;
 }
 
 /* Take a slice of n numbers, or of n indices, and return it. If the slice does
    not fit, the count becomes negative. */
 static kern_real *kern_take_reals(kern_take *take, int n)
 {
-    kern_real *const at = take->real;
+    kern_real *const slice = take->real;
     KERN_ASSERT(n >= 0);
     take->real += n <= take->reals ? n : 0;
     take->reals = n <= take->reals ? take->reals - n : KERN_OUT;
-    return at;
+    return slice;
 }
 
 static int *kern_take_ints(kern_take *take, int n)
 {
-    int *const at = take->index;
+    int *const slice = take->index;
     take->index += n <= take->indices ? n : 0;
     take->indices = n <= take->indices ? take->indices - n : KERN_OUT;
-    return at;
+    return slice;
 }
 
 /* Takes a slice of n numbers from the end of the free memory. */
@@ -2588,15 +2592,15 @@ static void kern_work_begin(kern_work *work)
    call: this and all further work is refused, and the call ends. */
 static int kern_spend(kern_work *work, int limit, int units)
 {
-    const int left = kern_limit_of(limit) - work->units;
+    const int rest = kern_limit_of(limit) - work->units;
     KERN_ASSERT(units >= 0);
-    work->units += units <= left ? units : left + 1;
-    return units <= left;
+    work->units += units <= rest ? units : rest + 1;
+    return units <= rest;
 }
 
 /* Returns the status of a call: KERN_LIMIT if work was refused, otherwise
    `status`. */
-static kern_status kern_ended(const kern_task *task, kern_status status)
+static kern_status kern_call_status(const kern_task *task, kern_status status)
 {
     return task->work->units > kern_limit_of(task->options.limit) ? KERN_LIMIT
                                                                   : status;
@@ -2671,17 +2675,17 @@ static kern_status kern_structure_check(const kern_structure *s,
                                         kern_fault *fault)
 {
     kern_status status;
-    int i, any = 0, loaded = 0;
+    int i, has_free = 0, loaded = 0;
     for (i = 0; i < s->blocks; i++) {
         status = kern_block_check(s->block + i, s->gravity, &loaded);
         if (status != KERN_OK) {
             fault->block = i;
             return status;
         }
-        any |= !s->block[i].fixed;
+        has_free |= !s->block[i].fixed;
     }
-    if (!any || !loaded)
-        return any ? KERN_NO_LOAD : KERN_NO_FREE;
+    if (!has_free || !loaded)
+        return has_free ? KERN_NO_LOAD : KERN_NO_FREE;
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         status = kern_contact_check(c, s->blocks);
@@ -2735,10 +2739,10 @@ static kern_status kern_query_read(const kern_task *task, kern_real shrink,
     q->shrink = shrink;
     q->relative = task->options.relative;
     q->narrow = task->options.narrow;
-    q->mean = kern_mean_size(task->s.block, task->s.blocks);
+    q->mean_size = kern_mean_size(task->s.block, task->s.blocks);
     q->gravity = task->s.gravity;
     q->pattern = NULL;
-    q->factor = q->shortest = 0;
+    q->factor = q->length_min = 0;
     q->loads = 1;
     q->side = 0;
     q->fallen = NULL;
@@ -2811,18 +2815,19 @@ static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
     for (i = 0; i < s->blocks; i++, sum += 4)
         if (!s->block[i].fixed && !kern_is_gone(q, i)) {
             kern_wrench w;
-            const kern_real size = kern_wrench_on(s, q, i, &w);
+            const kern_real size = kern_block_wrench(s, q, i, &w);
             const kern_real x = kern_abs(sum[0] + w.fx);
             const kern_real y = kern_abs(sum[2] + w.fy);
             const kern_real turn = kern_abs(sum[1] + w.torque)
                                  / kern_block_size(s->block + i);
-            const kern_real left = kern_max(kern_max(x, y), turn);
+            const kern_real residual = kern_max(kern_max(x, y), turn);
             weight += size;
             if (!kern_is_finite(x + y + turn))
                 return KERN_INFINITY;
-            if (left > 0)
+            if (residual > 0)
                 error = kern_max(
-                    error, left / (KERN_TOL * size + KERN_ROUNDING * sum[3]));
+                    error,
+                    residual / (KERN_TOL * size + KERN_ROUNDING * sum[3]));
         }
 
     /* Computes the sum of the forces as a share of the largest allowed sum. */
@@ -2865,7 +2870,7 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
         const kern_real fx = f * c->n.x - r * c->n.y;
         const kern_real fy = f * c->n.y + r * c->n.x;
         kern_vec arm[2];
-        if (kern_is_out(q, c))
+        if (kern_is_idle(q, c))
             continue;
         if (!(f >= 0)
             || !(kern_abs(r)
@@ -2891,7 +2896,7 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
 static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
                               const kern_query *q, const kern_motion *motion)
 {
-    kern_vec arm[2], v = kern_vec_make(0, 0), lost = v;
+    kern_vec arm[2], v = kern_vec_make(0, 0), rounding = v;
     const kern_real shift = kern_abs(kern_arms(s, c, q, arm));
     const kern_real mu = kern_friction(c, kern_reduction(q));
     const kern_real nx = kern_abs(c->n.x), ny = kern_abs(c->n.y);
@@ -2902,12 +2907,15 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
         const kern_vec u = kern_velocity(m, arm[end]);
         const kern_real spin = 3 * kern_abs(m->spin);
         v = kern_vec_sub(u, v);
-        lost.x += kern_abs(u.x) + spin * (kern_abs(arm[end].y) + shift * nx);
-        lost.y += kern_abs(u.y) + spin * (kern_abs(arm[end].x) + shift * ny);
+        rounding.x += kern_abs(u.x)
+                    + spin * (kern_abs(arm[end].y) + shift * nx);
+        rounding.y += kern_abs(u.y)
+                    + spin * (kern_abs(arm[end].x) + shift * ny);
     }
-    lost.x += 5 * kern_abs(v.x);
-    lost.y += 5 * kern_abs(v.y);
-    gap = nx * lost.x + ny * lost.y + mu * (nx * lost.y + ny * lost.x);
+    rounding.x += 5 * kern_abs(v.x);
+    rounding.y += 5 * kern_abs(v.y);
+    gap = nx * rounding.x + ny * rounding.y
+        + mu * (nx * rounding.y + ny * rounding.x);
     return mu * kern_abs(kern_vec_cross(c->n, v)) - kern_vec_dot(c->n, v)
          + KERN_EPS / 2 * gap + KERN_POWER_LEAST;
 }
@@ -2926,12 +2934,12 @@ static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
 /* Scales a motion so that kern_block_speed() of the fastest block is 1. */
 static void kern_motion_scale(const kern_structure *s, kern_motion *v)
 {
-    kern_real most = 0;
+    kern_real fastest = 0;
     int i;
     for (i = 0; i < s->blocks; i++)
-        most = kern_max(most, kern_block_speed(s->block + i, v + i));
-    if (most > 0)
-        kern_scale(v, 3 * s->blocks, 1 / most);
+        fastest = kern_max(fastest, kern_block_speed(s->block + i, v + i));
+    if (fastest > 0)
+        kern_scale(v, 3 * s->blocks, 1 / fastest);
 }
 
 /* Returns the sum of kern_speed() for both blocks of a contact. */
@@ -2959,7 +2967,7 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
         first = first < 0 ? i : first;
         if (s->block[i].fixed || !kern_is_finite(speed))
             return KERN_INFINITY;
-        weight += kern_wrench_on(s, q, i, &w);
+        weight += kern_block_wrench(s, q, i, &w);
         p.fx = w.fx * m->vx;
         p.fy = w.fy * m->vy;
         p.torque = w.torque * m->spin;
@@ -2977,7 +2985,7 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
     for (i = s->contacts - 1; i >= 0 && weight * closing <= power; i--) {
         const kern_contact *c = s->contact + i;
         if ((c->a >= first || c->b >= first) && kern_speeds(c, motion) > 0
-            && !kern_is_out(q, c)) {
+            && !kern_is_idle(q, c)) {
             const kern_real speed = kern_closing(s, c, q, motion);
             closing = kern_is_finite(speed) ? kern_max(closing, speed)
                                             : KERN_INFINITY;
@@ -2999,7 +3007,7 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
                                    const kern_motion *motion, kern_real *sum)
 {
     kern_real error = kern_prove_forces(s, q, force, sum);
-    kern_real least = KERN_INFINITY;
+    kern_real lightest = KERN_INFINITY;
     kern_wrench w;
     int i;
 
@@ -3007,7 +3015,7 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
        equilibrium does not need forces that are far smaller. */
     for (i = 0; i < s->blocks; i++)
         if (!s->block[i].fixed)
-            least = kern_min(least, kern_wrench_on(s, q, i, &w));
+            lightest = kern_min(lightest, kern_block_wrench(s, q, i, &w));
         else if (!(kern_speed(motion + i) <= 0))
             return KERN_INFINITY;
 
@@ -3019,18 +3027,18 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
         const kern_real f = force[i].normal, r = force[i].tangential;
         const kern_vec u = kern_meeting_motion(s, q, c, motion);
         const kern_real mu = kern_friction(c, kern_reduction(q));
-        const kern_real press = -kern_vec_dot(c->n, u);
+        const kern_real approach = -kern_vec_dot(c->n, u);
         const kern_real slide = kern_vec_cross(c->n, u);
-        if (!(f
-              > KERN_PRESSED_LEAST * least)) /* equilibrium does not need it */
+        if (!(f > KERN_PRESSED_LEAST
+                      * lightest)) /* equilibrium does not need it */
             continue;
-        if (!(press
+        if (!(approach
               > KERN_ROUNDING
                     * (kern_block_speed(s->block + c->a, motion + c->a)
                        + kern_block_speed(s->block + c->b, motion + c->b))))
             return KERN_INFINITY;
         if (kern_abs(r) < mu * f * (1 - KERN_SLIDES_TOL) || r * slide > 0)
-            error = kern_max(error, kern_abs(slide) / (KERN_STICKS * press));
+            error = kern_max(error, kern_abs(slide) / (KERN_STICKS * approach));
     }
     return error;
 }
@@ -3041,26 +3049,27 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
 static int kern_unsupported(const kern_structure *s, kern_real *value)
 {
     const kern_real pull = kern_vec_length(s->gravity);
-    int k, left = 0, held = 1;
+    int k, count = 0, removed = 1;
     for (k = 0; k < s->blocks; k++) {
         if (s->block[k].fixed || !(pull > 0)
             || kern_wrench_sum(&s->block[k].load) > 0)
             value[k] = -1;
-        left += value[k] >= 0;
+        count += value[k] >= 0;
     }
-    while (held)
-        for (k = held = 0; k < s->contacts; k++) {
+    while (removed)
+        for (k = removed = 0; k < s->contacts; k++) {
             const kern_contact *c = s->contact + k;
-            const kern_real up = -kern_vec_dot(c->n, s->gravity);
-            const int on = up > 0 ? c->a : c->b, b = up > 0 ? c->b : c->a;
-            if (kern_abs(up) > KERN_HOLDS_UP * pull && value[b] >= 0
-                && !(value[on] >= 0)) {
+            const kern_real lift = -kern_vec_dot(c->n, s->gravity);
+            const int support = lift > 0 ? c->a : c->b,
+                      b = lift > 0 ? c->b : c->a;
+            if (kern_abs(lift) > KERN_HOLDS_UP * pull && value[b] >= 0
+                && !(value[support] >= 0)) {
                 value[b] = -1;
-                held++;
-                left--;
+                removed++;
+                count--;
             }
         }
-    return left;
+    return count;
 }
 
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
@@ -3141,14 +3150,14 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
    kern_norm_open() opens the groups with KERN_OUT and holds all others. */
 typedef struct kern_graph {
     int groups;
-    int *group;        /* per block                                      */
-    int *block;        /* per group                                      */
-    int *ends;         /* groups of b (2 i) and a (2 i + 1), contact i   */
-    int *touch;        /* per group: first end of a contact at it          */
-    int *after;        /* per end: the next end at the same group          */
-    kern_real *torque; /* two per end: torques of n and t, as in kern_row  */
-    int *local;        /* per group: its number in the open part           */
-    int *carrier;      /* per group: its only carrier, or KERN_OUT         */
+    int *group;        /* per block                                       */
+    int *block;        /* per group                                       */
+    int *ends;         /* groups of b (2 i) and a (2 i + 1), contact i    */
+    int *first_end;    /* per group: first end of a contact at it         */
+    int *next_end;     /* per end: the next end at the same group         */
+    kern_real *torque; /* two per end: torques of n and t, as in kern_row */
+    int *local;        /* per group: its number in the open part          */
+    int *carrier;      /* per group: its only carrier, or KERN_OUT        */
 } kern_graph;
 
 /* The forces and the motion of the last verdict.
@@ -3173,35 +3182,35 @@ enum { KERN_MARKED = 0 };
 
 /* Disjoint sets of groups that are balanced together. */
 typedef struct kern_clusters {
-    int *last;       /* per group: the last group of its cluster     */
-    int *next;       /* per group: the next of its cluster, cyclic   */
-    int *open;       /* per last group of a cluster: its state       */
-    int front;       /* no open cluster ends before this group       */
-    int groups_most; /* largest number of groups of a cluster        */
-    int budget_end;  /* value of work->units at which the pass ends  */
-    int changed;     /* the only group that the known forces may not balance;
-                        KERN_OUT: all may not                        */
+    int *last;      /* per group: the last group of its cluster              */
+    int *next;      /* per group: the next of its cluster, cyclic            */
+    int *flags;     /* per last group of a cluster: its state                */
+    int front;      /* no open cluster ends before this group                */
+    int groups_max; /* largest number of groups of a cluster                 */
+    int budget_end; /* value of work->units at which the pass ends           */
+    int unbalanced; /* the only group that the known forces may not balance;
+                       KERN_OUT: all may not                                 */
 } kern_clusters;
 
 typedef struct kern_model {
-    const kern_task *task; /* its task                                    */
+    const kern_task *task; /* its task */
     const kern_structure *s;
     kern_graph graph;
     kern_answer answer;
     int relative;
-    kern_real mean;      /* mean size of the free blocks                 */
-    kern_real weight;    /* unit of force: sum of the loads on free blocks [N]
-                                                                         */
-    kern_real *unit;     /* per group: 1 / unit of its torques [1/m]     */
-    kern_real *load;     /* three per group: wrench of its contacts [N]  */
-    kern_real *size;     /* per group: magnitude of its loads [N]        */
-    kern_real shrunk;    /* shrinkage for which graph.torque is set; or infinity
-                                                                         */
-    kern_real reduction; /* kern_reduction() of the last query           */
+    kern_real mean_size;     /* mean size of the free blocks                */
+    kern_real weight;        /* unit of force: sum of the loads on free
+                                blocks [N]                                  */
+    kern_real *torque_scale; /* per group: 1 / unit of its torques [1/m]    */
+    kern_real *load;         /* three per group: wrench of its contacts [N] */
+    kern_real *load_size;    /* per group: magnitude of its loads [N]       */
+    kern_real shrunk;        /* shrinkage for which graph.torque is set; or
+                                infinity                                    */
+    kern_real reduction;     /* kern_reduction() of the last query          */
     kern_clusters cluster;
-    int whole;        /* nonzero: all groups are one part             */
-    kern_take common; /* work memory for a program of all groups      */
-    kern_take rest;   /* work memory for parts                        */
+    int whole;        /* nonzero: all groups are one part        */
+    kern_take common; /* work memory for a program of all groups */
+    kern_take rest;   /* work memory for parts                   */
 } kern_model;
 
 /* Checks at compile time that these structs can be copied, cleared and scaled
@@ -3265,25 +3274,25 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
 static void kern_model_order(const kern_model *m)
 {
     const kern_block *block = m->s->block;
-    const kern_vec down = m->s->gravity,
-                   along = KERN_PICK(0, 1) > 0
-                             ? down
-                             : kern_vec_step(down, KERN_LEVEL_SLOPE,
-                                             kern_vec_turn(down));
+    const kern_vec gravity = m->s->gravity,
+                   axis = KERN_PICK(0, 1) > 0
+                            ? gravity
+                            : kern_vec_step(gravity, KERN_LEVEL_SLOPE,
+                                            kern_vec_turn(gravity));
     kern_real *const height = m->answer.scratch; /* per block  */
     int *const list = m->graph.block, groups = m->graph.groups;
     int gap, i, j;
     for (i = 0; i < m->s->blocks; i++)
-        height[i] = kern_vec_dot(block[i].centre, along);
+        height[i] = kern_vec_dot(block[i].centre, axis);
     for (gap = 1; gap < groups / KERN_SORT_RUN; gap = 3 * gap + 1)
         continue;
     for (; gap > 0; gap /= 3)
         for (i = gap; i < groups; i++) {
             const int b = list[i];
-            const kern_real at = height[b];
+            const kern_real height_b = height[b];
             for (j = i; j >= gap; j -= gap) {
                 const int c = list[j - gap];
-                if (height[c] < at || (height[c] <= at && c < b))
+                if (height[c] < height_b || (height[c] <= height_b && c < b))
                     break;
                 list[j] = c;
             }
@@ -3312,16 +3321,16 @@ static void kern_model_group(kern_model *m, const kern_query *q)
 {
     kern_graph *const graph = &m->graph;
     const kern_structure *s = m->s;
-    int i, g, none = 0;
+    int i, g, groups = 0;
 
     /* Lists the free blocks as groups. Resets all data of the last groups:
        torques, forces, and the group that the pass must balance again. */
     for (i = s->blocks - 1; i >= 0; i--)
         if (!s->block[i].fixed && !kern_is_gone(q, i))
-            graph->block[none++] = i;
-    graph->groups = none;
+            graph->block[groups++] = i;
+    graph->groups = groups;
     m->shrunk = KERN_INFINITY;
-    m->cluster.changed = KERN_OUT;
+    m->cluster.unbalanced = KERN_OUT;
     m->whole = 0;
     kern_model_unload(m);
     kern_model_order(m);
@@ -3329,27 +3338,27 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     /* Numbers the groups in their order. The ground has the number after the
        last group. */
     for (i = 0; i < s->blocks; i++)
-        graph->group[i] = none;
-    for (g = 0; g < none; g++) {
+        graph->group[i] = groups;
+    for (g = 0; g < groups; g++) {
         graph->group[graph->block[g]] = g;
-        graph->touch[g] = KERN_OUT;
+        graph->first_end[g] = KERN_OUT;
     }
 
     /* Sets the groups at both ends of each contact. A contact that carries
        nothing has both ends on the ground. */
     for (i = s->contacts - 1; i >= 0; i--) {
         const kern_contact *c = s->contact + i;
-        const int gone = kern_is_out(q, c);
-        graph->ends[2 * i] = gone ? none : graph->group[c->b];
-        graph->ends[2 * i + 1] = gone ? none : graph->group[c->a];
+        const int gone = kern_is_idle(q, c);
+        graph->ends[2 * i] = gone ? groups : graph->group[c->b];
+        graph->ends[2 * i + 1] = gone ? groups : graph->group[c->a];
     }
 
     /* Chains the ends at each group, from the first contact to the last. */
     for (i = 2 * s->contacts - 1; i >= 0; i--) { /* an end */
         g = graph->ends[i];
-        if (g < none) {
-            graph->after[i] = graph->touch[g];
-            graph->touch[g] = i;
+        if (g < groups) {
+            graph->next_end[i] = graph->first_end[g];
+            graph->first_end[g] = i;
         }
     }
 }
@@ -3376,8 +3385,8 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     graph->block = graph->group + s->blocks;
     graph->ends = kern_take_ints(take, 2 * s->contacts);
     m->load = kern_take_reals(take, 5 * groups + 1);
-    m->size = m->load + 3 * groups;
-    m->unit = m->size + groups;
+    m->load_size = m->load + 3 * groups;
+    m->torque_scale = m->load_size + groups;
     m->answer.force = (kern_force *)(void *)kern_take_reals(take,
                                                             2 * s->contacts);
     m->answer.scratch = kern_take_reals(take, 7 * s->blocks);
@@ -3386,13 +3395,13 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->common = *take;
 
     /* Takes the arrays of the pass and of parts. */
-    graph->touch = kern_take_ints(take, 6 * groups + 1);
-    graph->carrier = graph->touch + groups;
+    graph->first_end = kern_take_ints(take, 6 * groups + 1);
+    graph->carrier = graph->first_end + groups;
     m->cluster.last = graph->carrier + groups;
     m->cluster.next = m->cluster.last + groups;
-    m->cluster.open = m->cluster.next + groups;
-    graph->local = m->cluster.open + groups;
-    graph->after = kern_take_ints(take, 2 * s->contacts);
+    m->cluster.flags = m->cluster.next + groups;
+    graph->local = m->cluster.flags + groups;
+    graph->next_end = kern_take_ints(take, 2 * s->contacts);
     graph->torque = kern_take_reals(take, 4 * s->contacts);
     if (!kern_take_fits(take))
         return KERN_NO_SPACE;
@@ -3400,7 +3409,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->task = task;
     m->s = s;
     m->relative = task->options.relative;
-    m->mean = q->mean;
+    m->mean_size = q->mean_size;
     m->answer.known = NULL;
     kern_model_group(m, q);
     return KERN_OK;
@@ -3412,8 +3421,8 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
    for forces uses it. Proofs have code of their own, so that they share no
    fault with it. */
 typedef struct kern_row {
-    kern_real n[3]; /* wrench of a unit of normal force             */
-    kern_real turn; /* unit along t: (-n[1], n[0], turn)             */
+    kern_real n[3];   /* wrench of a unit of normal force    */
+    kern_real torque; /* unit along t: (-n[1], n[0], torque) */
 } kern_row;
 
 /* Returns the row of a normal n that acts at an arm. Torques are multiplied by
@@ -3430,7 +3439,7 @@ static inline void kern_row_speed(const kern_row *c, const kern_real *v,
                                   kern_real w[2])
 {
     w[0] += c->n[0] * v[0] + c->n[1] * v[1] + c->n[2] * v[2];
-    w[1] += c->n[0] * v[1] - c->n[1] * v[0] + c->turn * v[2];
+    w[1] += c->n[0] * v[1] - c->n[1] * v[0] + c->torque * v[2];
 }
 
 /* w := the wrench of forces f along n and r along t. */
@@ -3439,7 +3448,7 @@ static inline void kern_row_wrench(const kern_row *c, kern_real f, kern_real r,
 {
     w[0] = f * c->n[0] - r * c->n[1];
     w[1] = f * c->n[1] + r * c->n[0];
-    w[2] = f * c->n[2] + r * c->turn;
+    w[2] = f * c->n[2] + r * c->torque;
 }
 
 /* b += the wrench of forces f along n and r along t. */
@@ -3448,7 +3457,7 @@ static inline void kern_row_exert(const kern_row *c, kern_real f, kern_real r,
 {
     b[0] += f * c->n[0] - r * c->n[1];
     b[1] += f * c->n[1] + r * c->n[0];
-    b[2] += f * c->n[2] + r * c->turn;
+    b[2] += f * c->n[2] + r * c->torque;
 }
 
 /* Writes the rows of contact i for a query: row[0] of block b, row[1] of block
@@ -3459,9 +3468,9 @@ static inline void kern_model_rows(const kern_model *m, const kern_query *q,
     const kern_contact *c = m->s->contact + i;
     kern_vec arm[2];
     kern_arms(m->s, c, q, arm);
-    row[0] = kern_row_of(c->n, arm[1], m->unit[m->graph.ends[2 * i]]);
+    row[0] = kern_row_of(c->n, arm[1], m->torque_scale[m->graph.ends[2 * i]]);
     row[1] = kern_row_of(kern_vec_scale(c->n, -1), arm[0],
-                         m->unit[m->graph.ends[2 * i + 1]]);
+                         m->torque_scale[m->graph.ends[2 * i + 1]]);
 }
 
 /* Returns the row at an end, for the query last passed to kern_model_arms(). */
@@ -3478,7 +3487,7 @@ static inline kern_row kern_model_row(const kern_model *m, int end)
    they are already those of this shrinkage. */
 static void kern_model_arms(kern_model *m, const kern_query *q)
 {
-    kern_real *to = m->graph.torque;
+    kern_real *torque = m->graph.torque;
     int i, end;
     m->reduction = kern_reduction(q);
     if (m->shrunk >= q->shrink && m->shrunk <= q->shrink)
@@ -3488,8 +3497,8 @@ static void kern_model_arms(kern_model *m, const kern_query *q)
         kern_row row[2];
         kern_model_rows(m, q, i, row);
         for (end = 0; end < 2; end++) {
-            *to++ = row[end].n[2];
-            *to++ = row[end].turn;
+            *torque++ = row[end].n[2];
+            *torque++ = row[end].torque;
         }
     }
 }
@@ -3499,8 +3508,9 @@ static void kern_model_arms(kern_model *m, const kern_query *q)
 static inline void kern_model_unit(kern_model *m, const kern_query *q, int g)
 {
     const kern_real size = kern_block_size(m->s->block + m->graph.block[g]);
-    const kern_real grown = kern_max(-q->shrink, 0);
-    m->unit[g] = 1 / (q->relative ? size * (1 + grown) : size + grown);
+    const kern_real growth = kern_max(-q->shrink, 0);
+    m->torque_scale[g] = 1
+                       / (q->relative ? size * (1 + growth) : size + growth);
 }
 
 /* Returns the friction of contact i for the query last passed to
@@ -3515,10 +3525,10 @@ static inline void kern_model_load(kern_model *m, const kern_query *q, int g)
 {
     kern_real *load = m->load + 3 * g;
     kern_wrench w;
-    m->size[g] = kern_wrench_on(m->s, q, m->graph.block[g], &w);
+    m->load_size[g] = kern_block_wrench(m->s, q, m->graph.block[g], &w);
     load[0] = -w.fx;
     load[1] = -w.fy;
-    load[2] = -w.torque * m->unit[g];
+    load[2] = -w.torque * m->torque_scale[g];
 }
 
 /* Sets the loads of all groups and the unit of force. Marks that no part is
@@ -3527,11 +3537,11 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
 {
     kern_real weight = 0;
     int g;
-    m->unit[m->graph.groups] = 0;
+    m->torque_scale[m->graph.groups] = 0;
     for (g = 0; g < m->graph.groups; g++) {
         kern_model_unit(m, q, g);
         kern_model_load(m, q, g);
-        weight += m->size[g];
+        weight += m->load_size[g];
         m->graph.local[g] = KERN_OUT;
     }
     m->graph.local[g] = KERN_OUT;
@@ -3561,14 +3571,14 @@ static int kern_model_loaded(const kern_model *m)
    travel and the longest, d_max, to range. */
 static int kern_is_nested(const kern_model *m, kern_real range[2])
 {
-    const int *ends = m->graph.ends, none = 2 * m->graph.groups;
+    const int *ends = m->graph.ends, both_held = 2 * m->graph.groups;
     const kern_contact *c = m->s->contact, *const end = c + m->s->contacts;
     int points = 0;
     range[0] = KERN_INFINITY;
     range[1] = 0;
     for (; c < end; c++, ends += 2) {
-        const kern_real travel = kern_abs(kern_travel(c, m->mean));
-        if (!(travel > 0) || ends[0] + ends[1] == none)
+        const kern_real travel = kern_abs(kern_travel(c, m->mean_size));
+        if (!(travel > 0) || ends[0] + ends[1] == both_held)
             continue;
         range[0] = kern_min(range[0], travel);
         range[1] = kern_max(range[1], travel);
@@ -3593,7 +3603,7 @@ static int kern_model_spend(const kern_model *m, int units)
 
 /* Charges the work of `queries` verdicts. Even for a small part a proof reads
    all blocks. Returns 0 if the work is refused. */
-static int kern_model_ask(const kern_model *m, int queries)
+static int kern_model_charge(const kern_model *m, int queries)
 {
     return kern_model_spend(
         m, queries * (3 + (m->s->blocks + m->s->contacts) / KERN_QUERY_UNIT));
@@ -3632,32 +3642,33 @@ static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
 {
     int i, k;
     for (i = 0; i < m->s->contacts; i++) {
-        const kern_real travel = kern_travel(m->s->contact + i, m->mean);
+        const kern_real travel = kern_travel(m->s->contact + i, m->mean_size);
         kern_force *f = m->answer.force + i;
-        kern_real rate, is, sum, more, along;
+        kern_real rate, arm, sum, difference, ratio;
         if (!kern_line_begins(m->s->contact, m->s->contacts, i))
             continue;
         i++;
         sum = f[0].normal + f[1].normal;
         if (!(sum > 0))
             continue;
-        is = travel - kern_shift(travel, shrink, m->relative, &rate);
-        along = (f[0].tangential + f[1].tangential) / sum;
-        more = f[0].normal - f[1].normal;
-        if (kern_abs(is) > 0)
-            more *= (travel - kern_shift(travel, from, m->relative, &rate))
-                  / is;
-        for (k = 0; k < 2; k++, f++, more = -more) {
-            f->normal = kern_max((sum + more) / 2, 0);
-            f->tangential = along * f->normal;
+        arm = travel - kern_shift(travel, shrink, m->relative, &rate);
+        ratio = (f[0].tangential + f[1].tangential) / sum;
+        difference = f[0].normal - f[1].normal;
+        if (kern_abs(arm) > 0)
+            difference *= (travel
+                           - kern_shift(travel, from, m->relative, &rate))
+                        / arm;
+        for (k = 0; k < 2; k++, f++, difference = -difference) {
+            f->normal = kern_max((sum + difference) / 2, 0);
+            f->tangential = ratio * f->normal;
         }
     }
 }
 
 /* Copies the proof of a verdict to the caller. */
-KERN_SHARED static void kern_proof_out(const kern_model *m,
-                                       const kern_proof *proof,
-                                       kern_status status)
+KERN_SHARED static void kern_proof_write(const kern_model *m,
+                                         const kern_proof *proof,
+                                         kern_status status)
 {
     if (proof && status == KERN_STANDS && proof->force)
         kern_copy(proof->force, m->answer.force, 2 * m->s->contacts);
@@ -3707,30 +3718,30 @@ typedef struct kern_program {
     int rows, cols;
     const kern_real *a; /* dense: by columns; network: four per column */
     const kern_real *rhs;
-    const kern_real *cost; /* NULL: all are 0                              */
-    const int *ends;       /* NULL: the program is dense                   */
-    const kern_real *rate; /* column of the place: minus the rate of rhs   */
-    int follow;            /* 1: the place grows from 0; 0: it is fixed    */
-    kern_real most;        /* largest value of a variable; 0: no bound     */
-    int limit;             /* largest value of work->units                 */
-    kern_work *work;       /* of the call                                  */
+    const kern_real *cost; /* NULL: all are 0                            */
+    const int *ends;       /* NULL: the program is dense                 */
+    const kern_real *rate; /* column of the place: minus the rate of rhs */
+    int follow;            /* 1: the place grows from 0; 0: it is fixed  */
+    kern_real bound;       /* largest value of a variable; 0: no bound   */
+    int limit;             /* largest value of work->units               */
+    kern_work *work;       /* of the call                                */
 } kern_program;
 
 /* The inverse of a basis: the inverse of B_0, group by group, and the factors
    E_i. Each row of B_0 has six numbers: a row of the inverse of its group, and
-   the entries of its column in the three rows of the other group. `to` is the
-   first of these rows. */
+   the entries of its column in the three rows of the other group. `other_row`
+   is the first of these rows. */
 typedef struct kern_factors {
-    int size;         /* rows, rounded up to a multiple of three            */
-    int groups;       /* of B_0: all of a network, 0 if B_0 is the unit     */
-    kern_real *block; /* per row: six numbers                               */
-    int *to;          /* per row: first row of its column's other group     */
-    int most, room;   /* largest number of factors, and of their entries    */
-    int count;        /* of factors                                         */
-    int *pivot;       /* per factor: the row of its pivot                   */
-    int *from;        /* per factor: its first row with an entry            */
-    int *first;       /* per factor: its first entry; last: end of all      */
-    kern_real *entry; /* entries of all factors, in threes of rows          */
+    int padded_rows;     /* rows, rounded up to a multiple of three         */
+    int groups;          /* of B_0: all of a network, 0 if B_0 is the unit  */
+    kern_real *column;   /* per row: six numbers                            */
+    int *other_row;      /* per row: first row of its column's other group  */
+    int count_max, room; /* largest number of factors, and of their entries */
+    int count;           /* of factors                                      */
+    int *pivot;          /* per factor: the row of its pivot                */
+    int *first_row;      /* per factor: its first row with an entry         */
+    int *first_entry;    /* per factor: its first entry; last: end of all   */
+    kern_real *entry;    /* entries of all factors, in threes of rows       */
 } kern_factors;
 
 typedef enum kern_basis {
@@ -3750,22 +3761,22 @@ typedef enum kern_solver { KERN_SOLVER_ANY, KERN_SOLVER_BUILTIN } kern_solver;
    columns that wait, and in a ratio test its rows. */
 typedef struct kern_simplex {
     const kern_program *lp;
-    kern_basis state;
+    kern_basis basis;
     kern_factors factors;
-    int *base;        /* per row: its variable                             */
-    int *place;       /* per column, and of the place: its row, or KERN_OUT;
-                                 in the crash: the next column of a group  */
-    kern_real *value; /* per row: value of its variable                    */
-    kern_real *slope; /* per row: c of its variable (see "pivots")         */
-    kern_real *price; /* per row: y                                        */
-    kern_real *alpha; /* per row                                           */
-    kern_real *ratio; /* per row of the ratio test: the step to zero       */
+    int *base;        /* per row: its variable                               */
+    int *basic_row;   /* per column, and of the place: its row, or KERN_OUT;
+                         in the crash: the next column of a group            */
+    kern_real *value; /* per row: value of its variable                      */
+    kern_real *slope; /* per row: c of its variable (see "pivots")           */
+    kern_real *price; /* per row: y                                          */
+    kern_real *alpha; /* per row                                             */
+    kern_real *ratio; /* per row of the ratio test: the step to zero         */
     int *list;
-    int enters;      /* the entering column                               */
-    kern_real least; /* smallest violation that counts                    */
-    kern_real gain;  /* c_j - y.A_j of the entering column                */
-    int refined;     /* 1: no pivot since the values were refined         */
-    int violated;    /* number of variables that violate their bound      */
+    int entering;        /* the entering column                          */
+    kern_real tolerance; /* smallest violation that counts               */
+    kern_real gain;      /* c_j - y.A_j of the entering column           */
+    int refined;         /* 1: no pivot since the values were refined    */
+    int violated;        /* number of variables that violate their bound */
 } kern_simplex;
 
 /* ---- columns ---- */
@@ -3796,11 +3807,11 @@ typedef enum kern_lp_end { KERN_LP_END_OWN, KERN_LP_END_OTHER } kern_lp_end;
 
 /* Writes column j's entries in the rows of one of its groups. Returns the first
    of these rows. */
-static inline int kern_lp_part(const kern_program *lp, int j, kern_lp_end which,
+static inline int kern_lp_part(const kern_program *lp, int j, kern_lp_end side,
                                kern_real out[3])
 {
     const int *ends = lp->ends + (j & ~1);
-    const int end = (ends[1] < ends[0]) ^ (int)which;
+    const int end = (ends[1] < ends[0]) ^ (int)side;
     const kern_real *c = lp->a + 4 * j;
     out[0] = end ? -c[0] : c[0];
     out[1] = end ? -c[1] : c[1];
@@ -3841,18 +3852,18 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
        rows of each group for its own columns, and subtracts the products of
        these columns in the rows of other groups. */
     for (g = 0; g < f->groups; g++) {
-        const kern_real *d = f->block + 18 * g;
-        kern_real *own = v + 3 * g;
-        const kern_real b[3] = {own[0], own[1], own[2]};
+        const kern_real *d = f->column + 18 * g;
+        kern_real *own_rows = v + 3 * g;
+        const kern_real b[3] = {own_rows[0], own_rows[1], own_rows[2]};
         if (kern_abs(b[0]) + kern_abs(b[1]) + kern_abs(b[2]) <= 0)
             continue;
         for (k = 0; k < 3; k++, d += 6) {
             const kern_real x = d[0] * b[0] + d[1] * b[1] + d[2] * b[2];
-            kern_real *to = v + f->to[3 * g + k];
-            own[k] = x;
-            to[0] -= x * d[3];
-            to[1] -= x * d[4];
-            to[2] -= x * d[5];
+            kern_real *other_rows = v + f->other_row[3 * g + k];
+            own_rows[k] = x;
+            other_rows[0] -= x * d[3];
+            other_rows[1] -= x * d[4];
+            other_rows[2] -= x * d[5];
         }
     }
 
@@ -3863,9 +3874,9 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
         if (kern_abs(x) <= 0)
             continue;
         v[f->pivot[e]] = 0;
-        w = v + f->from[e];
-        for (a = f->entry + f->first[e]; a < f->entry + f->first[e + 1];
-             a += 3, w += 3) {
+        w = v + f->first_row[e];
+        for (a = f->entry + f->first_entry[e];
+             a < f->entry + f->first_entry[e + 1]; a += 3, w += 3) {
             w[0] += x * a[0];
             w[1] += x * a[1];
             w[2] += x * a[2];
@@ -3879,17 +3890,18 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
     const kern_factors *f = &sx->factors;
     int e, g, k;
-    kern_zero(c + sx->lp->rows, f->size + 3 - sx->lp->rows);
+    kern_zero(c + sx->lp->rows, f->padded_rows + 3 - sx->lp->rows);
     for (e = f->count - 1; e >= 0; e--)
-        c[f->pivot[e]] = kern_dot(f->entry + f->first[e], c + f->from[e],
-                                  f->first[e + 1] - f->first[e]);
+        c[f->pivot[e]] = kern_dot(f->entry + f->first_entry[e],
+                                  c + f->first_row[e],
+                                  f->first_entry[e + 1] - f->first_entry[e]);
     for (g = f->groups - 1; g >= 0; g--) {
-        const kern_real *d = f->block + 18 * g;
+        const kern_real *d = f->column + 18 * g;
         kern_real y0 = 0, y1 = 0, y2 = 0;
         for (k = 0; k < 3; k++, d += 6) {
-            const kern_real *to = c + f->to[3 * g + k];
-            const kern_real z = c[3 * g + k] - to[0] * d[3] - to[1] * d[4]
-                              - to[2] * d[5];
+            const kern_real *other_rows = c + f->other_row[3 * g + k];
+            const kern_real z = c[3 * g + k] - other_rows[0] * d[3]
+                              - other_rows[1] * d[4] - other_rows[2] * d[5];
             y0 += z * d[0];
             y1 += z * d[1];
             y2 += z * d[2];
@@ -3903,7 +3915,7 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 /* Writes B^-1 A_j to sx->alpha: column j in terms of the basis. */
 static void kern_basis_column(kern_simplex *sx, int j)
 {
-    kern_zero(sx->alpha, sx->factors.size + 3);
+    kern_zero(sx->alpha, sx->factors.padded_rows + 3);
     kern_lp_subtract(sx->lp, j, -1, sx->alpha);
     kern_basis_solve(sx, sx->alpha);
 }
@@ -3912,7 +3924,8 @@ static void kern_basis_column(kern_simplex *sx, int j)
 static int kern_basis_full(const kern_simplex *sx)
 {
     const kern_factors *f = &sx->factors;
-    return f->count == f->most || f->first[f->count] + f->size > f->room;
+    return f->count == f->count_max
+        || f->first_entry[f->count] + f->padded_rows > f->room;
 }
 
 /* Makes column q basic in row p. sx->alpha must be column q in terms of the
@@ -3920,21 +3933,21 @@ static int kern_basis_full(const kern_simplex *sx)
 static void kern_basis_enter(kern_simplex *sx, int q, int p)
 {
     kern_factors *f = &sx->factors;
-    const kern_real one = 1 / sx->alpha[p];
-    kern_real *entry = f->entry + f->first[f->count];
-    int from = 0, to = f->size, i;
+    const kern_real inverse = 1 / sx->alpha[p];
+    kern_real *entry = f->entry + f->first_entry[f->count];
+    int from = 0, to = f->padded_rows, i;
     KERN_ASSERT(!kern_basis_full(sx));
     while (kern_largest(sx->alpha + from, 3) <= 0)
         from += 3;
     while (kern_largest(sx->alpha + to - 3, 3) <= 0)
         to -= 3;
     for (i = from; i < to; i++)
-        *entry++ = i == p ? one : -sx->alpha[i] * one;
-    f->from[f->count] = from;
+        *entry++ = i == p ? inverse : -sx->alpha[i] * inverse;
+    f->first_row[f->count] = from;
     f->pivot[f->count++] = p;
-    f->first[f->count] = f->first[f->count - 1] + to - from;
+    f->first_entry[f->count] = f->first_entry[f->count - 1] + to - from;
     sx->base[p] = q;
-    sx->place[q] = p;
+    sx->basic_row[q] = p;
 }
 
 /* ---- the crash basis ---- */
@@ -3958,37 +3971,38 @@ typedef enum kern_crash {
    their three forces is as large as possible. Adds these forces to the loads of
    other groups. With KERN_CRASH_PUSHING no column may pull by more than
    KERN_CRASH_PULL loads. Returns 0 if there are no such columns. */
-static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
+static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash crash)
 {
     const int logical = sx->lp->cols + 1 + 3 * g + 2;
-    const int all = which != KERN_CRASH_PUSHING;
+    const int any_column = crash != KERN_CRASH_PUSHING;
     int *base = sx->base + 3 * g;
     const kern_real *load = sx->alpha + 3 * g;
     const kern_real x = load[0], y = load[1];
     kern_real part[KERN_CRASH_COLUMNS][3], share[3];
-    kern_real best = all ? -KERN_INFINITY
-                         : -KERN_CRASH_PULL * (kern_abs(x) + kern_abs(y));
-    int mine[KERN_CRASH_COLUMNS], n = 0, found = 0, i, k;
+    kern_real best = any_column
+                       ? -KERN_INFINITY
+                       : -KERN_CRASH_PULL * (kern_abs(x) + kern_abs(y));
+    int column[KERN_CRASH_COLUMNS], n = 0, found = 0, i, k;
 
     /* Lists the columns: all, or those that push against the load within 60
        degrees of it, since others would hardly carry it. */
-    for (; j != KERN_OUT && n < KERN_CRASH_COLUMNS - 1; j = sx->place[j]) {
+    for (; j != KERN_OUT && n < KERN_CRASH_COLUMNS - 1; j = sx->basic_row[j]) {
         const kern_real *a = part[n];
-        kern_real along;
+        kern_real push;
         kern_lp_part(sx->lp, j, KERN_LP_END_OWN, part[n]);
-        along = a[0] * x + a[1] * y;
-        mine[n] = j;
-        n += all
-          || (along > 0
-              && 4 * along * along
+        push = a[0] * x + a[1] * y;
+        column[n] = j;
+        n += any_column
+          || (push > 0
+              && 4 * push * push
                      >= (a[0] * a[0] + a[1] * a[1]) * (x * x + y * y));
     }
 
     /* The logical of the torque is one more column. */
-    if (all) {
+    if (any_column) {
         part[n][0] = part[n][1] = 0;
         part[n][2] = 1;
-        mine[n++] = logical;
+        column[n++] = logical;
     }
 
     /* Tries all triples of columns. Computes the force of each column as a
@@ -3997,23 +4011,23 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
     for (i = 0; i < n; i++)
         for (j = i + 1; j < n; j++) {
             const kern_real *a = part[i], *b = part[j];
-            const kern_real last = kern_three_det(a, b, load);
+            const kern_real det_c = kern_three_det(a, b, load);
             for (k = j + 1; k < n; k++) {
                 const kern_real *c = part[k], det = kern_three_det(a, b, c);
-                const kern_real lc = last / det;
-                kern_real la, lb, least;
+                const kern_real lc = det_c / det;
+                kern_real la, lb, smallest;
                 if (kern_abs(det) < KERN_CRASH_DET || lc <= best)
                     continue;
                 la = kern_three_det(b, c, load) / det;
                 lb = kern_three_det(c, a, load) / det;
-                least = kern_min(kern_min(la, lb),
-                                 mine[k] == logical ? -kern_abs(lc) : lc);
-                if (least > best) {
-                    best = least;
+                smallest = kern_min(kern_min(la, lb),
+                                    column[k] == logical ? -kern_abs(lc) : lc);
+                if (smallest > best) {
+                    best = smallest;
                     found = 1;
-                    base[0] = mine[i];
-                    base[1] = mine[j];
-                    base[2] = mine[k];
+                    base[0] = column[i];
+                    base[1] = column[j];
+                    base[2] = column[k];
                     share[0] = la;
                     share[1] = lb;
                     share[2] = lc;
@@ -4032,20 +4046,20 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash which)
    columns. If x uses more columns than there are rows, the next program begins
    without a basis. */
 static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
-                               kern_real least)
+                               kern_real threshold)
 {
     const kern_program *lp = sx->lp;
     int j, n = 0;
-    sx->state = KERN_BASIS_NONE;
+    sx->basis = KERN_BASIS_NONE;
     for (j = 0; j < lp->cols; j++)
-        if (x[j] > least) {
+        if (x[j] > threshold) {
             if (n == lp->rows)
                 return;
             sx->base[n++] = j;
         }
     for (; n < lp->rows; n++)
         sx->base[n] = j > 0 ? --j : lp->cols + 1;
-    sx->state = KERN_BASIS_STALE;
+    sx->basis = KERN_BASIS_STALE;
 }
 
 /* Makes a basis of logicals. For a network, three columns of each group then
@@ -4053,7 +4067,7 @@ static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    int *next = sx->place, *first = sx->list; /* columns of a group */
+    int *next = sx->basic_row, *first = sx->list; /* columns of a group */
     int g, j;
     for (j = 0; j < lp->rows; j++) {
         sx->base[j] = lp->cols + 1 + j; /* its logical */
@@ -4069,7 +4083,7 @@ static void kern_simplex_crash(kern_simplex *sx)
     for (g = 0; g < sx->factors.groups; g++)
         if (!kern_crash_choose(sx, g, first[g], KERN_CRASH_PUSHING))
             kern_crash_choose(sx, g, first[g], KERN_CRASH_ANY);
-    sx->state = KERN_BASIS_STALE;
+    sx->basis = KERN_BASIS_STALE;
 }
 
 /* ---- factors ---- */
@@ -4080,7 +4094,7 @@ static void kern_simplex_crash(kern_simplex *sx)
 static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
-    kern_real part[3], alpha[3], least = KERN_OWN_TOL, *block, *own;
+    kern_real part[3], alpha[3], largest = KERN_OWN_TOL, *block, *pivot_row;
     int k, best = KERN_OUT, row;
     if (!lp->ends || j == lp->cols)
         return 0;
@@ -4088,11 +4102,11 @@ static int kern_own_enter(kern_simplex *sx, int j)
     /* Computes the column in terms of the basic columns of its group, and finds
        its largest entry in a row that still has its logical. */
     row = kern_lp_part(lp, j, KERN_LP_END_OWN, part);
-    block = sx->factors.block + 6 * row;
+    block = sx->factors.column + 6 * row;
     for (k = 0; k < 3; k++) {
         alpha[k] = kern_three(block + 6 * k, part);
-        if (sx->base[row + k] > lp->cols && kern_abs(alpha[k]) >= least) {
-            least = kern_abs(alpha[k]);
+        if (sx->base[row + k] > lp->cols && kern_abs(alpha[k]) >= largest) {
+            largest = kern_abs(alpha[k]);
             best = k;
         }
     }
@@ -4101,30 +4115,30 @@ static int kern_own_enter(kern_simplex *sx, int j)
 
     /* Eliminates this row from the inverse of the group, and stores the entries
        of the column in the rows of its other group. */
-    own = block + 6 * best;
+    pivot_row = block + 6 * best;
     for (k = 0; k < 3; k++)
-        own[k] /= alpha[best];
+        pivot_row[k] /= alpha[best];
     for (k = 0; k < 3; k++)
         if (k != best)
-            kern_add(block + 6 * k, -alpha[k], own, 3);
-    sx->factors.to[row + best] = kern_lp_part(lp, j, KERN_LP_END_OTHER,
-                                              own + 3);
+            kern_add(block + 6 * k, -alpha[k], pivot_row, 3);
+    sx->factors.other_row[row + best] = kern_lp_part(lp, j, KERN_LP_END_OTHER,
+                                                     pivot_row + 3);
     sx->base[row + best] = j;
-    sx->place[j] = row + best;
+    sx->basic_row[j] = row + best;
     return 1;
 }
 
 /* Makes column j basic in any row that still has its logical. Does nothing if
    the column depends on the basic columns, or if there is no room. */
-static void kern_left_enter(kern_simplex *sx, int j)
+static void kern_late_enter(kern_simplex *sx, int j)
 {
-    kern_real least;
+    kern_real largest;
     int p, best = KERN_OUT;
     kern_basis_column(sx, j);
-    least = KERN_LATE_PIVOT * kern_largest(sx->alpha, sx->lp->rows);
+    largest = KERN_LATE_PIVOT * kern_largest(sx->alpha, sx->lp->rows);
     for (p = 0; p < sx->lp->rows; p++)
-        if (sx->base[p] > sx->lp->cols && kern_abs(sx->alpha[p]) >= least) {
-            least = kern_abs(sx->alpha[p]);
+        if (sx->base[p] > sx->lp->cols && kern_abs(sx->alpha[p]) >= largest) {
+            largest = kern_abs(sx->alpha[p]);
             best = p;
         }
     if (best != KERN_OUT && !kern_basis_full(sx))
@@ -4153,15 +4167,15 @@ static kern_real kern_basis_residual(kern_simplex *sx)
    the digits. Returns 0 if the residual stays too large. */
 static int kern_basis_values(kern_simplex *sx)
 {
-    kern_real left = kern_basis_residual(sx);
+    kern_real residual = kern_basis_residual(sx);
     int round;
-    for (round = 0; round < KERN_REFINES && left > KERN_RESIDUAL; round++) {
+    for (round = 0; round < KERN_REFINES && residual > KERN_RESIDUAL; round++) {
         kern_basis_solve(sx, sx->alpha);
         kern_add(sx->value, 1, sx->alpha, sx->lp->rows);
-        left = kern_basis_residual(sx);
+        residual = kern_basis_residual(sx);
     }
     sx->refined = 1;
-    return left <= KERN_BASIS_TOL;
+    return residual <= KERN_BASIS_TOL;
 }
 
 /* Factors the basis again: first up to three own columns of each group, then
@@ -4170,12 +4184,12 @@ static void kern_basis_refactorise(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     kern_factors *f = &sx->factors;
-    int i, p, left = 0;
+    int i, p, count = 0;
 
     /* Moves the columns of the basis to a list, and makes the basis of
        logicals. */
     for (i = 0; i <= lp->cols; i++)
-        sx->place[i] = KERN_OUT;
+        sx->basic_row[i] = KERN_OUT;
     for (p = 0; p < lp->rows; p++) {
         sx->list[p] = sx->base[p];
         sx->base[p] = lp->cols + 1 + p;
@@ -4183,21 +4197,21 @@ static void kern_basis_refactorise(kern_simplex *sx)
     }
 
     /* Makes B_0 the unit matrix without factors. */
-    kern_zero(f->block, 18 * f->groups);
+    kern_zero(f->column, 18 * f->groups);
     for (p = 0; p < 3 * f->groups; p++) {
-        f->block[6 * p + p % 3] = 1;
-        f->to[p] = lp->rows;
+        f->column[6 * p + p % 3] = 1;
+        f->other_row[p] = lp->rows;
     }
-    f->count = f->first[0] = 0;
+    f->count = f->first_entry[0] = 0;
 
     /* Places own columns of each group in its rows of B_0. Columns that find no
        row there are entered one after the other, each with a factor. */
     for (p = 0; p < lp->rows; p++)
         if (sx->list[p] <= lp->cols && !kern_own_enter(sx, sx->list[p]))
-            sx->list[left++] = sx->list[p];
-    for (i = 0; i < left; i++)
-        kern_left_enter(sx, sx->list[i]);
-    sx->state = KERN_BASIS_READY;
+            sx->list[count++] = sx->list[p];
+    for (i = 0; i < count; i++)
+        kern_late_enter(sx, sx->list[i]);
+    sx->basis = KERN_BASIS_READY;
     kern_basis_values(sx);
 }
 
@@ -4205,7 +4219,7 @@ static void kern_basis_refactorise(kern_simplex *sx)
    changed, or if the factors are full or have lost digits. */
 static void kern_basis_renew(kern_simplex *sx)
 {
-    if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
+    if (sx->basis != KERN_BASIS_READY || kern_basis_full(sx)
         || !kern_basis_values(sx))
         kern_basis_refactorise(sx);
 }
@@ -4250,14 +4264,15 @@ static kern_real kern_lp_worth(const kern_program *lp, int j)
 static kern_real kern_violations(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    const kern_real least = sx->least;
+    const kern_real tolerance = sx->tolerance;
     kern_real sum = 0;
     int p;
     sx->violated = 0;
     for (p = 0; p < lp->rows; p++) {
         const kern_real v = sx->value[p];
         sx->slope[p] = 0;
-        if (v < -least || (v > least && kern_lp_fixed(lp, sx->base[p]))) {
+        if (v < -tolerance
+            || (v > tolerance && kern_lp_fixed(lp, sx->base[p]))) {
             sx->slope[p] = KERN_R(v < 0 ? 1 : -1);
             sx->violated++;
             sum += kern_abs(v);
@@ -4278,7 +4293,7 @@ static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
     const kern_program *lp = sx->lp;
     int p;
     lift *= kern_largest(y, lp->rows);
-    if (sx->state == KERN_BASIS_NONE)
+    if (sx->basis == KERN_BASIS_NONE)
         return 0;
     for (p = 0; p < lp->rows; p++) {
         const int j = sx->base[p];
@@ -4291,17 +4306,17 @@ static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
     return 1;
 }
 
-/* Computes prices and chooses the entering variable, sx->enters, by the rule.
+/* Computes prices and chooses the entering variable, sx->entering, by the rule.
    sx->gain = c_j - y.A_j is the rate at which this variable lowers the sum of
-   violations, or the costs. A variable that would have to exceed lp->most to
+   violations, or the costs. A variable that would have to exceed lp->bound to
    remove the violations does not enter: it belongs to a jam. Returns 0 if no
    variable enters. */
 static int kern_entering(kern_simplex *sx, kern_rule rule)
 {
     const kern_program *lp = sx->lp;
     const kern_real sum = kern_violations(sx);
-    const int costs = !sx->violated, all = lp->cols + lp->follow;
-    kern_real size, least;
+    const int costs = !sx->violated, columns = lp->cols + lp->follow;
+    kern_real size, gain_min;
     int j;
 
     /* Computes prices y = B^-T c, and refines them after many pivots. */
@@ -4316,42 +4331,43 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
        variables are bounded, a variable must also be able to remove the
        violations within its bound. */
     size = kern_largest(sx->price, lp->rows);
-    least = costs || !(lp->most > 0) ? KERN_PRICE_TOL * size : sum / lp->most;
-    least = kern_max(least, KERN_LP_ROUNDING * size);
+    gain_min = costs || !(lp->bound > 0) ? KERN_PRICE_TOL * size
+                                         : sum / lp->bound;
+    gain_min = kern_max(gain_min, KERN_LP_ROUNDING * size);
 
     /* Finds the largest gain of all columns that are not basic, or with Bland's
        rule the first gain. */
     sx->gain = 0;
-    for (j = 0; j < all; j++) {
+    for (j = 0; j < columns; j++) {
         kern_real d;
-        if (sx->place[j] != KERN_OUT)
+        if (sx->basic_row[j] != KERN_OUT)
             continue;
         d = (costs ? kern_lp_worth(lp, j) : 0) - kern_lp_dot(lp, j, sx->price);
         if (d > sx->gain) {
-            sx->enters = j;
+            sx->entering = j;
             sx->gain = d;
-            if (rule == KERN_RULE_BLAND && d > least)
+            if (rule == KERN_RULE_BLAND && d > gain_min)
                 break;
         }
     }
-    return sx->gain > least;
+    return sx->gain > gain_min;
 }
 
 /* Returns the increase in the slope of the sum of violations where the basic
    variable of row p passes zero. The variable approaches zero at the rate alpha
-   and reaches it after a step of *at. Returns 0 if the variable never reaches
+   and reaches it after a step of *step. Returns 0 if the variable never reaches
    zero, as when it is in violation and moves away from zero. A variable that
    must be zero leaves zero at once. */
-static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
+static kern_real kern_break(const kern_simplex *sx, int p, kern_real *step)
 {
     const int fixed = kern_lp_fixed(sx->lp, sx->base[p]);
     const kern_real a = sx->alpha[p];
     const kern_real falls = sx->violated ? -sx->slope[p] * a : 0;
     if (falls < 0 || (!fixed && a < 0 && !(falls > 0)))
         return 0;
-    *at = falls > 0 ? sx->value[p] / a
-        : fixed     ? 0
-                    : kern_max(sx->value[p], 0) / a;
+    *step = falls > 0 ? sx->value[p] / a
+          : fixed     ? 0
+                      : kern_max(sx->value[p], 0) / a;
     return fixed ? kern_abs(a) + falls : kern_abs(a);
 }
 
@@ -4371,36 +4387,36 @@ static int kern_lp_spend(const kern_program *lp, int units)
    refuses the pivot. */
 static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
 {
-    const kern_real least = KERN_PIVOT_LEAST
-                          * kern_largest(sx->alpha, sx->lp->rows);
-    kern_real *at = sx->ratio, left = sx->gain;
-    const int first = rule == KERN_RULE_BLAND;
+    const kern_real pivot_min = KERN_PIVOT_LEAST
+                              * kern_largest(sx->alpha, sx->lp->rows);
+    kern_real *ratio = sx->ratio, slope = sx->gain;
+    const int bland = rule == KERN_RULE_BLAND;
     int *list = sx->list, i, n = 0, best = KERN_OUT, next, seen = 0;
 
     /* Lists the rows whose variables change, and where each reaches zero. */
     for (i = 0; i < sx->lp->rows; i++)
-        if (kern_abs(sx->alpha[i]) > least) {
+        if (kern_abs(sx->alpha[i]) > pivot_min) {
             list[n] = i;
-            n += kern_break(sx, i, at + n) > 0;
+            n += kern_break(sx, i, ratio + n) > 0;
         }
 
     /* Passes the closest of these rows until the sum no longer falls. */
-    for (; n > 0 && left > 2 * KERN_LP_ROUNDING * sx->gain; n--) {
+    for (; n > 0 && slope > 2 * KERN_LP_ROUNDING * sx->gain; n--) {
         seen += n;
         next = 0;
         for (i = 1; i < n; i++)
-            if (at[i] < at[next]
-                || (at[i] <= at[next]
-                    && (first ? sx->base[list[i]] < sx->base[list[next]]
+            if (ratio[i] < ratio[next]
+                || (ratio[i] <= ratio[next]
+                    && (bland ? sx->base[list[i]] < sx->base[list[next]]
                               : kern_abs(sx->alpha[list[i]])
                                     > kern_abs(sx->alpha[list[next]]))))
                 next = i;
 
         best = list[next];
-        left -= kern_break(sx, best, step);
-        if (first || !sx->violated)
+        slope -= kern_break(sx, best, step);
+        if (bland || !sx->violated)
             break;
-        at[next] = at[n - 1];
+        ratio[next] = ratio[n - 1];
         list[next] = list[n - 1];
     }
 
@@ -4414,12 +4430,12 @@ static int kern_pivot_spend(const kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     return kern_lp_spend(
-        lp,
-        1
-            + (sx->factors.first[sx->factors.count] + 6 * sx->factors.groups)
-                  / KERN_UNIT
-            + (lp->ends ? 4 * lp->cols / (3 * KERN_UNIT)
-                        : lp->rows * (lp->cols / (4 * KERN_UNIT))));
+        lp, 1
+                + (sx->factors.first_entry[sx->factors.count]
+                   + 6 * sx->factors.groups)
+                      / KERN_UNIT
+                + (lp->ends ? 4 * lp->cols / (3 * KERN_UNIT)
+                            : lp->rows * (lp->cols / (4 * KERN_UNIT))));
 }
 
 /* Pivots until no column lowers the sum of violations, and then until no column
@@ -4456,7 +4472,7 @@ static kern_status kern_simplex_run(kern_simplex *sx)
         /* Computes the entering column in terms of the basis, and chooses its
            row. */
         if (enters) {
-            kern_basis_column(sx, sx->enters);
+            kern_basis_column(sx, sx->entering);
             p = kern_leaving(sx, rule, &step);
         }
 
@@ -4483,8 +4499,8 @@ static kern_status kern_simplex_run(kern_simplex *sx)
            and the column takes its row. */
         kern_add(sx->value, -step, sx->alpha, lp->rows);
         if (sx->base[p] <= lp->cols)
-            sx->place[sx->base[p]] = KERN_OUT;
-        kern_basis_enter(sx, sx->enters, p);
+            sx->basic_row[sx->base[p]] = KERN_OUT;
+        kern_basis_enter(sx, sx->entering, p);
         sx->value[p] = step;
         sx->refined = 0;
         lp->work->pivots++;
@@ -4506,33 +4522,33 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     const int m = lp->rows;
     kern_factors *f = &sx->factors;
     sx->lp = lp;
-    sx->state = KERN_BASIS_NONE;
-    f->size = m + 2 - (m + 2) % 3;
+    sx->basis = KERN_BASIS_NONE;
+    f->padded_rows = m + 2 - (m + 2) % 3;
     f->groups = lp->ends ? m / 3 : 0;
     f->room = room;
-    f->most = 2 * m + 8;
-    f->to = kern_take_ints(take, 3 * f->groups);
-    f->pivot = kern_take_ints(take, f->most);
-    f->from = kern_take_ints(take, f->most);
-    f->first = kern_take_ints(take, f->most + 1);
-    f->block = kern_take_reals(take, 18 * f->groups);
+    f->count_max = 2 * m + 8;
+    f->other_row = kern_take_ints(take, 3 * f->groups);
+    f->pivot = kern_take_ints(take, f->count_max);
+    f->first_row = kern_take_ints(take, f->count_max);
+    f->first_entry = kern_take_ints(take, f->count_max + 1);
+    f->column = kern_take_reals(take, 18 * f->groups);
     f->entry = kern_take_reals(take, room);
     sx->base = kern_take_ints(take, m);
-    sx->place = kern_take_ints(take, lp->cols + 1);
+    sx->basic_row = kern_take_ints(take, lp->cols + 1);
     sx->list = kern_take_ints(take, m + 1);
     sx->value = kern_take_reals(take, m);
     sx->slope = kern_take_reals(take, m);
-    sx->alpha = kern_take_reals(take, f->size + 3);
-    sx->price = kern_take_reals(take, f->size + 3);
+    sx->alpha = kern_take_reals(take, f->padded_rows + 3);
+    sx->price = kern_take_reals(take, f->padded_rows + 3);
     sx->ratio = kern_take_reals(take, m);
 }
 
 /* Makes the next program begin without a basis (KERN_BASIS_NONE), or with the
    same basis factored again (KERN_BASIS_STALE). */
-static void kern_simplex_change(kern_simplex *sx, kern_basis to)
+static void kern_simplex_change(kern_simplex *sx, kern_basis basis)
 {
-    if (sx->state > to)
-        sx->state = to;
+    if (sx->basis > basis)
+        sx->basis = basis;
 }
 
 #ifdef KERN_USE_GLPK
@@ -4553,9 +4569,9 @@ static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
 
 /* Writes B^-1 v as a vector of variables to x. Destroys v. Returns 0 without a
    basis. */
-static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
+static int kern_simplex_direction(kern_simplex *sx, kern_real *v, kern_real *x)
 {
-    if (sx->state == KERN_BASIS_NONE)
+    if (sx->basis == KERN_BASIS_NONE)
         return 0;
     kern_basis_solve(sx, v);
     kern_basis_read(sx, v, x);
@@ -4585,14 +4601,14 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
 
     /* Charges the start, unless the last basis is ready: reading the columns
        and factoring a basis. */
-    sx->least = KERN_VALUE_TOL * kern_largest(lp->rhs, lp->rows);
-    if (sx->state != KERN_BASIS_READY
+    sx->tolerance = KERN_VALUE_TOL * kern_largest(lp->rhs, lp->rows);
+    if (sx->basis != KERN_BASIS_READY
         && !kern_lp_spend(lp, lp->ends ? (lp->rows + lp->cols) / 2
                                        : lp->rows * (lp->cols / KERN_UNIT)))
         return KERN_LIMIT;
 
     /* Starts from the last basis, or makes a crash basis, and pivots. */
-    if (sx->state == KERN_BASIS_NONE)
+    if (sx->basis == KERN_BASIS_NONE)
         kern_simplex_crash(sx);
     kern_basis_renew(sx);
     status = kern_pivot_spend(sx) ? kern_simplex_run(sx) : KERN_LIMIT;
@@ -4610,26 +4626,27 @@ typedef enum kern_sign { KERN_SIGN_PLUS, KERN_SIGN_ANY } kern_sign;
 KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
                                       kern_sign sign)
 {
-    const kern_real least = share * kern_largest(v, n);
+    const kern_real threshold = share * kern_largest(v, n);
     int i;
     for (i = 0; i < n; i++)
-        if (!(kern_abs(v[i]) > least) || (sign == KERN_SIGN_PLUS && v[i] < 0))
+        if (!(kern_abs(v[i]) > threshold)
+            || (sign == KERN_SIGN_PLUS && v[i] < 0))
             v[i] = 0;
 }
 
-/* Returns from + u.v, divided by the sum of the magnitudes of its terms.
-   Vectors have n numbers, and those of v lie `apart` from each other. Returns
+/* Returns start + u.v, divided by the sum of the magnitudes of its terms.
+   Vectors have n numbers, and those of v lie `stride` from each other. Returns
    NaN if a term is not finite. */
-static kern_real kern_lp_sum(kern_real from, const kern_real *u,
-                             const kern_real *v, int apart, int n)
+static kern_real kern_lp_sum(kern_real start, const kern_real *u,
+                             const kern_real *v, int stride, int n)
 {
-    kern_real terms = kern_abs(from);
-    for (; n > 0; n--, v += apart) {
+    kern_real terms = kern_abs(start);
+    for (; n > 0; n--, v += stride) {
         const kern_real term = *u++ * *v;
-        from += term;
+        start += term;
         terms += kern_abs(term);
     }
-    return terms > 0 ? from / terms + (terms - terms) : from;
+    return terms > 0 ? start / terms + (terms - terms) : start;
 }
 
 /* Returns 1 if x and y prove the status. The check uses only products with the
@@ -4643,21 +4660,23 @@ static kern_real kern_lp_sum(kern_real from, const kern_real *u,
 static int kern_lp_holds(const kern_program *lp, const kern_real *x,
                          const kern_real *y, kern_status status)
 {
-    const int m = lp->rows, best = status == KERN_LP_OPTIMAL;
+    const int m = lp->rows, optimal = status == KERN_LP_OPTIMAL;
     int i, j;
     for (i = 0; i < m && status != KERN_LP_INFEASIBLE; i++) {
-        const kern_real left = kern_lp_sum(best ? -lp->rhs[i] : 0, x, lp->a + i,
-                                           m, lp->cols);
-        if (!(kern_abs(left) <= KERN_LP_TOL))
+        const kern_real share = kern_lp_sum(optimal ? -lp->rhs[i] : 0, x,
+                                            lp->a + i, m, lp->cols);
+        if (!(kern_abs(share) <= KERN_LP_TOL))
             return 0;
     }
     for (j = 0; j < lp->cols && status != KERN_LP_UNBOUNDED; j++) {
-        const kern_real left = kern_lp_sum(best && lp->cost ? lp->cost[j] : 0,
-                                           y, kern_lp_dense(lp, j), 1, m);
-        if (!(left >= -KERN_LP_TOL) || (best && x[j] > 0 && left > KERN_LP_TOL))
+        const kern_real share = kern_lp_sum(optimal && lp->cost ? lp->cost[j]
+                                                                : 0,
+                                            y, kern_lp_dense(lp, j), 1, m);
+        if (!(share >= -KERN_LP_TOL)
+            || (optimal && x[j] > 0 && share > KERN_LP_TOL))
             return 0;
     }
-    return best
+    return optimal
         || (status == KERN_LP_INFEASIBLE
                 ? kern_lp_sum(0, y, lp->rhs, 1, m)
                 : kern_lp_sum(0, x, lp->cost, 1, lp->cols))
@@ -4670,11 +4689,11 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
 static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
-    int again;
-    for (again = 0; again < 2; again++) {
-        kern_lp_clean(x, lp->cols, KERN_R(again) * KERN_LP_ROUNDING,
+    int attempt;
+    for (attempt = 0; attempt < 2; attempt++) {
+        kern_lp_clean(x, lp->cols, KERN_R(attempt) * KERN_LP_ROUNDING,
                       KERN_SIGN_PLUS);
-        kern_lp_clean(y, lp->rows, KERN_R(again) * KERN_LP_ROUNDING,
+        kern_lp_clean(y, lp->rows, KERN_R(attempt) * KERN_LP_ROUNDING,
                       KERN_SIGN_ANY);
         if (kern_lp_holds(lp, x, y, status))
             return 1;
@@ -4706,10 +4725,10 @@ static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
         return status;
 
     /* For an unbounded program the proof is the ray of the entering column. */
-    if (status == KERN_LP_UNBOUNDED && sx.state != KERN_BASIS_NONE) {
+    if (status == KERN_LP_UNBOUNDED && sx.basis != KERN_BASIS_NONE) {
         kern_scale(sx.alpha, p.rows, -1);
         kern_basis_read(&sx, sx.alpha, x);
-        x[sx.enters] = 1;
+        x[sx.entering] = 1;
     }
 
     /* Returns nothing without a proof. The prices of an optimum are -y. */
@@ -4742,8 +4761,8 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
    factor. Each row is stored from its first nonzero block to the diagonal. */
 typedef struct kern_skyline {
     int groups;
-    int *first;  /* per row: its first block column              */
-    int *offset; /* per row: its first entry                     */
+    int *first_column; /* per row: its first block column */
+    int *offset;       /* per row: its first entry        */
     kern_real *entry;
 } kern_skyline;
 
@@ -4752,21 +4771,21 @@ typedef struct kern_law {
     kern_force force; /* force for the approach, within its cone      */
 } kern_law;
 
-/* Returns the law of a contact that has the stiffness `stiff` along n, and mu *
-   shear * stiff along t until it slides. With stiff = 2 and shear = mu it is
-   the law of two rays of stiffness 1 that cannot pull. */
+/* Returns the law of a contact that has the stiffness `stiffness` along n, and
+   mu * shear * stiffness along t until it slides. With stiffness = 2 and shear
+   = mu it is the law of two rays of stiffness 1 that cannot pull. */
 static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
-                                      kern_real stiff, kern_real shear)
+                                      kern_real stiffness, kern_real shear)
 {
     const kern_real side = wt > 0 ? mu : -mu;
     kern_law s = {0, 0, 0, {0, 0}};
     if (wn > 0 && shear * kern_abs(wt) <= wn) {
-        s.nn = stiff;
-        s.tt = shear * mu * stiff;
-        s.force.normal = stiff * wn;
+        s.nn = stiffness;
+        s.tt = shear * mu * stiffness;
+        s.force.normal = stiffness * wn;
         s.force.tangential = s.tt * wt;
     } else if (wn + side * wt > 0) {
-        s.nn = stiff * shear / (shear + mu);
+        s.nn = stiffness * shear / (shear + mu);
         s.nt = side * s.nn;
         s.tt = side * s.nt;
         s.force.normal = s.nn * (wn + side * wt);
@@ -4785,19 +4804,19 @@ static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
     kern_real products = 0;
     int g, k, end = 0;
     a->groups = groups;
-    a->first = kern_take_ints(take, 2 * groups);
-    a->offset = a->first + groups;
+    a->first_column = kern_take_ints(take, 2 * groups);
+    a->offset = a->first_column + groups;
     if (!kern_take_fits(take))
         return products;
     for (g = 0; g < groups; g++)
-        a->first[g] = g;
+        a->first_column[g] = g;
     for (k = 0; k < 2 * n; k++) {
         const int high = ends[k], low = ends[k ^ 1];
-        if (high < groups && low < a->first[high])
-            a->first[high] = low;
+        if (high < groups && low < a->first_column[high])
+            a->first_column[high] = low;
     }
     for (g = 0; g < groups; g++) {
-        const int width = g - a->first[g] + 1;
+        const int width = g - a->first_column[g] + 1;
         a->offset[g] = end;
         end += 9 * width;
         products += KERN_PAIR_PRODUCTS * KERN_R(width) * KERN_R(width);
@@ -4811,7 +4830,7 @@ static void kern_skyline_clear(kern_skyline *a)
 {
     int g;
     for (g = 0; g < a->groups; g++)
-        kern_zero(a->entry + a->offset[g], 9 * (g - a->first[g] + 1));
+        kern_zero(a->entry + a->offset[g], 9 * (g - a->first_column[g] + 1));
 }
 
 /* Adds a contact's law to the diagonal blocks of its two groups, and to the
@@ -4825,21 +4844,21 @@ static void kern_skyline_law(kern_skyline *a, const int ends[2],
     for (k = 0; k < 2; k++, row++) {
         const int g = ends[k], h = ends[1 - k];
         if (g < a->groups) {
-            const kern_row *other = row + 1 - 2 * k;
-            const int wide = 3 * (g - a->first[g] + 1);
-            kern_real *to = a->entry + a->offset[g] + wide - 3;
+            const kern_row *other_row = row + 1 - 2 * k;
+            const int width = 3 * (g - a->first_column[g] + 1);
+            kern_real *entry = a->entry + a->offset[g] + width - 3;
             kern_row_wrench(row, s->nn, s->nt, v); /* += n v' + t w'       */
             kern_row_wrench(row, s->nt, s->tt, w);
-            kern_row_exert(row, v[0], w[0], to);
-            kern_row_exert(row, v[1], w[1], to + wide);
-            kern_row_exert(row, v[2], w[2], to + 2 * wide);
+            kern_row_exert(row, v[0], w[0], entry);
+            kern_row_exert(row, v[1], w[1], entry + width);
+            kern_row_exert(row, v[2], w[2], entry + 2 * width);
             if (g < h)
                 continue;
-            KERN_ASSERT(h >= a->first[g]);
-            to += 3 * (h - g);
-            kern_row_exert(other, v[0], w[0], to);
-            kern_row_exert(other, v[1], w[1], to + wide);
-            kern_row_exert(other, v[2], w[2], to + 2 * wide);
+            KERN_ASSERT(h >= a->first_column[g]);
+            entry += 3 * (h - g);
+            kern_row_exert(other_row, v[0], w[0], entry);
+            kern_row_exert(other_row, v[1], w[1], entry + width);
+            kern_row_exert(other_row, v[2], w[2], entry + 2 * width);
         }
     }
 }
@@ -4847,18 +4866,18 @@ static void kern_skyline_law(kern_skyline *a, const int ends[2],
 /* Adds a share of the mean of the diagonal to each of its entries. */
 static void kern_skyline_shift(kern_skyline *a, kern_real share)
 {
-    kern_real trace = 0, more = 0;
+    kern_real trace = 0, shift = 0;
     int g, k, add;
     for (add = 0; add < 2; add++) {
         for (g = 0; g < a->groups; g++) {
-            const int length = 3 * (g - a->first[g] + 1);
+            const int length = 3 * (g - a->first_column[g] + 1);
             kern_real *d = a->entry + a->offset[g] + length - 3;
             for (k = 0; k < 3; k++, d += length + 1) {
                 trace += *d;
-                *d += more;
+                *d += shift;
             }
         }
-        more = share * trace / KERN_R(3 * a->groups);
+        shift = share * trace / KERN_R(3 * a->groups);
     }
 }
 
@@ -4908,41 +4927,42 @@ static void kern_skyline_factor(kern_skyline *a)
 {
     int g, h, r, k;
     for (g = 0; g < a->groups; g++) {
-        const int wide = 3 * (g - a->first[g] + 1);
-        kern_real *row = a->entry + a->offset[g], *d = row + wide - 3;
-        const kern_real was[3] = {d[0], d[wide + 1], d[2 * wide + 2]};
+        const int width = 3 * (g - a->first_column[g] + 1);
+        kern_real *row = a->entry + a->offset[g], *d = row + width - 3;
+        const kern_real diagonal[3] = {d[0], d[width + 1], d[2 * width + 2]};
 
         /* Computes the blocks of row g from its first column to the diagonal.
            Subtracts from block h the products of the columns that rows g and h
            have in common. */
-        for (h = a->first[g]; h <= g; h++) {
-            const int from = a->first[g] > a->first[h] ? a->first[g]
-                                                       : a->first[h];
-            const int wide_h = 3 * (h - a->first[h] + 1);
-            const kern_real *other = a->entry + a->offset[h];
-            const kern_real *l = other + wide_h - 3;
-            kern_real *c = row + 3 * (h - a->first[g]);
-            kern_skyline_common(c, row + 3 * (from - a->first[g]), wide,
-                                other + 3 * (from - a->first[h]), wide_h,
-                                3 * (h - from));
+        for (h = a->first_column[g]; h <= g; h++) {
+            const int from = a->first_column[g] > a->first_column[h]
+                               ? a->first_column[g]
+                               : a->first_column[h];
+            const int width_h = 3 * (h - a->first_column[h] + 1);
+            const kern_real *row_h = a->entry + a->offset[h];
+            const kern_real *l = row_h + width_h - 3;
+            kern_real *c = row + 3 * (h - a->first_column[g]);
+            kern_skyline_common(c, row + 3 * (from - a->first_column[g]), width,
+                                row_h + 3 * (from - a->first_column[h]),
+                                width_h, 3 * (h - from));
 
             /* Divides block h by the diagonal block of row h. For h = g,
                computes that diagonal block at the same time. */
-            for (r = 0; r < 3; r++, c += wide) {
+            for (r = 0; r < 3; r++, c += width) {
                 if (h < g || r > 0)
                     c[0] /= l[0];
                 if (h < g || r > 1)
-                    c[1] = (c[1] - c[0] * l[wide_h]) / l[wide_h + 1];
+                    c[1] = (c[1] - c[0] * l[width_h]) / l[width_h + 1];
                 if (h < g) {
-                    c[2] = (c[2] - c[0] * l[2 * wide_h]
-                            - c[1] * l[2 * wide_h + 1])
-                         / l[2 * wide_h + 2];
+                    c[2] = (c[2] - c[0] * l[2 * width_h]
+                            - c[1] * l[2 * width_h + 1])
+                         / l[2 * width_h + 2];
                     continue;
                 }
                 for (k = 0; k < r; k++)
                     c[r] -= c[k] * c[k];
                 c[r] = KERN_SQRT(
-                    kern_max(c[r], KERN_EPS * (KERN_EPS + was[r])));
+                    kern_max(c[r], KERN_EPS * (KERN_EPS + diagonal[r])));
             }
         }
     }
@@ -4956,13 +4976,15 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
     const int n = 3 * a->groups;
     int i;
     for (i = 0; i < n; i++) {
-        const int from = 3 * a->first[i / 3], wide = 3 * (i / 3) + 3 - from;
-        const kern_real *row = a->entry + a->offset[i / 3] + i % 3 * wide;
+        const int from = 3 * a->first_column[i / 3],
+                  width = 3 * (i / 3) + 3 - from;
+        const kern_real *row = a->entry + a->offset[i / 3] + i % 3 * width;
         out[i] = (b[i] - kern_dot(row, out + from, i - from)) / row[i - from];
     }
     for (i = n - 1; i >= 0; i--) {
-        const int from = 3 * a->first[i / 3], wide = 3 * (i / 3) + 3 - from;
-        const kern_real *row = a->entry + a->offset[i / 3] + i % 3 * wide;
+        const int from = 3 * a->first_column[i / 3],
+                  width = 3 * (i / 3) + 3 - from;
+        const kern_real *row = a->entry + a->offset[i / 3] + i % 3 * width;
         out[i] /= row[i - from];
         kern_add(out + from, -out[i], row, i - from);
     }
@@ -4978,63 +5000,69 @@ static void kern_skyline_outer(kern_skyline *a, const int ends[2],
     for (k = 0; k < 2; k++) {
         const int g = ends[k], h = ends[1 - k];
         if (g < a->groups) {
-            const int wide = 3 * (g - a->first[g] + 1);
-            kern_real *to = a->entry + a->offset[g] + wide - 3, v[3];
+            const int width = 3 * (g - a->first_column[g] + 1);
+            kern_real *entry = a->entry + a->offset[g] + width - 3, v[3];
             kern_row_wrench(row + k, f[0], f[1], v);
-            for (i = 0; i < 3; i++, to += wide) {
-                kern_row_exert(row + k, v[i] * w[0], v[i] * w[1], to);
+            for (i = 0; i < 3; i++, entry += width) {
+                kern_row_exert(row + k, v[i] * w[0], v[i] * w[1], entry);
                 if (h < g)
                     kern_row_exert(row + 1 - k, v[i] * w[0], v[i] * w[1],
-                                   to + 3 * (h - g));
+                                   entry + 3 * (h - g));
             }
         }
     }
 }
 
-/* Factors a matrix that is not symmetric, in place. `low` has the rows of the
-   matrix up to the diagonal. `up` has the columns of the matrix, each stored as
-   a row. The factors are L U = matrix, where the diagonal of L is 1 and not
+/* Factors a matrix that is not symmetric, in place. `lower` has the rows of the
+   matrix up to the diagonal. `upper` has the columns of the matrix, each stored
+   as a row. The factors are L U = matrix, where the diagonal of L is 1 and not
    stored. Raises pivots below rounding to the size of rounding. */
-static void kern_skyline_split(kern_skyline *low, kern_skyline *up)
+static void kern_skyline_split(kern_skyline *lower, kern_skyline *upper)
 {
     int i, j;
-    for (i = 0; i < 3 * low->groups; i++) {
-        const int from = 3 * low->first[i / 3], wide = 3 * (i / 3) + 3 - from;
-        const int row = low->offset[i / 3] + i % 3 * wide;
-        kern_real *l = low->entry + row, *u = up->entry + row;
-        const kern_real least = KERN_EPS * (KERN_EPS + kern_abs(u[i - from]));
+    for (i = 0; i < 3 * lower->groups; i++) {
+        const int from = 3 * lower->first_column[i / 3],
+                  width = 3 * (i / 3) + 3 - from;
+        const int row = lower->offset[i / 3] + i % 3 * width;
+        kern_real *l = lower->entry + row, *u = upper->entry + row;
+        const kern_real pivot_min = KERN_EPS
+                                  * (KERN_EPS + kern_abs(u[i - from]));
         for (j = from; j < i; j++) {
-            const int begin = 3 * low->first[j / 3];
-            const int wide_j = 3 * (j / 3) + 3 - begin;
-            const int row_j = low->offset[j / 3] + j % 3 * wide_j;
-            const int at = begin > from ? begin : from;
-            const kern_real *lj = low->entry + row_j + at - begin;
-            const kern_real *uj = up->entry + row_j + at - begin;
-            u[j - from] -= kern_dot(u + at - from, lj, j - at);
-            l[j - from] -= kern_dot(l + at - from, uj, j - at);
-            l[j - from] /= uj[j - at];
+            const int from_j = 3 * lower->first_column[j / 3];
+            const int width_j = 3 * (j / 3) + 3 - from_j;
+            const int row_j = lower->offset[j / 3] + j % 3 * width_j;
+            const int start = from_j > from ? from_j : from;
+            const kern_real *lj = lower->entry + row_j + start - from_j;
+            const kern_real *uj = upper->entry + row_j + start - from_j;
+            u[j - from] -= kern_dot(u + start - from, lj, j - start);
+            l[j - from] -= kern_dot(l + start - from, uj, j - start);
+            l[j - from] /= uj[j - start];
         }
         u[i - from] -= kern_dot(l, u, i - from);
-        if (kern_abs(u[i - from]) < least)
-            u[i - from] = least;
+        if (kern_abs(u[i - from]) < pivot_min)
+            u[i - from] = pivot_min;
     }
 }
 
 /* Solves L U out = b. */
-static void kern_skyline_split_solve(const kern_skyline *low,
-                                     const kern_skyline *up, const kern_real *b,
-                                     kern_real *out)
+static void kern_skyline_split_solve(const kern_skyline *lower,
+                                     const kern_skyline *upper,
+                                     const kern_real *b, kern_real *out)
 {
-    const int n = 3 * low->groups;
+    const int n = 3 * lower->groups;
     int i;
     for (i = 0; i < n; i++) {
-        const int from = 3 * low->first[i / 3], wide = 3 * (i / 3) + 3 - from;
-        const kern_real *l = low->entry + low->offset[i / 3] + i % 3 * wide;
+        const int from = 3 * lower->first_column[i / 3],
+                  width = 3 * (i / 3) + 3 - from;
+        const kern_real *l = lower->entry + lower->offset[i / 3]
+                           + i % 3 * width;
         out[i] = b[i] - kern_dot(l, out + from, i - from);
     }
     for (i = n - 1; i >= 0; i--) {
-        const int from = 3 * up->first[i / 3], wide = 3 * (i / 3) + 3 - from;
-        const kern_real *u = up->entry + up->offset[i / 3] + i % 3 * wide;
+        const int from = 3 * upper->first_column[i / 3],
+                  width = 3 * (i / 3) + 3 - from;
+        const kern_real *u = upper->entry + upper->offset[i / 3]
+                           + i % 3 * width;
         out[i] /= u[i - from];
         kern_add(out + from, -out[i], u, i - from);
     }
@@ -5047,10 +5075,10 @@ static void kern_skyline_split_solve(const kern_skyline *low,
    blocks at rest. */
 
 /* Laws of the contacts of a part (>>skyline). */
-typedef enum kern_law_of {
+typedef enum kern_law_kind {
     KERN_LAW_RAYS, /* two rays of stiffness 1 that cannot pull           */
     KERN_LAW_STIFF /* stiff along n and t, with a price: >>raised        */
-} kern_law_of;
+} kern_law_kind;
 
 /* Starting point of Newton's method. KERN_START_COLD: u = 0, with one more
    round, the first, in which all contacts press. KERN_START_WARM: the present
@@ -5059,15 +5087,15 @@ typedef enum kern_start { KERN_START_COLD, KERN_START_WARM } kern_start;
 
 /* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
 typedef struct kern_dual {
-    kern_law_of law;            /* law of the contacts                     */
-    kern_skyline matrix;        /* matrix of Newton's method               */
-    kern_real *u, *step, *grad; /* three per group, then three of 0        */
-    kern_real *b;               /* loads, three per group                  */
-    kern_real *way, *turn;      /* two per contact: u, step along n and t  */
-    int cost;                   /* work of a step [units]                  */
-    kern_real *price;           /* per stiff contact: mu slip (>>raised)   */
-    kern_real *stiff_n;         /* per stiff contact: stiffness along n    */
-    kern_real stiff;            /* stiffness along t / (mu stiff_n)        */
+    kern_law_kind law;            /* law of the contacts                    */
+    kern_skyline matrix;          /* matrix of Newton's method              */
+    kern_real *u, *step, *grad;   /* three per group, then three of 0       */
+    kern_real *load;              /* loads, three per group                 */
+    kern_real *approach, *change; /* two per contact: u, step along n and t */
+    int step_units;               /* work of a step [units]                 */
+    kern_real *price;             /* per stiff contact: mu slip (>>raised)  */
+    kern_real *stiffness;         /* per stiff contact: stiffness along n   */
+    kern_real shear;              /* stiffness along t / (mu stiffness)     */
 } kern_dual;
 
 /* Eq. (5) of a part as a linear program (>>verdict). The interior point stores
@@ -5082,20 +5110,20 @@ typedef struct kern_equations {
 } kern_equations;
 
 typedef struct kern_part {
-    kern_take rest; /* work memory after the part                   */
+    kern_take rest; /* work memory after the part */
     kern_dual dual;
     kern_model *m;
     int groups, contacts;
     int supports; /* number of contacts that carry groups of the part, which
-                     come first; the others carry groups above                */
-    int *group;   /* groups of the part; >>norm has its own order  */
-    int *contact; /* contacts of the part                         */
-    int *ends;    /* two per contact: groups in the part, or `groups` */
-    kern_real *x; /* two per contact: forces along the edges of its
-                                 cone; then the value of the place            */
-    kern_real *y; /* three per group: prices, which are a motion      */
+                     come first; the others carry groups above               */
+    int *group;   /* groups of the part; >>norm has its own order            */
+    int *contact; /* contacts of the part                                    */
+    int *ends;    /* two per contact: groups in the part, or `groups`        */
+    kern_real *x; /* two per contact: forces along the edges of its cone;
+                     then the value of the place                             */
+    kern_real *y; /* three per group: prices, which are a motion             */
     kern_equations eq;
-    kern_status found; /* result of the method, proven or not          */
+    kern_status result; /* result of the method, proven or not */
 } kern_part;
 
 /* Writes the groups of the part at both ends of its contacts to p->ends.
@@ -5128,15 +5156,16 @@ static void kern_part_list(kern_part *p)
     for (supporting = 1; supporting >= 0; supporting--) {
         for (n = 0; n < p->groups; n++) {
             const int g = p->group[n];
-            for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
-                const int other = m->graph.ends[e ^ 1];
+            for (e = m->graph.first_end[g]; e >= 0; e = m->graph.next_end[e]) {
+                const int other_group = m->graph.ends[e ^ 1];
                 if (supporting
-                        ? other > g
-                        : other < g && m->graph.local[other] == KERN_OUT) {
-                    int *const to = kern_take_ints(&p->rest, 1);
+                        ? other_group > g
+                        : other_group < g
+                              && m->graph.local[other_group] == KERN_OUT) {
+                    int *const slot = kern_take_ints(&p->rest, 1);
                     if (!kern_take_fits(&p->rest))
                         return;
-                    *to = e >> 1;
+                    *slot = e >> 1;
                     p->contacts++;
                 }
             }
@@ -5150,19 +5179,19 @@ static void kern_part_list(kern_part *p)
    program: three numbers per group, divided by the unit of force. Returns the
    largest residual of equilibrium that is allowed. */
 static kern_real kern_part_load(const kern_part *p, const kern_query *q,
-                                kern_real *to)
+                                kern_real *load)
 {
     kern_model *m = p->m;
-    kern_real least = KERN_INFINITY;
+    kern_real lightest = KERN_INFINITY;
     int n;
     for (n = 0; n < p->groups; n++) {
         const int g = p->group[n];
         kern_model_load(m, q, g);
-        least = kern_min(least, m->size[g]);
-        kern_copy(to + 3 * n, m->load + 3 * g, 3);
+        lightest = kern_min(lightest, m->load_size[g]);
+        kern_copy(load + 3 * n, m->load + 3 * g, 3);
     }
-    kern_scale(to, 3 * p->groups, 1 / m->weight);
-    return KERN_PART_TOL * least / m->weight;
+    kern_scale(load, 3 * p->groups, 1 / m->weight);
+    return KERN_PART_TOL * lightest / m->weight;
 }
 
 /* Takes memory for the list of a part's groups. Returns 0 if there is no
@@ -5173,7 +5202,7 @@ static int kern_part_begin(kern_part *p, kern_model *m, int groups,
     p->m = m;
     p->rest = *rest;
     p->groups = groups;
-    p->found = KERN_UNDECIDED;
+    p->result = KERN_UNDECIDED;
     p->group = kern_take_ints(&p->rest, groups);
     return kern_take_fits(&p->rest);
 }
@@ -5210,7 +5239,7 @@ static void kern_part_motion(kern_part *p)
     for (n = 0; n < p->groups; n++) {
         kern_motion *v = m->answer.motion + m->graph.block[p->group[n]];
         kern_copy(v, p->y + 3 * n, 3);
-        v->spin *= m->unit[p->group[n]];
+        v->spin *= m->torque_scale[p->group[n]];
     }
     kern_motion_scale(m->s, m->answer.motion);
 }
@@ -5276,9 +5305,9 @@ static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
                                      kern_real wt)
 {
     const kern_real mu = kern_model_mu(p->m, p->contact[k]);
-    const int stiff = p->dual.law != KERN_LAW_RAYS;
-    return kern_law_stiff(wn, wt, mu, stiff ? p->dual.stiff_n[k] : 2,
-                          stiff ? p->dual.stiff : mu);
+    const int has_stiffness = p->dual.law != KERN_LAW_RAYS;
+    return kern_law_stiff(wn, wt, mu, has_stiffness ? p->dual.stiffness[k] : 2,
+                          has_stiffness ? p->dual.shear : mu);
 }
 
 /* Lays out the arrays for the part's minimum-norm forces. Returns 0 if there is
@@ -5292,14 +5321,14 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
     d->u = kern_take_reals(take, 4 * n + 4 * p->contacts);
     d->step = d->u + n;
     d->grad = d->step + n;
-    d->b = d->grad + n;
-    d->way = d->b + n;
-    d->turn = d->way + 2 * p->contacts;
+    d->load = d->grad + n;
+    d->approach = d->load + n;
+    d->change = d->approach + 2 * p->contacts;
     products += kern_skyline_open(&d->matrix, p->groups, p->ends, p->supports,
                                   take);
-    d->cost = 1
-            + (int)kern_min(products / KERN_R(8 * KERN_UNIT / 3),
-                            KERN_R(KERN_WORK_MOST));
+    d->step_units = 1
+                  + (int)kern_min(products / KERN_R(8 * KERN_UNIT / 3),
+                                  KERN_R(KERN_WORK_MOST));
     return kern_take_fits(take);
 }
 
@@ -5318,12 +5347,12 @@ static inline void kern_part_speed(const kern_part *p, int k,
 {
     const kern_real *h = v + 3 * p->ends[2 * k];
     const kern_real *t = v + 3 * p->ends[2 * k + 1];
-    const kern_real apart[3] = {h[0] - t[0], h[1] - t[1], h[2]};
+    const kern_real relative[3] = {h[0] - t[0], h[1] - t[1], h[2]};
     kern_row row[2];
     kern_part_rows(p, k, row);
-    kern_row_speed(row, apart, w);
+    kern_row_speed(row, relative, w);
     w[0] += row[1].n[2] * t[2];
-    w[1] += row[1].turn * t[2];
+    w[1] += row[1].torque * t[2];
 }
 
 /* b += the wrenches of the part's contact k with force f along n and r along t.
@@ -5342,14 +5371,14 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
 typedef enum kern_way_of { KERN_WAY_OF_STEP, KERN_WAY_OF_U } kern_way_of;
 
 /* Writes the approach of the supports along n and t. The approach under u goes
-   to dual.way, and that under the step to dual.turn. The approach under u
-   begins at minus the price for a stiff contact, and otherwise at the approach
-   that gives the present force of the contact. */
-KERN_SHARED static void kern_norm_ways(kern_part *p, kern_way_of of)
+   to dual.approach, and that under the step to dual.change. The approach under
+   u begins at minus the price for a stiff contact, and otherwise at the
+   approach that gives the present force of the contact. */
+KERN_SHARED static void kern_norm_approach(kern_part *p, kern_way_of source)
 {
     const kern_dual *d = &p->dual;
-    const int step = of == KERN_WAY_OF_STEP;
-    kern_real *way = step ? d->turn : d->way;
+    const int step = source == KERN_WAY_OF_STEP;
+    kern_real *way = step ? d->change : d->approach;
     int k;
     for (k = 0; k < p->supports; k++, way += 2) {
         way[0] = way[1] = 0;
@@ -5363,22 +5392,22 @@ KERN_SHARED static void kern_norm_ways(kern_part *p, kern_way_of of)
 
 /* Writes the gradient of the dual at u, which is b minus the wrenches of the
    forces at u. Returns the value of the dual, and writes the largest force to
-   *most. */
-static kern_real kern_norm_gradient(kern_part *p, kern_real *most)
+   *largest. */
+static kern_real kern_norm_gradient(kern_part *p, kern_real *largest)
 {
     const kern_dual *d = &p->dual;
     const int n = 3 * p->groups;
-    kern_real value = kern_dot(d->b, d->u, n);
+    kern_real value = kern_dot(d->load, d->u, n);
     int k;
-    *most = 0;
-    kern_copy(d->grad, d->b, n);
+    *largest = 0;
+    kern_copy(d->grad, d->load, n);
     for (k = 0; k < p->supports; k++) {
-        const kern_real *w = d->way + 2 * k;
+        const kern_real *w = d->approach + 2 * k;
         const kern_law s = kern_part_law(p, k, w[0], w[1]);
         const kern_real f = s.force.normal, r = s.force.tangential;
         if (!(f > 0))
             continue;
-        *most = kern_max(*most, f);
+        *largest = kern_max(*largest, f);
         value -= (f * w[0] + r * w[1]) / 2;
         kern_part_exert(p, k, -f, -r, d->grad);
     }
@@ -5398,20 +5427,20 @@ static void kern_part_add(kern_part *p, int k, const kern_law *s)
    contacts), and shifts its diagonal. */
 static void kern_norm_matrix(kern_part *p, kern_start start)
 {
-    const int all = start == KERN_START_COLD;
+    const int cold = start == KERN_START_COLD;
     kern_skyline *a = &p->dual.matrix;
     int k;
     kern_skyline_clear(a);
     for (k = 0; k < p->supports; k++) {
-        const kern_real *w = p->dual.way + 2 * k;
+        const kern_real *w = p->dual.approach + 2 * k;
         kern_law s = kern_part_law(p, k, w[0], w[1]);
-        if (all && (p->dual.law != KERN_LAW_RAYS || !(s.nn > 0)))
+        if (cold && (p->dual.law != KERN_LAW_RAYS || !(s.nn > 0)))
             s = kern_part_law(p, k, 1, 0);
-        if (all
+        if (cold
             && p->dual.law
                    == KERN_LAW_STIFF) /* the same stiffness along t for all mu
                                                                              */
-            s.tt = p->dual.stiff * s.nn;
+            s.tt = p->dual.shear * s.nn;
         if (s.nn > 0)
             kern_part_add(p, k, &s);
     }
@@ -5425,7 +5454,8 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
 {
     int k;
     for (k = 0; k < p->supports; k++) {
-        const kern_real *w = p->dual.way + 2 * k, *d = p->dual.turn + 2 * k;
+        const kern_real *w = p->dual.approach + 2 * k,
+                        *d = p->dual.change + 2 * k;
         const kern_law s = kern_part_law(p, k, w[0] + share * d[0],
                                          w[1] + share * d[1]);
         push -= s.force.normal * d[0] + s.force.tangential * d[1];
@@ -5441,13 +5471,13 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
 KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_dual *d = &p->dual;
-    const kern_real push = kern_dot(d->b, d->step, 3 * p->groups);
+    const kern_real push = kern_dot(d->load, d->step, 3 * p->groups);
     const kern_real first = kern_dot(d->grad, d->step, 3 * p->groups);
-    const kern_real least = first
-                          / (d->law != KERN_LAW_RAYS ? KERN_SHARE_TOL_PRICED
-                                                     : KERN_SHARE_TOL);
-    kern_real lo = 0, at_lo = first, hi = KERN_INFINITY, at_hi = lo;
-    kern_real at = 1;
+    const kern_real slope_end = first
+                              / (d->law != KERN_LAW_RAYS ? KERN_SHARE_TOL_PRICED
+                                                         : KERN_SHARE_TOL);
+    kern_real lo = 0, slope_lo = first, hi = KERN_INFINITY, slope_hi = lo;
+    kern_real share = 1;
     int round;
 
     /* Increases the share until the derivative changes its sign. Then cuts the
@@ -5457,12 +5487,12 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
          round++) {
         kern_real slope;
         if (round > 0)
-            at = hi < KERN_INFINITY
-                   ? (hi * at_lo - lo * at_hi) / (at_lo - at_hi)
-                   : 4 * at;
+            share = hi < KERN_INFINITY
+                      ? (hi * slope_lo - lo * slope_hi) / (slope_lo - slope_hi)
+                      : 4 * share;
 
-        slope = kern_norm_slope(p, push, at);
-        if (kern_abs(slope) <= least
+        slope = kern_norm_slope(p, push, share);
+        if (kern_abs(slope) <= slope_end
             || (d->law != KERN_LAW_RAYS
                 && !kern_model_spend(p->m,
                                      (p->supports + 12) / KERN_PLACE_UNIT)))
@@ -5471,20 +5501,20 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
         /* Moves the end of the bracket that has the same sign of the
            derivative. */
         if (slope > 0) {
-            at_hi /= 3; /* else hi stays for many rounds               */
-            lo = at;
-            at_lo = slope;
+            slope_hi /= 3; /* else hi stays for many rounds               */
+            lo = share;
+            slope_lo = slope;
         } else {
-            hi = at;
-            at_hi = slope;
+            hi = share;
+            slope_hi = slope;
         }
     }
-    return at;
+    return share;
 }
 
-/* Finds the minimum-norm forces of a part's supports under the loads p->dual.b.
-   Returns KERN_STANDS with u in p->dual.u, KERN_FALLS if the norm exceeds
-   `bound` (this is no proof), KERN_UNDECIDED after `rounds` rounds, or
+/* Finds the minimum-norm forces of a part's supports under the loads
+   p->dual.load. Returns KERN_STANDS with u in p->dual.u, KERN_FALLS if the norm
+   exceeds `bound` (this is no proof), KERN_UNDECIDED after `rounds` rounds, or
    KERN_LIMIT. */
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                   kern_real bound, kern_start start, int rounds)
@@ -5498,20 +5528,20 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
        0. */
     for (i = start == KERN_START_COLD ? 0 : n; i < n + 3; i++)
         d->u[i] = d->step[i] = 0;
-    kern_norm_ways(p, KERN_WAY_OF_U);
+    kern_norm_approach(p, KERN_WAY_OF_U);
 
     /* Each round solves for the contacts that press at the present u. */
     for (round = (int)start; round < rounds; round++) {
-        kern_real most, share;
-        const kern_real value = kern_norm_gradient(p, &most);
+        kern_real largest, share;
+        const kern_real value = kern_norm_gradient(p, &largest);
 
         /* Ends if the forces are in equilibrium. Also ends if the dual exceeds
            bound^2 / 2: then no forces have a norm within the bound. */
-        if (kern_largest(d->grad, n) <= tolerance + KERN_RESIDUAL * most)
+        if (kern_largest(d->grad, n) <= tolerance + KERN_RESIDUAL * largest)
             return KERN_STANDS;
         if (!(value <= bound * bound / 2))
             return KERN_FALLS;
-        if (!kern_model_spend(p->m, d->cost))
+        if (!kern_model_spend(p->m, d->step_units))
             return KERN_LIMIT;
 
         /* Takes Newton's step. The first step of a cold start is taken in full,
@@ -5519,10 +5549,10 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
         kern_norm_matrix(p, round == 0 ? KERN_START_COLD : KERN_START_WARM);
         kern_skyline_factor(&d->matrix);
         kern_skyline_solve(&d->matrix, d->grad, d->step);
-        kern_norm_ways(p, KERN_WAY_OF_STEP);
+        kern_norm_approach(p, KERN_WAY_OF_STEP);
         share = round == 0 ? 1 : kern_norm_share(p);
         kern_add(d->u, share, d->step, n);
-        kern_add(d->way, share, d->turn, 2 * p->supports);
+        kern_add(d->approach, share, d->change, 2 * p->supports);
     }
     return KERN_UNDECIDED;
 }
@@ -5530,8 +5560,8 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
 /* Returns the number of contacts at group g. */
 static int kern_graph_degree(const kern_graph *graph, int g)
 {
-    int e = graph->touch[g], n = 0;
-    for (; e >= 0; e = graph->after[e])
+    int e = graph->first_end[g], n = 0;
+    for (; e >= 0; e = graph->next_end[e])
         n++;
     return n;
 }
@@ -5543,17 +5573,18 @@ static int kern_graph_degree(const kern_graph *graph, int g)
 static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
-    int at = n, from, e, k;
+    int place = n, start, e, k;
     graph->local[first] = KERN_MARKED;
     p->group[n--] = first;
-    for (; at > n; at--) {
-        from = n;
-        for (e = graph->touch[p->group[at]]; e >= 0; e = graph->after[e]) {
+    for (; place > n; place--) {
+        start = n;
+        for (e = graph->first_end[p->group[place]]; e >= 0;
+             e = graph->next_end[e]) {
             const int g = graph->ends[e ^ 1];
             if (g == p->groups || graph->local[g] != KERN_OUT)
                 continue;
             graph->local[g] = KERN_MARKED;
-            for (k = n--; k < from
+            for (k = n--; k < start
                           && kern_graph_degree(graph, g)
                                  < kern_graph_degree(graph, p->group[k + 1]);
                  k++)
@@ -5606,14 +5637,14 @@ static int kern_norm_open(kern_part *p, kern_model *m)
     return kern_part_ends(p) && kern_norm_lay(p, &p->rest);
 }
 
-/* Writes the contact forces for the approaches in dual.way. */
+/* Writes the contact forces for the approaches in dual.approach. */
 static void kern_norm_write(kern_part *p)
 {
     kern_model *m = p->m;
     int k;
     kern_model_unload(m);
     for (k = 0; k < p->contacts; k++) {
-        const kern_real *w = p->dual.way + 2 * k;
+        const kern_real *w = p->dual.approach + 2 * k;
         m->answer.force[p->contact[k]] = kern_part_law(p, k, w[0], w[1]).force;
     }
     kern_scale(m->answer.force, 2 * m->s->contacts, m->weight);
@@ -5637,7 +5668,7 @@ static void kern_norm_write(kern_part *p)
 static void kern_pass_mark_open(kern_model *m, int g)
 {
     const int last = m->cluster.last[g];
-    m->cluster.open[last] |= KERN_OPEN;
+    m->cluster.flags[last] |= KERN_OPEN;
     if (last < m->cluster.front)
         m->cluster.front = last;
 }
@@ -5647,13 +5678,13 @@ static void kern_pass_mark_open(kern_model *m, int g)
 static void kern_pass_write(kern_model *m, int i, int carrier, kern_force f,
                             kern_real tolerance)
 {
-    kern_force *to = m->answer.force + i;
-    const kern_real change = kern_abs(f.normal - to->normal)
-                           + kern_abs(f.tangential - to->tangential);
+    kern_force *force = m->answer.force + i;
+    const kern_real change = kern_abs(f.normal - force->normal)
+                           + kern_abs(f.tangential - force->tangential);
     KERN_ASSERT(f.normal >= 0);
     if (carrier < m->graph.groups && change > tolerance)
         kern_pass_mark_open(m, carrier);
-    *to = f;
+    *force = f;
 }
 
 /* Solves h x = b for a symmetric 3 x 3 matrix h, of which it reads the lower
@@ -5662,13 +5693,13 @@ static void kern_pass_write(kern_model *m, int i, int carrier, kern_force f,
 static int kern_pass_three(const kern_real h[9], const kern_real b[3],
                            kern_real x[3])
 {
-    const kern_real least = KERN_THREE_TOL * (h[0] + h[4] + h[8]);
-    const kern_real i0 = h[0] > least ? 1 / h[0] : 0;
+    const kern_real pivot_min = KERN_THREE_TOL * (h[0] + h[4] + h[8]);
+    const kern_real i0 = h[0] > pivot_min ? 1 / h[0] : 0;
     const kern_real l1 = h[3] * i0, l3 = h[6] * i0;
     const kern_real d1 = h[4] - l1 * h[3], e = h[7] - l3 * h[3];
-    const kern_real i1 = d1 > least ? 1 / d1 : 0;
+    const kern_real i1 = d1 > pivot_min ? 1 / d1 : 0;
     const kern_real l4 = e * i1, d2 = h[8] - l3 * h[6] - l4 * e;
-    const kern_real i2 = d2 > least ? 1 / d2 : 0;
+    const kern_real i2 = d2 > pivot_min ? 1 / d2 : 0;
     const kern_real y1 = b[1] - l1 * b[0], y2 = b[2] - l3 * b[0] - l4 * y1;
     x[2] = y2 * i2;
     x[1] = y1 * i1 - l4 * x[2];
@@ -5677,23 +5708,23 @@ static int kern_pass_three(const kern_real h[9], const kern_real b[3],
 }
 
 typedef struct kern_ray { /* force along an edge of a friction cone       */
-    kern_real a[3];       /* its wrench on the group for x = 1            */
-    kern_real x;          /* magnitude, in units; below 0: no force       */
-    int press;            /* nonzero: the ray is in the matrix            */
+    kern_real wrench[3];  /* its wrench on the group for x = 1      */
+    kern_real x;          /* magnitude, in units; below 0: no force */
+    int pressing;         /* nonzero: the ray is in the matrix      */
 } kern_ray;
 
 /* Writes the two rays of a row, with their forces at the approach `way` divided
    by `unit`. */
-static inline void kern_ray_pair(kern_ray *to, const kern_row *row,
+static inline void kern_ray_pair(kern_ray *ray, const kern_row *row,
                                  kern_real mu, const kern_real way[2],
                                  kern_real unit)
 {
-    const kern_real more = mu * way[1];
-    kern_row_wrench(row, unit, unit * mu, to[0].a);
-    kern_row_wrench(row, unit, -unit * mu, to[1].a);
-    to[0].x = (way[0] + more) / unit;
-    to[1].x = (way[0] - more) / unit;
-    to[0].press = to[1].press = 1;
+    const kern_real friction = mu * way[1];
+    kern_row_wrench(row, unit, unit * mu, ray[0].wrench);
+    kern_row_wrench(row, unit, -unit * mu, ray[1].wrench);
+    ray[0].x = (way[0] + friction) / unit;
+    ray[1].x = (way[0] - friction) / unit;
+    ray[0].pressing = ray[1].pressing = 1;
 }
 
 /* Returns the unit of the forces of contact i. The unit of upright joints is
@@ -5703,24 +5734,24 @@ static inline void kern_ray_pair(kern_ray *to, const kern_row *row,
 static kern_real kern_pass_unit(const kern_model *m, int i)
 {
     const kern_vec g = m->s->gravity;
-    const kern_real up = kern_vec_dot(m->s->contact[i].n, g);
-    return 4 * up * up < kern_vec_dot(g, g) ? KERN_SIDE_SHARE : KERN_R(1);
+    const kern_real lift = kern_vec_dot(m->s->contact[i].n, g);
+    return 4 * lift * lift < kern_vec_dot(g, g) ? KERN_SIDE_SHARE : KERN_R(1);
 }
 
-/* Writes b minus the wrenches of the pressing rays to `left`, and the matrix of
-   these rays to h. */
+/* Writes b minus the wrenches of the pressing rays to `residual`, and the
+   matrix of these rays to h. */
 static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
-                         kern_real left[3], kern_real h[9])
+                         kern_real residual[3], kern_real h[9])
 {
     kern_zero(h, 9);
-    kern_copy(left, b, 3);
+    kern_copy(residual, b, 3);
     for (; n > 0; n--, c++) {
-        const kern_real *a = c->a, x = c->x;
-        if (!c->press)
+        const kern_real *a = c->wrench, x = c->x;
+        if (!c->pressing)
             continue;
-        left[0] -= a[0] * x;
-        left[1] -= a[1] * x;
-        left[2] -= a[2] * x;
+        residual[0] -= a[0] * x;
+        residual[1] -= a[1] * x;
+        residual[2] -= a[2] * x;
         h[0] += a[0] * a[0];
         h[3] += a[1] * a[0];
         h[4] += a[1] * a[1];
@@ -5736,38 +5767,40 @@ static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
 static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
                                    kern_real tolerance)
 {
-    kern_real left[3], h[9], step[3], u[3] = {0, 0, 0}, last = KERN_INFINITY;
-    int k, round, same = 0; /* 1: the same rays press as in the last round */
+    kern_real residual[3], h[9], step[3], u[3] = {0, 0, 0},
+                                          last = KERN_INFINITY;
+    int k, round,
+        unchanged = 0; /* 1: the same rays press as in the last round */
     for (round = 0; round < KERN_ALONE_ROUNDS; round++) {
         /* Computes the residual of the rays that press now. If the same rays
            pressed in the last round, that step solved a linear problem: if the
            residual is still large, there is no solution. */
-        const kern_real before = last / KERN_ALONE_PACE;
-        int good, changed = 0;
-        kern_ray_sum(c, n, b, left, h);
-        last = kern_largest(left, 3);
-        if (same && last <= tolerance + KERN_RESIDUAL * kern_largest(u, 3))
+        const kern_real goal = last / KERN_ALONE_PACE;
+        int regular, changed = 0;
+        kern_ray_sum(c, n, b, residual, h);
+        last = kern_largest(residual, 3);
+        if (unchanged && last <= tolerance + KERN_RESIDUAL * kern_largest(u, 3))
             return KERN_STANDS;
-        if (same && last > before)
+        if (unchanged && last > goal)
             return KERN_FALLS;
 
         /* Takes a full step. The set of pressing rays may change, except while
            a solution is refined. */
-        good = kern_pass_three(h, left, step);
+        regular = kern_pass_three(h, residual, step);
         kern_add(u, 1, step, 3);
         for (k = 0; k < n; k++) {
-            c[k].x += kern_three(c[k].a, step);
-            if (!same && (c[k].x > 0) != c[k].press) {
-                c[k].press = !c[k].press;
+            c[k].x += kern_three(c[k].wrench, step);
+            if (!unchanged && (c[k].x > 0) != c[k].pressing) {
+                c[k].pressing = !c[k].pressing;
                 changed = 1;
             }
         }
 
         /* Ends if the same rays press as before, and no pivot was small, so
            that no refinement is needed. */
-        if (good && !changed)
+        if (regular && !changed)
             return KERN_STANDS;
-        same = !changed;
+        unchanged = !changed;
     }
     return KERN_UNDECIDED;
 }
@@ -5777,9 +5810,9 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
    end. */
 static kern_status kern_pass_alone(kern_model *m, int g)
 {
-    const kern_real tolerance = KERN_PASS_TOL * m->size[g];
+    const kern_real tolerance = KERN_PASS_TOL * m->load_size[g];
     kern_ray c[2 * KERN_ROWS_MOST];
-    int of[KERN_ROWS_MOST]; /* ends */
+    int end[KERN_ROWS_MOST]; /* ends */
     kern_real unit[KERN_ROWS_MOST], b[3];
     kern_status status;
     int e, k, n = 0;
@@ -5788,7 +5821,7 @@ static kern_status kern_pass_alone(kern_model *m, int g)
        that carries the group gives two rays, which start from its present
        force. */
     kern_copy(b, m->load + 3 * g, 3);
-    for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+    for (e = m->graph.first_end[g]; e >= 0; e = m->graph.next_end[e]) {
         const kern_row row = kern_model_row(m, e);
         const kern_force *f = m->answer.force + (e >> 1);
         kern_real way[2], mu;
@@ -5801,7 +5834,7 @@ static kern_status kern_pass_alone(kern_model *m, int g)
         mu = kern_model_prior(m, e >> 1, way);
         unit[n] = kern_pass_unit(m, e >> 1);
         kern_ray_pair(c + 2 * n, &row, mu, way, unit[n]);
-        of[n++] = e;
+        end[n++] = e;
     }
 
     /* Writes the forces, and marks the groups that carry them as open. */
@@ -5810,8 +5843,9 @@ static kern_status kern_pass_alone(kern_model *m, int g)
         const kern_real plus = unit[k] * kern_max(c[2 * k].x, 0);
         const kern_real minus = unit[k] * kern_max(c[2 * k + 1].x, 0);
         const kern_force f = {plus + minus,
-                              kern_model_mu(m, of[k] >> 1) * (plus - minus)};
-        kern_pass_write(m, of[k] >> 1, m->graph.ends[of[k] ^ 1], f, tolerance);
+                              kern_model_mu(m, end[k] >> 1) * (plus - minus)};
+        kern_pass_write(m, end[k] >> 1, m->graph.ends[end[k] ^ 1], f,
+                        tolerance);
     }
     return status;
 }
@@ -5823,7 +5857,7 @@ static void kern_pass_join(kern_model *m, int g, int h)
     const int swap = c->next[g];
     const int last = c->last[g] > c->last[h] ? c->last[g] : c->last[h];
     int i = g;
-    c->open[c->last[g]] = c->open[c->last[h]] = 0;
+    c->flags[c->last[g]] = c->flags[c->last[h]] = 0;
     c->next[g] = c->next[h];
     c->next[h] = swap;
     do {
@@ -5851,24 +5885,24 @@ static int kern_pass_mark(kern_model *m, int g, int mark)
 static int kern_pass_grow(kern_model *m, int last)
 {
     const kern_clusters *c = &m->cluster;
-    int g = last, after, e, grown = 0;
+    int g = last, next, e, joined = 0;
 
-    /* Joins the cluster of every group above. `after` is read before the join,
+    /* Joins the cluster of every group above. `next` is read before the join,
        so that the groups of a joined cluster are not searched. */
     do {
-        after = c->next[g];
-        for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+        next = c->next[g];
+        for (e = m->graph.first_end[g]; e >= 0; e = m->graph.next_end[e]) {
             const int h = m->graph.ends[e ^ 1];
             if (h < g && c->last[h] != c->last[g]) {
                 kern_pass_join(m, g, h);
-                grown = 1;
+                joined = 1;
             }
         }
-        g = after;
+        g = next;
     } while (g != last);
 
     kern_pass_mark_open(m, last);
-    return grown && kern_pass_mark(m, last, KERN_OUT) <= c->groups_most;
+    return joined && kern_pass_mark(m, last, KERN_OUT) <= c->groups_max;
 }
 
 /* Writes the minimum-norm forces of a part. A group that both rests on the part
@@ -5877,26 +5911,26 @@ static int kern_pass_grow(kern_model *m, int last)
 static void kern_pass_keep(kern_part *p, kern_real tolerance)
 {
     kern_model *m = p->m;
-    int *const of = m->cluster.last, *const open = m->cluster.open;
-    const int last = p->group[p->groups - 1], again = open[last] & KERN_TRIED;
+    int *const cluster = m->cluster.last, *const flags = m->cluster.flags;
+    const int last = p->group[p->groups - 1], tried = flags[last] & KERN_TRIED;
     int k;
 
-    open[last] |= KERN_TRIED;
+    flags[last] |= KERN_TRIED;
 
     /* Writes the force of each support. The groups of the part are balanced, so
        only groups outside of it must be balanced again. */
     for (k = 0; k < p->supports; k++) {
         const int i = p->contact[k], *ends = m->graph.ends + 2 * i;
-        const kern_real *w = p->dual.way + 2 * k;
+        const kern_real *w = p->dual.approach + 2 * k;
         const kern_law s = kern_part_law(p, k, w[0], w[1]);
-        const int low = ends[0] > ends[1] ? 0 : 1, on = ends[low];
-        const int inside = p->ends[2 * k + low] < p->groups;
-        kern_pass_write(m, i, inside ? m->graph.groups : on, s.force,
+        const int low = ends[0] > ends[1] ? 0 : 1, carrier = ends[low];
+        const int in_part = p->ends[2 * k + low] < p->groups;
+        kern_pass_write(m, i, in_part ? m->graph.groups : carrier, s.force,
                         tolerance);
 
-        if (again && on < m->graph.groups && of[on] < last
-            && (open[of[on]] & KERN_OPEN)) {
-            kern_pass_join(m, on, last);
+        if (tried && carrier < m->graph.groups && cluster[carrier] < last
+            && (flags[cluster[carrier]] & KERN_OPEN)) {
+            kern_pass_join(m, carrier, last);
             kern_pass_mark_open(m, last);
         }
     }
@@ -5907,8 +5941,8 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
    can hold the part. */
 static int kern_pass_parts(kern_part *p)
 {
-    const kern_real most = KERN_PARTS_TOL
-                         * kern_largest(p->dual.u, 3 * p->groups);
+    const kern_real limit = KERN_PARTS_TOL
+                          * kern_largest(p->dual.u, 3 * p->groups);
     kern_real power = 0;
     int n, k;
 
@@ -5921,7 +5955,7 @@ static int kern_pass_parts(kern_part *p)
     for (k = p->supports; k < p->contacts; k++) {
         kern_real w[2] = {0, 0};
         kern_part_speed(p, k, p->dual.u, w);
-        if (w[0] + kern_model_mu(p->m, p->contact[k]) * kern_abs(w[1]) > most)
+        if (w[0] + kern_model_mu(p->m, p->contact[k]) * kern_abs(w[1]) > limit)
             return 0;
     }
     return power > 0;
@@ -5933,7 +5967,7 @@ static int kern_pass_parts(kern_part *p)
 KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
                                               int last)
 {
-    kern_real load = 0, least = KERN_INFINITY;
+    kern_real load = 0, lightest = KERN_INFINITY;
     kern_status status;
     kern_take take;
     int n;
@@ -5944,31 +5978,32 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
         return KERN_NO_SPACE;
     take = p->rest;
     if (!kern_norm_lay(p, &take)
-        || p->dual.cost > m->cluster.budget_end - m->task->work->units)
+        || p->dual.step_units > m->cluster.budget_end - m->task->work->units)
         return KERN_NO_SPACE;
 
     /* Sums the loads of the groups and of the contacts above them, and their
-       magnitudes in `load`. `least` is the smallest load of a group, which sets
-       the largest residual. */
+       magnitudes in `load`. `lightest` is the smallest load of a group, which
+       sets the largest residual. */
     for (n = 0; n < p->groups; n++) {
-        least = kern_min(least, m->size[p->group[n]]);
-        load += m->size[p->group[n]];
-        kern_copy(p->dual.b + 3 * n, m->load + 3 * p->group[n], 3);
+        lightest = kern_min(lightest, m->load_size[p->group[n]]);
+        load += m->load_size[p->group[n]];
+        kern_copy(p->dual.load + 3 * n, m->load + 3 * p->group[n], 3);
     }
     for (n = p->supports; n < p->contacts; n++) {
         const kern_force *f = m->answer.force + p->contact[n];
-        kern_part_exert(p, n, -f->normal, -f->tangential, p->dual.b);
+        kern_part_exert(p, n, -f->normal, -f->tangential, p->dual.load);
     }
     for (n = 0; n < 3 * p->groups; n++)
-        load += kern_abs(p->dual.b[n]);
+        load += kern_abs(p->dual.load[n]);
 
     /* Finds the forces. If their norm exceeds its bound, no forces exist. Even
        then the part falls only if its motion separates it from all groups that
        rest on it. */
-    status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_CLUSTER_NORM * load,
-                            KERN_START_COLD, KERN_NORM_ROUNDS);
+    status = kern_norm_find(p, KERN_PASS_TOL * lightest,
+                            KERN_CLUSTER_NORM * load, KERN_START_COLD,
+                            KERN_NORM_ROUNDS);
     if (status == KERN_STANDS)
-        kern_pass_keep(p, KERN_PASS_TOL * least);
+        kern_pass_keep(p, KERN_PASS_TOL * lightest);
     if (status == KERN_FALLS && p->supports < p->contacts
         && !kern_pass_parts(p))
         status = KERN_UNDECIDED;
@@ -6012,7 +6047,7 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
     if (shrink < known->holds)
         kern_force_transfer(m, known->holds, shrink);
     if (shrink <= known->holds)
-        m->cluster.changed = m->graph.group[m->s->blocks - 1];
+        m->cluster.unbalanced = m->graph.group[m->s->blocks - 1];
 }
 
 /* Begins a pass with the forces of the answer. Opens all groups, or only the
@@ -6021,15 +6056,15 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
 static void kern_pass_begin(kern_model *m, int share)
 {
     kern_clusters *c = &m->cluster;
-    const int groups = m->graph.groups, changed = c->changed;
+    const int groups = m->graph.groups, unbalanced = c->unbalanced;
     int i;
-    c->changed = KERN_OUT;
-    c->groups_most = groups > KERN_SMALL
-                       ? KERN_CLUSTER_MOST + groups / KERN_CLUSTER_MORE
-                       : groups / share + 1;
+    c->unbalanced = KERN_OUT;
+    c->groups_max = groups > KERN_SMALL
+                      ? KERN_CLUSTER_MOST + groups / KERN_CLUSTER_MORE
+                      : groups / share + 1;
     for (i = c->front = 0; i < groups; i++) {
         c->last[i] = c->next[i] = i;
-        c->open[i] = changed == KERN_OUT || changed == i ? KERN_OPEN : 0;
+        c->flags[i] = unbalanced == KERN_OUT || unbalanced == i ? KERN_OPEN : 0;
         m->graph.local[i] = KERN_OUT; /* a part may have been open */
     }
 }
@@ -6047,12 +6082,12 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
     while (c->front < m->graph.groups) {
         const int g = c->front++;
         kern_status status;
-        if (!(c->open[g] & KERN_OPEN))
+        if (!(c->flags[g] & KERN_OPEN))
             continue;
         if (m->task->work->units > c->budget_end || !kern_model_spend(m, 1))
             return KERN_UNDECIDED;
 
-        c->open[g] -= KERN_OPEN;
+        c->flags[g] -= KERN_OPEN;
         status = kern_pass_cluster(m, p, g);
         if (status == KERN_FALLS)
             return status;
@@ -6086,21 +6121,21 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
    the last one. */
 
 typedef struct kern_ipm {
-    kern_part *p; /* all groups; its x, y and eq.rhs are x, y, b  */
+    kern_part *part; /* all groups; its x, y and eq.rhs are x, y, b */
     kern_real s;
-    kern_real gap;     /* sum of x z: distance of s from its maximum   */
-    kern_real *z;      /* per ray: its opening speed                   */
-    kern_real *dx;     /* per ray: step of x; that of z: dual.turn     */
-    kern_real *d;      /* per ray: D                                   */
-    kern_real *excess; /* per row: A x - b + s g                       */
-    kern_real *g;      /* per row: residual of the first forces        */
-    kern_real *gain;   /* per row: M^-1 g                              */
+    kern_real duality_gap; /* sum of x z: distance of s from its maximum */
+    kern_real *z;          /* per ray: its opening speed                 */
+    kern_real *dx;         /* per ray: step of x; that of z: dual.change */
+    kern_real *scaling;    /* per ray: D                                 */
+    kern_real *excess;     /* per row: A x - b + s g                     */
+    kern_real *g;          /* per row: residual of the first forces      */
+    kern_real *solved_g;   /* per row: M^-1 g                            */
 } kern_ipm;
 
 #ifndef KERN_NO_INTERIOR
 /* out := A'v: approaches of two rays for each contact. */
-static void kern_ipm_ways(const kern_part *p, const kern_real *v,
-                          kern_real *out)
+static void kern_ipm_approach(const kern_part *p, const kern_real *v,
+                              kern_real *out)
 {
     int k;
     for (k = 0; k < p->contacts; k++, out += 2) {
@@ -6123,27 +6158,28 @@ static void kern_ipm_carry(const kern_part *p, const kern_real *x,
                         out);
 }
 
-/* Computes in->excess = A x - b + s g, and the gap. */
-static void kern_ipm_excess(kern_ipm *in)
+/* Computes ipm->excess = A x - b + s g, and the gap. */
+static void kern_ipm_excess(kern_ipm *ipm)
 {
-    const kern_part *p = in->p;
+    const kern_part *p = ipm->part;
     int i;
     for (i = 0; i < 3 * p->groups; i++)
-        in->excess[i] = in->s * in->g[i] - p->eq.rhs[i];
-    kern_ipm_carry(p, p->x, in->excess);
-    in->gap = kern_dot(p->x, in->z, 2 * p->contacts);
+        ipm->excess[i] = ipm->s * ipm->g[i] - p->eq.rhs[i];
+    kern_ipm_carry(p, p->x, ipm->excess);
+    ipm->duality_gap = kern_dot(p->x, ipm->z, 2 * p->contacts);
 }
 
-/* Factors M with D = in->d and solves M out = b. The diagonal of M is shifted
-   by `shift` times its mean. */
-static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
+/* Factors M with D = ipm->scaling and solves M out = b. The diagonal of M is
+   shifted by `shift` times its mean. */
+static void kern_ipm_factor(kern_ipm *ipm, kern_real shift, const kern_real *b,
                             kern_real *out)
 {
-    kern_part *p = in->p;
+    kern_part *p = ipm->part;
     int k;
     kern_skyline_clear(&p->dual.matrix);
     for (k = 0; k < p->contacts; k++) {
-        const kern_real plus = in->d[2 * k], minus = in->d[2 * k + 1];
+        const kern_real plus = ipm->scaling[2 * k],
+                        minus = ipm->scaling[2 * k + 1];
         const kern_real mu = kern_model_mu(p->m, p->contact[k]);
         const kern_law s = {plus + minus,
                             mu * (plus - minus),
@@ -6170,123 +6206,124 @@ static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
 }
 
 /* Raises products x z below gap / rays to that value. */
-static void kern_ipm_centre(kern_ipm *in, kern_real gap)
+static void kern_ipm_centre(kern_ipm *ipm, kern_real gap)
 {
-    const int rays = 2 * in->p->contacts;
+    const int rays = 2 * ipm->part->contacts;
     const kern_real mean = gap / KERN_R(rays);
-    kern_real *x = in->p->x, *z = in->z;
+    kern_real *x = ipm->part->x, *z = ipm->z;
     int i;
     for (i = 0; i < rays; i++)
         if (x[i] * z[i] < mean)
             *(x[i] > z[i] ? &z[i] : &x[i]) = mean / kern_max(x[i], z[i]);
-    kern_ipm_excess(in);
+    kern_ipm_excess(ipm);
 }
 
-/* Solves Newton's equations once. in->dx must hold x~ - x, and becomes dx.
-   Writes dy to dual.step and dz to dual.turn. Returns ds. */
-static kern_real kern_ipm_solve(kern_ipm *in)
+/* Solves Newton's equations once. ipm->dx must hold x~ - x, and becomes dx.
+   Writes dy to dual.step and dz to dual.change. Returns ds. */
+static kern_real kern_ipm_solve(kern_ipm *ipm)
 {
-    kern_part *p = in->p;
+    kern_part *p = ipm->part;
     kern_dual *d = &p->dual;
-    kern_real *way = d->way, *turn = d->turn;
+    kern_real *approach = d->approach, *change = d->change;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real ds;
     int i;
-    kern_copy(d->grad, in->excess, n);
-    kern_ipm_carry(p, in->dx, d->grad);
+    kern_copy(d->grad, ipm->excess, n);
+    kern_ipm_carry(p, ipm->dx, d->grad);
     kern_skyline_solve(&d->matrix, d->grad, d->step);
-    ds = (1 - kern_dot(in->g, p->y, n) - kern_dot(in->g, d->step, n))
-       / kern_dot(in->g, in->gain, n);
-    ds = kern_min(ds, -in->s);
-    kern_add(d->step, ds, in->gain, n);
-    kern_ipm_ways(p, d->step, turn);
+    ds = (1 - kern_dot(ipm->g, p->y, n) - kern_dot(ipm->g, d->step, n))
+       / kern_dot(ipm->g, ipm->solved_g, n);
+    ds = kern_min(ds, -ipm->s);
+    kern_add(d->step, ds, ipm->solved_g, n);
+    kern_ipm_approach(p, d->step, change);
     for (i = 0; i < rays; i++) {
-        in->dx[i] -= in->d[i] * turn[i];
-        turn[i] = way[i] + turn[i] - in->z[i];
+        ipm->dx[i] -= ipm->scaling[i] * change[i];
+        change[i] = approach[i] + change[i] - ipm->z[i];
     }
     return ds;
 }
 
 /* Takes one step with a predictor and a corrector. Returns 0 if no work is left
    for a step, or if rounding spoils it. */
-static int kern_ipm_step(kern_ipm *in)
+static int kern_ipm_step(kern_ipm *ipm)
 {
-    kern_part *p = in->p;
-    kern_real *dx = in->dx, *dz = p->dual.turn;
+    kern_part *p = ipm->part;
+    kern_real *dx = ipm->dx, *dz = p->dual.change;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real of_x = 0, of_z = of_x, mu = of_x, left = of_x, ds;
+    kern_real share_x = 0, share_z = share_x, mu = share_x, rest = share_x, ds;
     int i, corrects;
 
-    KERN_ASSERT(in->s <= 0);
-    if (!(in->gap <= KERN_IPM_GAP_MOST)
-        || !kern_model_spend(p->m, p->dual.cost))
+    KERN_ASSERT(ipm->s <= 0);
+    if (!(ipm->duality_gap <= KERN_IPM_GAP_MOST)
+        || !kern_model_spend(p->m, p->dual.step_units))
         return 0;
 
     /* Factors M = A D A', once for both solutions. Shifts its diagonal if M is
        singular. */
     for (i = 0; i < rays; i++) {
-        in->d[i] = p->x[i] / in->z[i];
+        ipm->scaling[i] = p->x[i] / ipm->z[i];
         dx[i] = dz[i] = 0;
     }
-    kern_ipm_factor(in, 0, in->g, in->gain);
-    if (!kern_is_finite(kern_dot(in->g, in->gain, n)))
-        kern_ipm_factor(in, KERN_IPM_SHIFT, in->g, in->gain);
-    kern_ipm_ways(p, p->y, p->dual.way);
+    kern_ipm_factor(ipm, 0, ipm->g, ipm->solved_g);
+    if (!kern_is_finite(kern_dot(ipm->g, ipm->solved_g, n)))
+        kern_ipm_factor(ipm, KERN_IPM_SHIFT, ipm->g, ipm->solved_g);
+    kern_ipm_approach(p, p->y, p->dual.approach);
 
     /* Solves for the predictor, which aims at mu = 0, and then for the
        corrector. The corrector aims at the mu that the predictor allows, and
        includes the predictor's products dx dz. */
     for (corrects = 0;; corrects = 1) {
         for (i = 0; i < rays; i++)
-            dx[i] = (mu - of_x * of_z * dx[i] * dz[i]) / in->z[i]
-                  - in->d[i] * p->dual.way[i];
-        ds = kern_ipm_solve(in);
-        of_x = kern_ipm_share(p->x, dx, rays);
-        of_z = kern_ipm_share(in->z, dz, rays);
+            dx[i] = (mu - share_x * share_z * dx[i] * dz[i]) / ipm->z[i]
+                  - ipm->scaling[i] * p->dual.approach[i];
+        ds = kern_ipm_solve(ipm);
+        share_x = kern_ipm_share(p->x, dx, rays);
+        share_z = kern_ipm_share(ipm->z, dz, rays);
         if (corrects)
             break;
         for (i = 0; i < rays; i++)
-            left += (p->x[i] + of_x * dx[i]) * (in->z[i] + of_z * dz[i]);
+            rest += (p->x[i] + share_x * dx[i]) * (ipm->z[i] + share_z * dz[i]);
 
-        left = kern_max(kern_max(left / in->gap, 1 - of_x), KERN_IPM_AIM);
-        mu = in->gap * left * left * left / KERN_R(rays);
+        rest = kern_max(kern_max(rest / ipm->duality_gap, 1 - share_x),
+                        KERN_IPM_AIM);
+        mu = ipm->duality_gap * rest * rest * rest / KERN_R(rays);
     }
 
     /* Shortens the step so that x and z stay above 0. A whole step of x that
        keeps x above 0 is taken in full. */
-    left = kern_min(KERN_IPM_BACKOFF * left, KERN_IPM_BACKOFF);
-    of_z -= of_z * left;
-    if (of_x < 1)
-        of_x -= of_x * left;
+    rest = kern_min(KERN_IPM_BACKOFF * rest, KERN_IPM_BACKOFF);
+    share_z -= share_z * rest;
+    if (share_x < 1)
+        share_x -= share_x * rest;
 
     /* Takes the step. s must not exceed 0 by rounding. */
-    in->s = kern_min(in->s + of_x * ds, 0);
+    ipm->s = kern_min(ipm->s + share_x * ds, 0);
     for (i = 0; i < rays; i++) {
-        p->x[i] = kern_max(p->x[i] + of_x * dx[i], p->x[i] * KERN_IPM_KEEP);
-        in->z[i] += of_z * dz[i];
+        p->x[i] = kern_max(p->x[i] + share_x * dx[i], p->x[i] * KERN_IPM_KEEP);
+        ipm->z[i] += share_z * dz[i];
     }
 
-    kern_add(p->y, of_z, p->dual.step, n);
-    kern_ipm_centre(in, KERN_IPM_CENTRE * kern_dot(p->x, in->z, rays));
-    KERN_AUDIT(ipm, in);
-    return kern_is_finite(in->gap);
+    kern_add(p->y, share_z, p->dual.step, n);
+    kern_ipm_centre(ipm, KERN_IPM_CENTRE * kern_dot(p->x, ipm->z, rays));
+    KERN_AUDIT(ipm, ipm);
+    return kern_is_finite(ipm->duality_gap);
 }
 
 /* Removes the residual A x - b by a correction with D = x, which keeps M far
    from singular. Returns 1 if the forces then prove that the structure
    stands. */
-static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
+static int kern_ipm_balance(kern_ipm *ipm, const kern_query *q)
 {
-    kern_part *p = in->p;
+    kern_part *p = ipm->part;
     const int rays = 2 * p->contacts;
-    kern_real *turn = p->dual.turn;
+    kern_real *change = p->dual.change;
     int i;
-    kern_copy(in->d, p->x, rays);
-    kern_ipm_factor(in, 0, in->excess, p->dual.step);
-    kern_ipm_ways(p, p->dual.step, turn);
+    kern_copy(ipm->scaling, p->x, rays);
+    kern_ipm_factor(ipm, 0, ipm->excess, p->dual.step);
+    kern_ipm_approach(p, p->dual.step, change);
     for (i = 0; i < rays; i++)
-        p->x[i] -= p->x[i] * kern_min(turn[i], 1 - KERN_IPM_BALANCE);
-    kern_ipm_excess(in);
+        p->x[i] -= p->x[i] * kern_min(change[i], 1 - KERN_IPM_BALANCE);
+    kern_ipm_excess(ipm);
     return kern_part_stands(p, q);
 }
 
@@ -6307,49 +6344,49 @@ static void kern_ipm_lift(kern_real *v, int n)
 /* Writes a starting point (Mehrotra): minimum-norm forces of both signs and the
    opening speeds of a motion, both raised above 0. Returns 0 if the raised
    forces are in equilibrium, or if no work is left. */
-static int kern_ipm_begin(kern_ipm *in)
+static int kern_ipm_begin(kern_ipm *ipm)
 {
-    kern_part *p = in->p;
+    kern_part *p = ipm->part;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real power;
     int i;
-    if (!kern_model_spend(p->m, p->dual.cost))
+    if (!kern_model_spend(p->m, p->dual.step_units))
         return 0;
 
     /* Computes x: the least-norm solution of A x = b with equal stiffness of
        all rays, raised above 0. */
-    in->s = -1;
+    ipm->s = -1;
     for (i = 0; i < rays; i++) {
-        in->z[i] = 0;
-        in->d[i] = 1;
+        ipm->z[i] = 0;
+        ipm->scaling[i] = 1;
     }
-    kern_zero(in->g, n);
-    kern_ipm_factor(in, KERN_IPM_SHIFT, p->eq.rhs, p->y);
-    kern_ipm_ways(p, p->y, p->x);
+    kern_zero(ipm->g, n);
+    kern_ipm_factor(ipm, KERN_IPM_SHIFT, p->eq.rhs, p->y);
+    kern_ipm_approach(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
 
     /* Computes g: the residual of these forces. */
-    kern_ipm_excess(in);
-    kern_copy(in->g, in->excess, n);
+    kern_ipm_excess(ipm);
+    kern_copy(ipm->g, ipm->excess, n);
 
     /* Computes y, the least motion with g.y = 1, and z, its opening speeds
        raised above 0. */
-    kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
-    power = kern_dot(in->g, in->gain, n);
+    kern_skyline_solve(&p->dual.matrix, ipm->g, ipm->solved_g);
+    power = kern_dot(ipm->g, ipm->solved_g, n);
     if (!(power > 0))
         return 0;
 
     for (i = 0; i < n; i++)
-        p->y[i] = in->gain[i] / power;
-    kern_ipm_ways(p, p->y, in->z);
-    kern_ipm_lift(in->z, rays);
-    kern_ipm_excess(in);
+        p->y[i] = ipm->solved_g[i] / power;
+    kern_ipm_approach(p, p->y, ipm->z);
+    kern_ipm_lift(ipm->z, rays);
+    kern_ipm_excess(ipm);
     return 1;
 }
 
 /* Opens all groups as one part, for queries on the path of q. Returns 0 if
    there is no room. */
-static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
+static int kern_ipm_open(kern_ipm *ipm, kern_model *m, kern_part *p,
                          const kern_query *q)
 {
     int rays, n;
@@ -6364,8 +6401,8 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
 
     rays = 2 * p->contacts;
     n = 3 * p->groups + 3;
-    in->p = p;
-    in->gap = KERN_INFINITY; /* no query has been answered so far */
+    ipm->part = p;
+    ipm->duality_gap = KERN_INFINITY; /* no query has been answered so far */
     p->x = kern_take_reals(&p->rest, 4 * rays + 5 * n - 3);
     if (!kern_take_fits(&p->rest))
         return 0;
@@ -6373,14 +6410,14 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     /* Divides the memory into arrays: four with a number for each ray, then
        five with a number for each row. Each array of rows but the last has
        three more numbers for held blocks. */
-    in->z = p->x + rays;
-    in->dx = in->z + rays;
-    in->d = in->dx + rays;
-    p->y = in->d + rays;
-    in->excess = p->y + n;
-    in->g = in->excess + n;
-    in->gain = in->g + n;
-    p->eq.rhs = in->gain + n;
+    ipm->z = p->x + rays;
+    ipm->dx = ipm->z + rays;
+    ipm->scaling = ipm->dx + rays;
+    p->y = ipm->scaling + rays;
+    ipm->excess = p->y + n;
+    ipm->g = ipm->excess + n;
+    ipm->solved_g = ipm->g + n;
+    p->eq.rhs = ipm->solved_g + n;
 
     /* Sets the fields of p->eq that a search reads. */
     p->eq.rate = p->dual.grad;
@@ -6393,16 +6430,16 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
 /* Takes steps until forces with s = 0, or the motion, prove a verdict. Ends
    without one if the gap is rounding, or exceeds `pace`, which falls by
    KERN_IPM_PACE with each step. */
-static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
+static kern_status kern_ipm_run(kern_ipm *ipm, const kern_query *q,
                                 kern_real pace)
 {
     int round = 0;
-    while (round++ < KERN_IPM_ROUNDS && in->gap > KERN_IPM_GAP_LEAST
-           && in->gap <= pace && kern_ipm_step(in)) {
-        if (in->s >= 0
-            && (kern_part_stands(in->p, q) || kern_ipm_balance(in, q)))
+    while (round++ < KERN_IPM_ROUNDS && ipm->duality_gap > KERN_IPM_GAP_LEAST
+           && ipm->duality_gap <= pace && kern_ipm_step(ipm)) {
+        if (ipm->s >= 0
+            && (kern_part_stands(ipm->part, q) || kern_ipm_balance(ipm, q)))
             return KERN_STANDS;
-        if (kern_part_falls(in->p, q))
+        if (kern_part_falls(ipm->part, q))
             return KERN_FALLS;
         pace *= KERN_IPM_PACE;
     }
@@ -6411,12 +6448,12 @@ static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
 
 /* Returns the verdict for a query. Starts from x, y, z and s of the last query.
    If that fails, starts again from kern_ipm_begin(). */
-static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
+static kern_status kern_ipm_evaluate(kern_ipm *ipm, const kern_query *q)
 {
-    kern_part *p = in->p;
+    kern_part *p = ipm->part;
     kern_model *m = p->m;
     kern_status status = KERN_UNDECIDED;
-    if (!kern_model_ask(m, 1))
+    if (!kern_model_charge(m, 1))
         return KERN_LIMIT;
 
     m->task->work->solves++;
@@ -6425,24 +6462,24 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
 
     /* Starts from the solution of the last query, raised a little above 0,
        which saves some rounds. */
-    if (in->gap <= KERN_IPM_GAP_MOST) {
-        in->s = kern_min(in->s, -KERN_IPM_S);
-        kern_ipm_centre(in, kern_max(in->gap, KERN_IPM_GAP));
-        status = kern_ipm_run(in, q, KERN_IPM_SLACK * in->gap);
+    if (ipm->duality_gap <= KERN_IPM_GAP_MOST) {
+        ipm->s = kern_min(ipm->s, -KERN_IPM_S);
+        kern_ipm_centre(ipm, kern_max(ipm->duality_gap, KERN_IPM_GAP));
+        status = kern_ipm_run(ipm, q, KERN_IPM_SLACK * ipm->duality_gap);
     }
 
-    if (status == KERN_UNDECIDED && kern_ipm_begin(in))
-        status = kern_ipm_run(in, q, KERN_INFINITY);
-    return p->found = status;
+    if (status == KERN_UNDECIDED && kern_ipm_begin(ipm))
+        status = kern_ipm_run(ipm, q, KERN_INFINITY);
+    return p->result = status;
 }
 
 /* Returns the verdict on all groups for a query. */
 static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
-    kern_ipm in;
-    return kern_ipm_open(&in, m, p, q) ? kern_ipm_evaluate(&in, q)
-                                       : KERN_UNDECIDED;
+    kern_ipm ipm;
+    return kern_ipm_open(&ipm, m, p, q) ? kern_ipm_evaluate(&ipm, q)
+                                        : KERN_UNDECIDED;
 }
 #else /* without the interior point nothing is decided here */
 #define kern_ipm_open(in, m, p, q) 0
@@ -6515,7 +6552,7 @@ static void kern_part_set(kern_part *p, const kern_query *q)
         kern_model_rows(m, q, p->contact[k], row);
         for (edge = 0; edge < 2; edge++, f += 4, mu = -mu) {
             kern_row_wrench(row, 1, mu, f);
-            f[3] = row[1].n[2] + mu * row[1].turn;
+            f[3] = row[1].n[2] + mu * row[1].torque;
         }
     }
 }
@@ -6533,14 +6570,14 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
                                    kern_status status)
 {
     const int whole = kern_part_is_whole(p);
-    int again;
+    int attempt;
     if (status < 0 || (status == KERN_STANDS && !whole))
         return status;
 
     /* Checks the motion y of a fall. If it proves nothing, refines y, lifts it
        by KERN_LIFT and checks it once more. */
-    for (again = 0; status == KERN_FALLS && again < 2; again++)
-        if ((!again || kern_prices_mend(&p->eq.simplex, p->y, KERN_LIFT))
+    for (attempt = 0; status == KERN_FALLS && attempt < 2; attempt++)
+        if ((!attempt || kern_prices_mend(&p->eq.simplex, p->y, KERN_LIFT))
             && kern_part_falls(p, q))
             return status;
 
@@ -6556,20 +6593,20 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
 static kern_status kern_part_norm(kern_part *p, kern_solver solver)
 {
     kern_equations *const eq = &p->eq;
-    kern_real *one = kern_model_rays(p->m);
+    kern_real *ones = kern_model_rays(p->m);
     kern_status status;
     int i;
     for (i = 0; i < eq->lp.cols; i++)
-        one[i] = 1;
-    if (!(kern_dot(p->x, one, eq->lp.cols) > KERN_BOUND))
+        ones[i] = 1;
+    if (!(kern_dot(p->x, ones, eq->lp.cols) > KERN_BOUND))
         return KERN_STANDS;
-    eq->lp.cost = one;
+    eq->lp.cost = ones;
     status = kern_program_solve(&eq->simplex, solver, p->x, p->y);
     eq->lp.cost = NULL;
     if (status != KERN_LP_OPTIMAL)
         return status < 0 ? status : KERN_UNDECIDED;
-    return kern_dot(p->x, one, eq->lp.cols) > KERN_BOUND ? KERN_FALLS
-                                                         : KERN_STANDS;
+    return kern_dot(p->x, ones, eq->lp.cols) > KERN_BOUND ? KERN_FALLS
+                                                          : KERN_STANDS;
 }
 
 /* Returns the largest t for which rhs - t eq.rate has a solution, or
@@ -6586,11 +6623,11 @@ static kern_real kern_part_follow(kern_part *p)
 }
 
 /* Returns the result of the simplex method for a part, without a proof. */
-static kern_status kern_part_ask(kern_part *p, const kern_query *q,
-                                 kern_solver solver)
+static kern_status kern_part_solve(kern_part *p, const kern_query *q,
+                                   kern_solver solver)
 {
     kern_status status;
-    if (!kern_model_ask(p->m, 1))
+    if (!kern_model_charge(p->m, 1))
         return KERN_LIMIT;
     kern_part_set(p, q);
     status = kern_program_solve(&p->eq.simplex, solver, p->x, p->y);
@@ -6598,7 +6635,7 @@ static kern_status kern_part_ask(kern_part *p, const kern_query *q,
         status = kern_part_norm(p, solver);
     else if (status == KERN_LP_INFEASIBLE)
         status = KERN_FALLS;
-    return p->found = status;
+    return p->result = status;
 }
 
 /* Returns the verdict of the simplex method with its proof. If the first solve
@@ -6606,12 +6643,12 @@ static kern_status kern_part_ask(kern_part *p, const kern_query *q,
    since a long series of pivots may have lost digits. */
 static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
 {
-    kern_status status = kern_part_prove(p, q,
-                                         kern_part_ask(p, q, KERN_SOLVER_ANY));
-    if (status < 0 && p->found != KERN_UNDECIDED) {
+    kern_status status = kern_part_prove(
+        p, q, kern_part_solve(p, q, KERN_SOLVER_ANY));
+    if (status < 0 && p->result != KERN_UNDECIDED) {
         kern_simplex_change(&p->eq.simplex, KERN_BASIS_NONE);
         status = kern_part_prove(p, q,
-                                 kern_part_ask(p, q, KERN_SOLVER_BUILTIN));
+                                 kern_part_solve(p, q, KERN_SOLVER_BUILTIN));
     }
     return status;
 }
@@ -6625,7 +6662,7 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
 {
     kern_status found;
     for (;; m->answer.known = NULL) { /* the second round: no known forces */
-        if (!kern_model_ask(m, 1))
+        if (!kern_model_charge(m, 1))
             return KERN_LIMIT;
         m->task->work->solves++;
 
@@ -6674,7 +6711,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q)
 {
     kern_status status;
-    p->found = KERN_UNDECIDED;
+    p->result = KERN_UNDECIDED;
 
     if (!m->whole) {
         kern_model_set(m, q);
@@ -6710,7 +6747,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
             || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
         status = kern_ipm_verdict(m, p, q);
-        p->found = KERN_UNDECIDED; /* its y is a poorer start than a basis */
+        p->result = KERN_UNDECIDED; /* its y is a poorer start than a basis */
     }
     return status;
 }
@@ -6734,14 +6771,14 @@ typedef enum kern_path_kind {
     KERN_PATH_TILT
 } kern_path_kind;
 
-/* Structure that a search evaluates. KERN_ASKED_WHOLE: the whole structure.
-   KERN_ASKED_PART: one part, with all other blocks held. KERN_ASKED_PROGRAM:
+/* Structure that a search evaluates. KERN_SCOPE_WHOLE: the whole structure.
+   KERN_SCOPE_PART: one part, with all other blocks held. KERN_SCOPE_PROGRAM:
    the whole by its linear program, until the interior point takes over. */
-typedef enum kern_asked {
-    KERN_ASKED_WHOLE,
-    KERN_ASKED_PART,
-    KERN_ASKED_PROGRAM
-} kern_asked;
+typedef enum kern_scope {
+    KERN_SCOPE_WHOLE,
+    KERN_SCOPE_PART,
+    KERN_SCOPE_PROGRAM
+} kern_scope;
 
 /* The farthest place at which the whole is proven to stand, and the closest at
    which it is proven to fall. Without a proof they are -1 and infinity. */
@@ -6751,23 +6788,23 @@ typedef struct kern_range {
 
 typedef struct kern_path {
     kern_path_kind kind;
-    kern_query q;            /* query at s = 0; kern_path_at() changes it for s
-                                                                             */
-    kern_real unit;          /* unit of s: the mean block size, or 1         */
-    kern_real start, end;    /* first and last place of the search           */
-    kern_real holds, fails;  /* the bracket: >>search                        */
-    kern_real critical;      /* critical value of the last mechanism; <= holds:
-                                none                                         */
-    kern_real predicted;     /* predicted value of the next mechanism        */
-    kern_range proven;       /* bracket that is proven for the whole         */
-    int never;               /* nonzero: the whole stands at all places to the
-                                end                                          */
-    kern_part *part;         /* the open part: the last one that fell        */
-    const kern_known *known; /* results of a similar structure, or NULL      */
-    kern_asked asked;        /* structure that is evaluated                  */
-    struct kern_ipm *ipm;    /* interior point for the whole, or NULL        */
-    const kern_proof *proof; /* the caller's arrays: last proof of each verdict
-                                                                             */
+    kern_query q;            /* query at s = 0; kern_path_at() changes it for
+                                s                                             */
+    kern_real unit;          /* unit of s: the mean block size, or 1          */
+    kern_real start, end;    /* first and last place of the search            */
+    kern_real holds, fails;  /* the bracket: >>search                         */
+    kern_real critical;      /* critical value of the last mechanism; <=
+                                holds: none                                   */
+    kern_real predicted;     /* predicted value of the next mechanism         */
+    kern_range proven;       /* bracket that is proven for the whole          */
+    int never_falls;         /* nonzero: the whole stands at all places to
+                                the end                                       */
+    kern_part *part;         /* the open part: the last one that fell         */
+    const kern_known *known; /* results of a similar structure, or NULL       */
+    kern_scope scope;        /* structure that is evaluated                   */
+    struct kern_ipm *ipm;    /* interior point for the whole, or NULL         */
+    const kern_proof *proof; /* the caller's arrays: last proof of each
+                                verdict                                       */
 } kern_path;
 
 /* Returns the width to which a bracket is narrowed. */
@@ -6792,8 +6829,8 @@ KERN_SHARED static kern_real kern_widest(const kern_path *path)
 
 /* Returns the place at `distance` below the critical value, but not below the
    start. */
-KERN_SHARED static kern_real kern_before(const kern_path *path,
-                                         kern_real distance)
+KERN_SHARED static kern_real kern_path_retreat(const kern_path *path,
+                                               kern_real distance)
 {
     KERN_ASSERT(distance >= 0);
     return kern_max(path->critical - distance, path->start);
@@ -6819,7 +6856,7 @@ static kern_query kern_path_at(const kern_path *path, kern_real s)
 }
 
 /* Returns the tangent of half the angle whose tangent is t. */
-static kern_real kern_halved(kern_real t)
+static kern_real kern_half_tangent(kern_real t)
 {
     return t / (1 + KERN_SQRT(1 + t * t));
 }
@@ -6876,8 +6913,8 @@ static void kern_shrink_narrow(const kern_part *p, const kern_query *q, int k,
     const kern_model *m = p->m;
     const kern_contact *c = m->s->contact + p->contact[k];
     const kern_real mu = kern_model_mu(m, p->contact[k]);
-    const kern_real by = kern_max(q->narrow * to, KERN_R(0));
-    const kern_real narrow = kern_friction(c, by);
+    const kern_real reduction = kern_max(q->narrow * to, KERN_R(0));
+    const kern_real mu_to = kern_friction(c, reduction);
     kern_real speed[2] = {0, 0};
     kern_row row[2];
     if (!(q->narrow > 0 && mu > 0))
@@ -6886,9 +6923,10 @@ static void kern_shrink_narrow(const kern_part *p, const kern_query *q, int k,
     kern_row_speed(row, p->y + 3 * p->ends[2 * k], speed);
     kern_row_speed(row + 1, p->y + 3 * p->ends[2 * k + 1], speed);
     speed[1] *= x[0] - x[1];
-    *power += speed[1] * (mu - narrow);
-    if (narrow > 0)
-        *rate += speed[1] * q->narrow * (1 + narrow * narrow) / (1 + by * by);
+    *power += speed[1] * (mu - mu_to);
+    if (mu_to > 0)
+        *rate += speed[1] * q->narrow * (1 + mu_to * mu_to)
+               / (1 + reduction * reduction);
 }
 
 /* Returns the change of y.rhs if y stays and kerns shrink from q to `to`: y.v
@@ -6907,25 +6945,25 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
         const kern_contact *c = m->s->contact + p->contact[k];
         const int *ends = m->graph.ends + 2 * p->contact[k];
         const int head = 3 * p->ends[2 * k], tail = 3 * p->ends[2 * k + 1];
-        const kern_real travel = kern_travel(c, m->mean);
+        const kern_real travel = kern_travel(c, m->mean_size);
         /* the arm grows along t, and t x (f n + r t) = -f */
-        const kern_real work = p->y[head + 2] * m->unit[ends[0]]
-                             - p->y[tail + 2] * m->unit[ends[1]];
-        kern_real n = x[0] + x[1], was, is, more;
+        const kern_real work = p->y[head + 2] * m->torque_scale[ends[0]]
+                             - p->y[tail + 2] * m->torque_scale[ends[1]];
+        kern_real n = x[0] + x[1], rate_q, rate_to, shift;
         if (!(n > 0 || n < 0))
             continue;
 
         /* how far the point moves from its place at q */
-        more = kern_shift(travel, to, q->relative, &is)
-             - kern_shift(travel, q->shrink, q->relative, &was);
+        shift = kern_shift(travel, to, q->relative, &rate_to)
+              - kern_shift(travel, q->shrink, q->relative, &rate_q);
         if (!q->relative && q->shrink >= kern_abs(travel)
-            && n * work * more < 0)
+            && n * work * shift < 0)
             n = -n;
 
-        slope += n * work * is;
-        n *= more;
-        v[head + 2] += n * m->unit[ends[0]];
-        v[tail + 2] -= n * m->unit[ends[1]];
+        slope += n * work * rate_to;
+        n *= shift;
+        v[head + 2] += n * m->torque_scale[ends[0]];
+        v[tail + 2] -= n * m->torque_scale[ends[1]];
         sum += n * work;
         kern_shrink_narrow(p, q, k, to, x, &sum, &slope);
     }
@@ -6942,36 +6980,37 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
                                       kern_real power)
 {
     kern_part *p = path->part;
-    const kern_real same = KERN_VALUE_SAME * path->unit / 8;
+    const kern_real tolerance = KERN_VALUE_SAME * path->unit / 8;
     kern_real *change = kern_path_change(p->m);
-    kern_real lo = path->holds, hi = q->shrink, at = hi, rate, step;
+    kern_real lo = path->holds, hi = q->shrink, shrink = hi, rate, step;
     int round;
 
     /* Newton's method from kink to kink of the power, kept in [lo, hi] */
     for (round = 0;; round++) {
-        const kern_real left = power + kern_shrink_power(p, q, at, p->x, &rate);
-        step = left / rate;
-        if (kern_abs(step) <= same || round == KERN_BENDS)
+        const kern_real total = power
+                              + kern_shrink_power(p, q, shrink, p->x, &rate);
+        step = total / rate;
+        if (kern_abs(step) <= tolerance || round == KERN_BENDS)
             break;
-        *(left < 0 ? &hi : &lo) = at;
-        at -= step;
-        if (!(at > lo && at < hi))
-            at = lo + (hi - lo) / 2;
+        *(total < 0 ? &hi : &lo) = shrink;
+        shrink -= step;
+        if (!(shrink > lo && shrink < hi))
+            shrink = lo + (hi - lo) / 2;
     }
-    at = round < KERN_BENDS ? at - step : path->holds;
+    shrink = round < KERN_BENDS ? shrink - step : path->holds;
 
     /* Halley's correction: the change of the forces lowers the power, so that
        the step becomes longer */
-    path->predicted = at;
+    path->predicted = shrink;
     if (p->eq.shrink <= q->shrink
-        && kern_simplex_along(&p->eq.simplex, p->eq.rate, change)) {
-        const kern_real turned = kern_shrink_power(p, q, at, change, &rate);
+        && kern_simplex_direction(&p->eq.simplex, p->eq.rate, change)) {
+        const kern_real turned = kern_shrink_power(p, q, shrink, change, &rate);
         path->predicted = q->shrink
-                        + (at - q->shrink)
+                        + (shrink - q->shrink)
                               / kern_max(1 - turned / power,
                                          1 / KERN_HALLEY_MOST);
     }
-    return at;
+    return shrink;
 }
 
 /* Writes to to[0..3 groups) the rate at which rhs falls per unit of the load
@@ -6983,8 +7022,8 @@ static void kern_path_rate(const kern_part *p, const kern_query *q,
     kern_wrench w;
     int n;
     for (n = 0; n < p->groups; n++) {
-        kern_pattern_on(m->s, q, m->graph.block[p->group[n]], &w);
-        w.torque *= m->unit[p->group[n]];
+        kern_pattern_wrench(m->s, q, m->graph.block[p->group[n]], &w);
+        w.torque *= m->torque_scale[p->group[n]];
         kern_copy(to + 3 * n, &w, 3);
     }
     kern_scale(to, 3 * n, 1 / m->weight);
@@ -6997,7 +7036,7 @@ static kern_real kern_path_pushed(const kern_path *path, kern_real s,
 {
     if (path->kind == KERN_PATH_LOAD)
         return s + t;
-    t = kern_halved(kern_halved(t));
+    t = kern_half_tangent(kern_half_tangent(t));
     return (s + t) / (1 - s * t);
 }
 
@@ -7035,12 +7074,12 @@ static int kern_path_falls_whole(const kern_model *m, const kern_path *path,
 /* Records the verdict at s as an end of the bracket. Copies the proof of a
    verdict on the whole to the caller. The caller's motion is always that of the
    lowest place that is proven to fall. */
-static void kern_path_note(const kern_model *m, kern_path *path,
-                           kern_status status, kern_real s)
+static void kern_path_record(const kern_model *m, kern_path *path,
+                             kern_status status, kern_real s)
 {
     if (status == KERN_STANDS) {
         path->holds = s;
-        if (path->asked == KERN_ASKED_PART)
+        if (path->scope == KERN_SCOPE_PART)
             return;
         path->proven.low = kern_max(path->proven.low, s);
     } else if (status == KERN_FALLS) {
@@ -7049,7 +7088,7 @@ static void kern_path_note(const kern_model *m, kern_path *path,
             return;
         path->proven.high = s;
     }
-    kern_proof_out(m, path->proof, status);
+    kern_proof_write(m, path->proof, status);
 }
 
 /* Returns the verdict at s, and records it if it has a proof. Sets
@@ -7060,13 +7099,13 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 {
     const kern_query q = kern_path_at(path, s);
     kern_part *p = path->part;
-    const kern_status status = path->asked == KERN_ASKED_PART
+    const kern_status status = path->scope == KERN_SCOPE_PART
                                  ? kern_part_evaluate(p, &q)
                              : path->ipm ? kern_ipm_evaluate(path->ipm, &q)
                                          : kern_model_evaluate(m, p, &q);
-    if (status != KERN_STANDS && p->found == KERN_FALLS)
+    if (status != KERN_STANDS && p->result == KERN_FALLS)
         path->critical = kern_path_newton(path, &q, s);
-    kern_path_note(m, path, status, s);
+    kern_path_record(m, path, status, s);
     return status;
 }
 
@@ -7079,7 +7118,7 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
     kern_part *p = path->part;
     const kern_query q = kern_path_at(path, s);
     int i;
-    if (!m->whole || path->kind != KERN_PATH_SHRINK || p->found != KERN_FALLS)
+    if (!m->whole || path->kind != KERN_PATH_SHRINK || p->result != KERN_FALLS)
         return 0;
     kern_add(p->x, KERN_R(1), kern_path_change(m), 2 * p->contacts);
     for (i = 0; i < 2 * p->contacts; i++)
@@ -7089,7 +7128,7 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
     kern_force_transfer(m, path->critical, s);
     if (!kern_answer_holds(m, &q))
         return 0;
-    kern_path_note(m, path, KERN_STANDS, s);
+    kern_path_record(m, path, KERN_STANDS, s);
     return 1;
 }
 
@@ -7102,14 +7141,14 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 static kern_real kern_path_cut(const kern_path *path, const kern_range *dark)
 {
     const kern_real lo = path->holds, hi = path->fails;
-    const kern_real below = dark->low - lo, above = hi - dark->high;
-    const kern_real least = kern_max((dark->high - dark->low) / KERN_CUT,
-                                     kern_half_width(path) / 8);
+    const kern_real width_low = dark->low - lo, width_high = hi - dark->high;
+    const kern_real width_min = kern_max((dark->high - dark->low) / KERN_CUT,
+                                         kern_half_width(path) / 8);
     if (!(dark->low <= dark->high))
         return lo + (hi - lo) / KERN_CUT;
-    if (kern_max(below, above) <= least)
+    if (kern_max(width_low, width_high) <= width_min)
         return KERN_INFINITY;
-    return below > above ? lo + below / 2 : hi - above / 2;
+    return width_low > width_high ? lo + width_low / 2 : hi - width_high / 2;
 }
 
 /* Returns the place of the next verdict, or infinity if the bracket is done.
@@ -7125,7 +7164,7 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
 
     /* 1. The start has no proof yet, and the critical value is close to it:
        prove the start. */
-    if (path->asked != KERN_ASKED_PART && path->proven.low < lo
+    if (path->scope != KERN_SCOPE_PART && path->proven.low < lo
         && kern_min(critical, hi) < lo + 2 * offset)
         return lo;
 
@@ -7145,8 +7184,8 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
 
     /* 5. The upper end is close: prove that the whole stands just before the
        value. */
-    if (path->asked != KERN_ASKED_PART && critical - lo > KERN_R(1.05) * offset)
-        return kern_before(path, offset);
+    if (path->scope != KERN_SCOPE_PART && critical - lo > KERN_R(1.05) * offset)
+        return kern_path_retreat(path, offset);
     return KERN_INFINITY;
 }
 
@@ -7162,37 +7201,37 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
     int round;
     for (round = 0; round < KERN_BRACKET_ROUNDS; round++) {
         const kern_real lo = path->holds, value = path->critical;
-        const kern_real at = kern_path_next(path, offset, &dark);
+        const kern_real place = kern_path_next(path, offset, &dark);
         kern_status status = KERN_STANDS;
-        if (!(at < KERN_INFINITY))
+        if (!(place < KERN_INFINITY))
             break;
 
         /* Tries the forces of the last basis just before the value, then a
            verdict. */
-        if (!(at < value && kern_path_forces(m, path, at)))
-            status = kern_path_evaluate(m, path, at);
-        if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
+        if (!(place < value && kern_path_forces(m, path, place)))
+            status = kern_path_evaluate(m, path, place);
+        if (status < KERN_UNDECIDED || (place <= lo && status != KERN_STANDS))
             return status;
 
         /* Keeps the least value so far after a place without a proof. */
         if (offset > kern_half_width(path) && value > path->holds)
             path->critical = kern_min(path->critical, value);
-        if (path->asked == KERN_ASKED_PROGRAM && !m->whole)
+        if (path->scope == KERN_SCOPE_PROGRAM && !m->whole)
             return KERN_UNDECIDED;
 
         /* Without a proof, doubles the distance and records the undecided
            place. */
         if (status == KERN_UNDECIDED) {
             offset *= 2;
-            dark.low = kern_min(dark.low, at);
-            dark.high = kern_max(dark.high, at);
+            dark.low = kern_min(dark.low, place);
+            dark.high = kern_max(dark.high, place);
         }
     }
 
     /* A bracket that is still wide is no answer. The value must lie inside of
        the bracket. */
     if (path->fails - path->holds > KERN_ANSWER * kern_width(path)
-        && path->asked != KERN_ASKED_PART)
+        && path->scope != KERN_SCOPE_PART)
         return KERN_UNDECIDED;
     path->critical = kern_max(path->critical, path->holds);
     path->critical = kern_min(path->critical, path->fails);
@@ -7204,20 +7243,21 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
 /* Records that the structure stands to the end of the path. */
 static kern_status kern_path_saturate(kern_path *path)
 {
-    path->never = 1;
+    path->never_falls = 1;
     path->critical = path->fails = path->end;
     return KERN_STANDS;
 }
 
-/* Returns 1 if the structure stands at every place from `at` to path->holds
+/* Returns 1 if the structure stands at every place from `place` to path->holds
    while gravity turns under fixed loads. Evaluates one more gravity vector,
    where the tangents at the two ends of the arc of gravity intersect. The
    vectors under which the structure stands are a convex set, and the arc lies
    in the triangle of these three points. */
-static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
+static int kern_turn_holds(kern_model *m, const kern_path *path,
+                           kern_real place)
 {
     kern_query q = kern_path_at(path, path->holds);
-    const kern_vec from = kern_path_at(path, at).gravity, to = q.gravity;
+    const kern_vec from = kern_path_at(path, place).gravity, to = q.gravity;
     const kern_real square = kern_vec_dot(to, to);
     q.gravity = kern_vec_scale(kern_vec_add(from, to),
                                square / (square + kern_vec_dot(from, to)));
@@ -7226,24 +7266,28 @@ static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
 
 /* Steps from a place at which the whole stands until the whole falls, and then
    finds the critical value. The first step is `first`, and later ones grow from
-   `step`. A step without a proof is halved. `even` is the least step, or 0 if
+   `step`. A step without a proof is halved. `stride` is the least step, or 0 if
    the verdict changes only once along the path. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step,
-                                   kern_real even)
+                                   kern_real stride)
 {
-    const kern_real least = KERN_R(1.5) * (even > 0 ? even : kern_width(path));
+    const kern_real step_min = KERN_R(1.5)
+                             * (stride > 0 ? stride : kern_width(path));
     int round;
     for (round = 0; round < 5 * KERN_SCAN; round++) {
-        const kern_real at = path->holds;
-        const kern_real next = kern_min(path->end, at + kern_max(first, even));
-        const int small = next - at <= least, sure = small || !(even > 0);
+        const kern_real place = path->holds;
+        const kern_real next = kern_min(path->end,
+                                        place + kern_max(first, stride));
+        const int small = next - place <= step_min,
+                  sure = small || !(stride > 0);
         const kern_status status = kern_path_evaluate(m, path, next);
-        if (path->asked == KERN_ASKED_PROGRAM && !m->whole)
+        if (path->scope == KERN_SCOPE_PROGRAM && !m->whole)
             return KERN_UNDECIDED;
 
-        /* the structure stands at all places between `at` and `next` */
-        if (status == KERN_STANDS && (sure || kern_turn_holds(m, path, at))) {
+        /* the structure stands at all places between `place` and `next` */
+        if (status == KERN_STANDS
+            && (sure || kern_turn_holds(m, path, place))) {
             if (next >= path->end)
                 return kern_path_saturate(path);
             first = kern_min(step, (path->fails - next) / 2);
@@ -7251,18 +7295,18 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
             continue;
         }
 
-        /* the verdict changes once between `at` and `next` */
+        /* the verdict changes once between `place` and `next` */
         if (status == KERN_FALLS && sure)
             return kern_path_critical(m, path);
         if (status < KERN_UNDECIDED || small)
             return status;
 
-        /* unknown between them: tries a smaller step from `at`, whose proof is
-           written again */
+        /* unknown between them: tries a smaller step from `place`, whose proof
+           is written again */
         step = first /= 2;
-        path->holds = at;
+        path->holds = place;
         if (status == KERN_STANDS)
-            kern_path_evaluate(m, path, at);
+            kern_path_evaluate(m, path, place);
     }
     return KERN_UNDECIDED;
 }
@@ -7278,16 +7322,19 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
    to the only group that carries the body, or to KERN_OUT. */
 KERN_SHARED static int kern_body_line(kern_model *m, int g)
 {
-    int e, n = 0, first = KERN_OUT, on = KERN_OUT;
-    for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
-        const int other = m->graph.ends[e ^ 1];
-        if (other < g && m->graph.carrier[other] == g)
+    int e, n = 0, first = KERN_OUT, carrier = KERN_OUT;
+    for (e = m->graph.first_end[g]; e >= 0; e = m->graph.next_end[e]) {
+        const int other_group = m->graph.ends[e ^ 1];
+        if (other_group < g && m->graph.carrier[other_group] == g)
             continue;
-        on = on == KERN_OUT || on == other ? other : m->graph.groups;
+        carrier = carrier == KERN_OUT || carrier == other_group
+                    ? other_group
+                    : m->graph.groups;
         if (n++ == 0)
             first = e;
     }
-    m->graph.carrier[g] = on > g && on < m->graph.groups ? on : KERN_OUT;
+    m->graph.carrier[g] = carrier > g && carrier < m->graph.groups ? carrier
+                                                                   : KERN_OUT;
     return n == 2 && kern_line_begins(m->s->contact, m->s->contacts, first >> 1)
              ? first
              : KERN_OUT;
@@ -7301,34 +7348,37 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
                                     const kern_real *b, kern_real offset)
 {
     const kern_contact *c = m->s->contact + (*e >> 1);
-    const kern_vec at = m->s->block[m->graph.block[g]].centre;
+    const kern_vec centre = m->s->block[m->graph.block[g]].centre;
     const kern_real side = KERN_R(*e & 1 ? -1 : 1);
     const kern_vec n = kern_vec_scale(c->n, side);
-    const kern_row row = kern_row_of(n, kern_vec_sub(c->p, at), m->unit[g]);
-    const kern_row last = kern_row_of(n, kern_vec_sub(c[1].p, at), m->unit[g]);
+    const kern_row row = kern_row_of(n, kern_vec_sub(c->p, centre),
+                                     m->torque_scale[g]);
+    const kern_row last = kern_row_of(n, kern_vec_sub(c[1].p, centre),
+                                      m->torque_scale[g]);
     const kern_real normal = row.n[0] * b[0] + row.n[1] * b[1];
-    const kern_real along = row.n[0] * b[1] - row.n[1] * b[0];
-    const kern_real travel = kern_travel(c, m->mean);
-    const kern_real most = m->relative ? KERN_R(1) : kern_abs(travel);
-    const kern_real rate = travel / most * -side * m->unit[g];
-    kern_real place, crit, other;
+    const kern_real tangential = row.n[0] * b[1] - row.n[1] * b[0];
+    const kern_real travel = kern_travel(c, m->mean_size);
+    const kern_real limit = m->relative ? KERN_R(1) : kern_abs(travel);
+    const kern_real rate = travel / limit * -side * m->torque_scale[g];
+    kern_real place, crit, second;
     if (!(normal > 0))
         return KERN_INFINITY;
 
     /* The ends of the kern move toward the load. The end that meets it first is
        the hinge. */
-    place = (b[2] - along * row.turn) / normal; /* arm at which the load meets
+    place = (b[2] - tangential * row.torque)
+          / normal; /* arm at which the load meets
                                                    the line               */
     crit = (place - row.n[2]) / rate;
-    other = (last.n[2] - place) / rate;
-    if (other < crit) {
-        crit = other;
+    second = (last.n[2] - place) / rate;
+    if (second < crit) {
+        crit = second;
         *e += 2;
     }
 
-    /* The kern closes at `most`. An end that has not met the load by then never
-       does. */
-    return crit + offset <= most ? crit : KERN_INFINITY;
+    /* The kern closes at `limit`. An end that has not met the load by then
+       never does. */
+    return crit + offset <= limit ? crit : KERN_INFINITY;
 }
 
 /* Writes the motion of a body that tips about end e of its line at shrinkage s,
@@ -7337,8 +7387,8 @@ static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
 {
     const kern_contact *c = m->s->contact + (e >> 1);
     const kern_real spin = KERN_R((c->travel > 0) == (e & 1) ? 1 : -1);
-    const kern_real all = m->relative ? KERN_R(1) : kern_abs(c->travel);
-    const kern_vec t = kern_vec_scale(kern_vec_turn(c->n), c->travel / all);
+    const kern_real limit = m->relative ? KERN_R(1) : kern_abs(c->travel);
+    const kern_vec t = kern_vec_scale(kern_vec_turn(c->n), c->travel / limit);
     int g, h;
     kern_zero(m->answer.motion, 3 * m->s->blocks);
     for (g = 0; g <= body; g++) {
@@ -7357,18 +7407,20 @@ static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
     kern_motion_scale(m->s, m->answer.motion);
 }
 
-/* Adds the load of group g to the load of group `on` that carries it. Each load
-   is in the units of its own group. */
-static void kern_body_load(const kern_model *m, int g, int on, kern_real *load)
+/* Adds the load of group g to the load of group `carrier` that carries it. Each
+   load is in the units of its own group. */
+static void kern_body_load(const kern_model *m, int g, int carrier,
+                           kern_real *load)
 {
     const kern_real *from = load + 3 * g;
-    kern_real *to = load + 3 * on;
-    const kern_vec arm = kern_vec_sub(m->s->block[m->graph.block[g]].centre,
-                                      m->s->block[m->graph.block[on]].centre);
+    kern_real *to = load + 3 * carrier;
+    const kern_vec arm = kern_vec_sub(
+        m->s->block[m->graph.block[g]].centre,
+        m->s->block[m->graph.block[carrier]].centre);
     to[0] += from[0];
     to[1] += from[1];
-    to[2] += (from[2] / m->unit[g] + arm.x * from[1] - arm.y * from[0])
-           * m->unit[on];
+    to[2] += (from[2] / m->torque_scale[g] + arm.x * from[1] - arm.y * from[0])
+           * m->torque_scale[carrier];
 }
 
 /* Finds the body with the least critical value. Writes this value, the places
@@ -7379,10 +7431,10 @@ static void kern_body_first(kern_model *m, const kern_path *path,
 {
     const kern_real offset = kern_half_width(path);
     kern_real *load = m->answer.scratch; /* three numbers per body     */
-    int g, first = KERN_OUT, about = 0;
+    int g, first = KERN_OUT, pivot = 0;
     out->margin = KERN_INFINITY;
     out->motion = m->answer.motion;
-    if (!kern_model_ask(m, 1))
+    if (!kern_model_charge(m, 1))
         return;
 
     /* Visits the bodies from top to bottom, so that the load of a body is
@@ -7390,7 +7442,7 @@ static void kern_body_first(kern_model *m, const kern_path *path,
     kern_copy(load, m->load, 3 * m->graph.groups);
     for (g = 0; g < m->graph.groups; g++) {
         int end = kern_body_line(m, g);
-        const int on = m->graph.carrier[g];
+        const int carrier = m->graph.carrier[g];
         const kern_real value = end == KERN_OUT
                                   ? KERN_INFINITY
                                   : kern_body_critical(m, g, &end, load + 3 * g,
@@ -7398,10 +7450,10 @@ static void kern_body_first(kern_model *m, const kern_path *path,
         if (value < out->margin) {
             out->margin = value;
             first = g;
-            about = end;
+            pivot = end;
         }
-        if (on != KERN_OUT)
-            kern_body_load(m, g, on, load);
+        if (carrier != KERN_OUT)
+            kern_body_load(m, g, carrier, load);
     }
 
     /* Writes the places beside the least value, and the motion at the upper
@@ -7409,7 +7461,7 @@ static void kern_body_first(kern_model *m, const kern_path *path,
     out->holds = out->margin - offset;
     out->fails = out->margin + offset;
     if (first != KERN_OUT)
-        kern_body_moves(m, first, about, out->fails);
+        kern_body_moves(m, first, pivot, out->fails);
 }
 
 /* ---- parts, and where a search begins ---- */
@@ -7434,7 +7486,7 @@ static int kern_start_falls(kern_model *m, kern_path *path,
     const kern_query q = kern_path_at(path, value->fails);
     if (!kern_known_falls(m, &q, value))
         return 0;
-    kern_path_note(m, path, KERN_FALLS, value->fails);
+    kern_path_record(m, path, KERN_FALLS, value->fails);
     path->critical = value->margin;
     return 1;
 }
@@ -7449,7 +7501,7 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
     kern_status status;
     if (!kern_part_lay(path->part))
         return KERN_UNDECIDED;
-    path->asked = KERN_ASKED_PART;
+    path->scope = KERN_SCOPE_PART;
     path->predicted = path->holds;
     status = kern_path_evaluate(m, path, s);
     if (status == KERN_FALLS && path->critical <= path->start)
@@ -7457,7 +7509,7 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
     if (status == KERN_FALLS && s > path->start)
         status = kern_path_critical(m, path) == KERN_STANDS ? KERN_FALLS
                                                             : KERN_UNDECIDED;
-    path->asked = KERN_ASKED_WHOLE;
+    path->scope = KERN_SCOPE_WHOLE;
     path->predicted = path->holds = holds; /* nothing is predicted */
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
@@ -7497,20 +7549,21 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
     const kern_known *known = kern_known_fits(path) ? path->known : NULL;
-    const kern_real at = known ? kern_max(path->start, known->holds)
-                               : kern_min(path->start + first, path->end);
-    const kern_real most = known ? kern_min(at + first, path->end) : path->end;
+    const kern_real place = known ? kern_max(path->start, known->holds)
+                                  : kern_min(path->start + first, path->end);
+    const kern_real limit = known ? kern_min(place + first, path->end)
+                                  : path->end;
     kern_known body;
     kern_model_weigh(m, &path->q); /* the same for all places */
     m->reduction = kern_reduction(&path->q);
 
     /* 1. The known motion is still a fall: begin just before its value. */
     if (known && kern_start_falls(m, path, known))
-        return at;
+        return place;
 
     /* 2. A body tips: begin just before its value, but not before the start. */
     kern_body_first(m, path, &body);
-    if (body.margin < most) {
+    if (body.margin < limit) {
         if (body.holds > path->start)
             kern_start_falls(m, path, &body);
         return kern_max(path->start, body.holds);
@@ -7518,13 +7571,13 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
 
     /* 3. The blocks that moved in the known structure fall together with the
        new block: begin just before the value of this part. */
-    if (m->answer.known && kern_known_part(m, path, most))
-        return kern_before(path, kern_half_width(path));
+    if (m->answer.known && kern_known_part(m, path, limit))
+        return kern_path_retreat(path, kern_half_width(path));
 
     /* 4. No fall is known: begin where the known structure stood, or a step
        from the start. */
     path->fails = KERN_INFINITY;
-    return at;
+    return place;
 }
 
 /* ---- the search: which method is asked when ---- */
@@ -7538,19 +7591,19 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     kern_part *p = path->part;
     const kern_real s = path->holds;
     kern_query q = kern_path_at(path, s);
-    kern_real most, beyond;
+    kern_real largest, place;
     kern_part_set(p, &q);
     kern_path_rate(p, &q, p->eq.rate);
-    most = kern_part_follow(p);
-    path->critical = kern_path_pushed(path, s, most);
-    if (!(most < KERN_INFINITY && path->critical < path->end))
+    largest = kern_part_follow(p);
+    path->critical = kern_path_pushed(path, s, largest);
+    if (!(largest < KERN_INFINITY && path->critical < path->end))
         return KERN_UNDECIDED;
-    beyond = path->critical + kern_half_width(path);
-    q = kern_path_at(path, beyond);
-    if (!kern_model_ask(m, 1))
+    place = path->critical + kern_half_width(path);
+    q = kern_path_at(path, place);
+    if (!kern_model_charge(m, 1))
         return KERN_LIMIT;
     if (kern_part_falls(p, &q))
-        kern_path_note(m, path, KERN_FALLS, beyond);
+        kern_path_record(m, path, KERN_FALLS, place);
     return kern_path_critical(m, path);
 }
 
@@ -7575,9 +7628,9 @@ static void kern_known_start(kern_model *m, kern_part *p)
     kern_copy(m->answer.force, m->answer.known->force, 2 * p->contacts);
     for (k = p->contacts - 1; k >= 0; k--) {
         kern_real *x = p->x + 2 * k, way[2];
-        const kern_real along = kern_model_prior(m, k, way) * way[1];
-        x[0] = way[0] + along;
-        x[1] = way[0] - along;
+        const kern_real tangential = kern_model_prior(m, k, way) * way[1];
+        x[0] = way[0] + tangential;
+        x[1] = way[0] - tangential;
     }
     kern_simplex_start(&p->eq.simplex, p->x, KERN_BASIS_NOISE * m->weight);
 }
@@ -7588,11 +7641,11 @@ static kern_status kern_path_interior(kern_model *m, kern_path *path,
                                       const kern_query *q, kern_real first,
                                       kern_real step)
 {
-    kern_ipm in;
+    kern_ipm ipm;
     kern_status status;
-    if (!kern_ipm_open(&in, m, path->part, q))
+    if (!kern_ipm_open(&ipm, m, path->part, q))
         return KERN_UNDECIDED;
-    path->ipm = &in;
+    path->ipm = &ipm;
     status = kern_path_narrow(m, path, first, step);
     path->ipm = NULL;
     return status;
@@ -7628,11 +7681,11 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
     const kern_query q = kern_path_at(path, path->holds);
-    const int many = m->graph.groups > KERN_SMALL;
+    const int large = m->graph.groups > KERN_SMALL;
     kern_status status = KERN_UNDECIDED;
 
     /* Many groups are solved by the interior point. */
-    if (many && !m->whole)
+    if (large && !m->whole)
         status = kern_path_interior(
             m, path, &q, path->kind == KERN_PATH_SHRINK ? first / 2 : first,
             step);
@@ -7641,11 +7694,11 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
 
     /* Tries the program. For few groups, in double, the interior point
        continues from a place without a proof. */
-    if (!many && KERN_PICK(1, 0) > 0)
-        path->asked = KERN_ASKED_PROGRAM;
+    if (!large && KERN_PICK(1, 0) > 0)
+        path->scope = KERN_SCOPE_PROGRAM;
     status = kern_path_program(m, path, &q, first, step);
-    path->asked = KERN_ASKED_WHOLE;
-    return status == KERN_UNDECIDED && !many && !m->whole
+    path->scope = KERN_SCOPE_WHOLE;
+    return status == KERN_UNDECIDED && !large && !m->whole
              ? kern_path_interior(m, path, &q, first, step)
              : status;
 }
@@ -7657,23 +7710,23 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
                                    kern_real step)
 {
     kern_status status = KERN_UNDECIDED;
-    kern_real at = kern_path_first(m, path, step);
+    kern_real place = kern_path_first(m, path, step);
     int round;
     for (round = 0; round < KERN_PARTS;) {
-        const kern_query q = kern_path_at(path, at);
+        const kern_query q = kern_path_at(path, place);
         kern_model_arms(m, &q);
-        kern_known_begin(m, at);
+        kern_known_begin(m, place);
         status = kern_model_pass(m, path->part, &q,
                                  KERN_CLUSTER + 1
                                      + 2 * (m->answer.known != NULL));
         if (status == KERN_STANDS)
-            kern_path_note(m, path, status, at);
+            kern_path_record(m, path, status, place);
         else if (status == KERN_FALLS)
-            status = kern_path_part(m, path, at);
+            status = kern_path_part(m, path, place);
 
         /* a part falls: the next pass is just before its critical value */
         if (status == KERN_FALLS && path->fails > path->start) {
-            at = kern_before(path, kern_half_width(path));
+            place = kern_path_retreat(path, kern_half_width(path));
             kern_model_unload(m);
             status = KERN_UNDECIDED;
             round++;
@@ -7686,32 +7739,33 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
             break;
 
         /* the whole stands and no fall is known: takes one more step */
-        if (at >= path->end)
+        if (place >= path->end)
             return kern_path_saturate(path);
-        at = kern_min(at + step, path->end);
+        place = kern_min(place + step, path->end);
         step *= KERN_CLIMB_GROWS;
     }
     return status != KERN_UNDECIDED
              ? status
-             : kern_path_whole(m, path, at - path->holds, step);
+             : kern_path_whole(m, path, place - path->holds, step);
 }
 
 /* Finds the critical value of a path beyond path->holds. The structure must
    stand at path->holds, unless kerns are nested: then the search may evaluate
-   that place. `even` is the step of a walk, or 0 if the verdict changes only
+   that place. `stride` is the step of a walk, or 0 if the verdict changes only
    once. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
-                                    kern_real even)
+                                    kern_real stride)
 {
     const int shrinks = path->kind == KERN_PATH_SHRINK;
     const kern_real step = path->unit
-                         * (shrinks || even > 0 ? KERN_CLIMB : KERN_CLIMB_PUSH);
+                         * (shrinks || stride > 0 ? KERN_CLIMB
+                                                  : KERN_CLIMB_PUSH);
     kern_status status;
     path->start = path->critical = path->predicted = path->holds;
     path->fails = path->proven.high = KERN_INFINITY;
-    if (even > 0) { /* a tilt takes larger steps where the arc is proven */
+    if (stride > 0) { /* a tilt takes larger steps where the arc is proven */
         const kern_real turn = step * KERN_R(path->kind == KERN_PATH_TILT);
-        status = kern_path_climb(m, path, turn, turn, even);
+        status = kern_path_climb(m, path, turn, turn, stride);
     } else if (m->whole || !shrinks)
         status = kern_path_whole(m, path, step, step);
     else /* few groups: a longer step, which a falling part ends */
@@ -7721,7 +7775,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 
     /* the invariant: the value lies between two ends, each with a proof */
     KERN_ASSERT(status != KERN_STANDS || path->proven.low >= path->holds);
-    KERN_ASSERT(status != KERN_STANDS || path->never
+    KERN_ASSERT(status != KERN_STANDS || path->never_falls
                 || path->q.carry == KERN_CARRY_NESTED
                 || path->proven.high <= path->fails);
     KERN_ASSERT(
@@ -7751,15 +7805,15 @@ static void kern_path_carry(kern_model *m, kern_path *path, kern_carry carry)
     path->q.carry = carry;
     kern_model_group(m, &path->q);
     for (i = 0; m->answer.known && i < m->s->contacts; i++)
-        if (kern_is_out(&path->q, m->s->contact + i)
+        if (kern_is_idle(&path->q, m->s->contact + i)
             && m->answer.known->force[i].normal > 0)
             m->answer.known = NULL;
 }
 
 /* Finds the critical value if kerns are not nested, first without the points
-   that travel. `even` is the step of the walk, which begins at 0. */
+   that travel. `stride` is the step of the walk, which begins at 0. */
 static kern_status kern_path_scan(kern_model *m, kern_path *path,
-                                  kern_real even)
+                                  kern_real stride)
 {
     kern_status status;
     kern_path_carry(m, path, KERN_CARRY_NESTED);
@@ -7770,20 +7824,20 @@ static kern_status kern_path_scan(kern_model *m, kern_path *path,
 
     /* ends if both ends are proven for the whole, or if it falls at 0 */
     if ((status == KERN_STANDS
-         && (path->never || path->proven.high <= path->fails))
+         && (path->never_falls || path->proven.high <= path->fails))
         || (status == KERN_FALLS && path->proven.high <= 0))
         return status;
 
     /* begins the walk at its last step that is proven to stand */
-    path->never = 0;
+    path->never_falls = 0;
     path->holds = KERN_R(0);
     if (path->proven.low < 0)
         status = kern_path_evaluate(m, path, path->holds);
     else {
-        path->holds = even * KERN_R((int)(path->proven.low / even));
+        path->holds = stride * KERN_R((int)(path->proven.low / stride));
         status = KERN_STANDS;
     }
-    return status == KERN_STANDS ? kern_path_search(m, path, even) : status;
+    return status == KERN_STANDS ? kern_path_search(m, path, stride) : status;
 }
 
 /* ---- The measures --------------------------------------------- >>measure */
@@ -7828,10 +7882,10 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     path->kind = KERN_PATH_SHRINK;
     path->part = &c->part;
     path->proof = NULL;
-    path->asked = KERN_ASKED_WHOLE;
-    path->never = 0;
+    path->scope = KERN_SCOPE_WHOLE;
+    path->never_falls = 0;
     path->ipm = NULL;
-    path->unit = task->options.relative ? 1 : path->q.mean;
+    path->unit = task->options.relative ? 1 : path->q.mean_size;
     path->start = path->holds = path->critical = path->predicted = 0;
     path->known = NULL;
     path->proven.low = -1;
@@ -7863,8 +7917,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 
     /* Evaluates the path's first query, which is the task at `shrink`. */
     status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
-    kern_proof_out(&c.m, proof, status);
-    return kern_ended(task, status);
+    kern_proof_write(&c.m, proof, status);
+    return kern_call_status(task, status);
 }
 
 /* Finds the level by Algorithm 1 of the paper: the first k at which the
@@ -7913,7 +7967,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
        is closed. */
     if (!(r.epsilon > 0))
         r.epsilon = path->q.relative ? KERN_LEVEL_SHARE
-                                     : KERN_LEVEL_STEP * c->m.mean;
+                                     : KERN_LEVEL_STEP * c->m.mean_size;
     steps = r.most / r.epsilon;
     if (!(steps <= KERN_POINTS_MOST))
         return KERN_BAD_STEP;
@@ -7932,14 +7986,14 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
         r.margin = path->critical;
         r.holds = path->holds;
         r.fails = path->fails;
-        r.saturated = path->never;
+        r.saturated = path->never_falls;
         KERN_ASSERT(r.holds <= r.margin && r.margin <= r.fails);
         kern_level_scan(&c->m, path, nested, last, &r);
     }
 
     /* If the limit ended the call, or the search is undecided, the result is
        the bracket that is proven so far. */
-    status = kern_ended(task, status);
+    status = kern_call_status(task, status);
     if (status == KERN_LIMIT || status == KERN_UNDECIDED) {
         r.fails = kern_min(path->proven.high, r.most);
         r.margin = r.holds = kern_min(path->proven.low, r.fails);
@@ -8020,11 +8074,11 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
    -infinity if the structure falls even at the largest growth (>>rules). */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
-    kern_real range[2], grown = path->unit * KERN_GROW_FIRST, limit;
+    kern_real range[2], length = path->unit * KERN_GROW_FIRST, limit;
     const kern_real growth = kern_is_nested(m, range) ? KERN_GROW_NESTED
                                                       : KERN_GROW_EVEN;
-    const kern_real none = KERN_INFINITY;
-    kern_box whole = {{none, none}, {-none, -none}};
+    const kern_real infinity = KERN_INFINITY;
+    kern_box whole = {{infinity, infinity}, {-infinity, -infinity}};
     kern_status status;
     int i;
 
@@ -8047,11 +8101,11 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     /* Multiplies the growth by a factor from step to step. The factor is small
        if the interval of standing may be narrow. */
     path->start = -limit;
-    for (;; grown = kern_min(grown * growth, limit)) {
-        status = kern_path_evaluate(m, path, -grown);
+    for (;; length = kern_min(length * growth, limit)) {
+        status = kern_path_evaluate(m, path, -length);
         if (status != KERN_FALLS && status != KERN_UNDECIDED)
             break;
-        if (grown >= limit) {
+        if (length >= limit) {
             path->critical = -KERN_INFINITY;
             return status;
         }
@@ -8071,7 +8125,7 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
     status = kern_path_evaluate(&c.m, &c.path, 0);
     if (status == KERN_FALLS)
         status = kern_grow(&c.m, &c.path);
-    status = kern_ended(task, status);
+    status = kern_call_status(task, status);
     if (status == KERN_LIMIT)
         *deficit = c.path.proven.high <= 0 ? 0 - c.path.proven.high : -1;
     else if (status >= 0)
@@ -8084,61 +8138,62 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
 static kern_real kern_length_between(const kern_structure *s, kern_real mean,
                                      kern_real lo, kern_real hi)
 {
-    kern_real middle = 0, least = hi, most;
+    kern_real middle = 0, shortest = hi, longest;
     int i, pass;
     for (pass = 0; pass < 2; pass++) {
-        least = hi;
-        most = lo;
+        shortest = hi;
+        longest = lo;
         for (i = 0; i < s->contacts; i++) {
             const kern_real length = kern_contact_length(s->contact + i, mean);
             if (length > lo && length < hi && length >= middle) {
-                least = kern_min(least, length);
-                most = kern_max(most, length);
+                shortest = kern_min(shortest, length);
+                longest = kern_max(longest, length);
             }
         }
-        middle = kern_min(KERN_SQRT(least) * KERN_SQRT(most), most);
+        middle = kern_min(KERN_SQRT(shortest) * KERN_SQRT(longest), longest);
     }
-    return least < hi ? least : 0;
+    return shortest < hi ? shortest : 0;
 }
 
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof)
 {
-    kern_real at = 0, lo = -1, hi = KERN_INFINITY;
+    kern_real shortest = 0, lo = -1, hi = KERN_INFINITY;
     kern_call c;
     int round;
-    kern_status status = kern_number_open(&c, task, at, length);
+    kern_status status = kern_number_open(&c, task, shortest, length);
     if (status != KERN_OK)
         return status;
 
     /* Evaluates the structure with all contacts in round 0, and only with
        contacts without a length in round 1. Further rounds bisect the lengths
        in between, on a logarithmic scale. */
-    for (round = 0; round < 2 || at > 0; round++) {
-        c.path.q.shortest = at;
+    for (round = 0; round < 2 || shortest > 0; round++) {
+        c.path.q.length_min = shortest;
         kern_model_group(&c.m, &c.path.q);
         status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
-        kern_proof_out(&c.m, proof, status);
+        kern_proof_write(&c.m, proof, status);
 
         /* Moves an end of [lo, hi). Ends if the structure falls with all
            contacts. */
         if (status == KERN_STANDS)
-            lo = at;
+            lo = shortest;
         else if (lo < 0 || status < KERN_UNDECIDED)
             break;
         else
-            hi = at;
+            hi = shortest;
 
         /* Sets the motion of an undecided verdict to 0. */
         if (status == KERN_UNDECIDED && proof && proof->motion)
             kern_zero(proof->motion, 3 * task->s.blocks);
 
-        at = round == 0 ? KERN_INFINITY
-                        : kern_length_between(&task->s, c.path.q.mean, lo, hi);
+        shortest = round == 0 ? KERN_INFINITY
+                              : kern_length_between(&task->s,
+                                                    c.path.q.mean_size, lo, hi);
         status = KERN_STANDS;
     }
 
-    status = kern_ended(task, status);
+    status = kern_call_status(task, status);
     if (status == KERN_STANDS || status == KERN_LIMIT)
         *length = lo;
     return status;
@@ -8157,7 +8212,7 @@ static kern_real kern_angle_of(kern_real s)
 {
     kern_real sum = 0, t2;
     int i;
-    s = kern_halved(kern_halved(kern_halved(s)));
+    s = kern_half_tangent(kern_half_tangent(kern_half_tangent(s)));
     t2 = s * s;
     for (i = 25; i > 0; i -= 2)
         sum = 1 / KERN_R(i) - t2 * sum;
@@ -8215,13 +8270,13 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     if (status == KERN_STANDS)
         status = kern_path_search(&c->m, path, KERN_R(loaded) / KERN_SCAN);
 
-    status = kern_ended(task, status);
+    status = kern_call_status(task, status);
     if (status == KERN_LIMIT)
         path->critical = path->proven.low;
     if (status == KERN_STANDS || status == KERN_LIMIT)
-        *out = tilt        ? 4 * kern_angle_of(path->critical)
-             : path->never ? KERN_INFINITY
-                           : path->critical;
+        *out = tilt              ? 4 * kern_angle_of(path->critical)
+             : path->never_falls ? KERN_INFINITY
+                                 : path->critical;
     return status;
 }
 
@@ -8248,10 +8303,10 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
 
 /* Returns the factor of the pattern below which the answer's motion is a fall,
    or infinity if the pattern does not resist the motion. */
-static kern_real kern_least_of(const kern_model *m, const kern_query *q)
+static kern_real kern_motion_factor(const kern_model *m, const kern_query *q)
 {
     kern_query unloaded = *q;
-    kern_real power = KERN_R(0), held = power;
+    kern_real power = KERN_R(0), resisted = power;
     int i;
     unloaded.factor = KERN_R(0);
     for (i = 0; i < m->s->blocks; i++) {
@@ -8260,11 +8315,12 @@ static kern_real kern_least_of(const kern_model *m, const kern_query *q)
         kern_wrench w;
         if (!(kern_speed(v) > 0))
             continue;
-        kern_wrench_on(m->s, &unloaded, i, &w);
+        kern_block_wrench(m->s, &unloaded, i, &w);
         power += w.fx * v->vx + w.fy * v->vy + w.torque * v->spin;
-        held -= load->fx * v->vx + load->fy * v->vy + load->torque * v->spin;
+        resisted -= load->fx * v->vx + load->fy * v->vy
+                  + load->torque * v->spin;
     }
-    return held > 0 ? power / held : KERN_INFINITY;
+    return resisted > 0 ? power / resisted : KERN_INFINITY;
 }
 
 /* Uses Newton's method from below: each mechanism gives the factor that just
@@ -8275,7 +8331,7 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         kern_real *factor,
                                         const kern_proof *proof)
 {
-    kern_real beyond = KERN_WIDTH, falls = KERN_R(0);
+    kern_real offset = KERN_WIDTH, falls = KERN_R(0);
     kern_call c;
     kern_query *q = &c.path.q;
     int round;
@@ -8291,20 +8347,20 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
     for (round = 0; round < KERN_LEAST_ROUNDS && falls < KERN_FACTOR_MOST;
          round++) {
         status = kern_model_evaluate(&c.m, &c.part, q);
-        kern_proof_out(&c.m, proof, status);
+        kern_proof_write(&c.m, proof, status);
         if (status == KERN_FALLS)
-            falls = kern_max(falls, kern_least_of(&c.m, q));
+            falls = kern_max(falls, kern_motion_factor(&c.m, q));
         else if (status != KERN_UNDECIDED)
             break;
         else if (falls < q->factor)
-            beyond *= 2;
-        q->factor = falls + beyond * (1 + falls);
+            offset *= 2;
+        q->factor = falls + offset * (1 + falls);
     }
 
     /* KERN_FALLS requires that a fall is proven up to the largest factor. */
     if (status == KERN_FALLS && falls < KERN_FACTOR_MOST)
         status = KERN_UNDECIDED;
-    status = kern_ended(task, status);
+    status = kern_call_status(task, status);
     *factor = status == KERN_STANDS ? q->factor
             : status == KERN_FALLS  ? KERN_INFINITY
                                     : falls;
@@ -8328,11 +8384,10 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
     kern_status status = kern_call_open(&c, task, shrink, force);
     if (status == KERN_OK) {
         kern_model_set(&c.m, &c.path.q);
-        status = kern_norm_open(p, &c.m)
-                   ? kern_norm_find(p, kern_part_load(p, &c.path.q, p->dual.b),
-                                    KERN_BOUND, KERN_START_COLD,
-                                    KERN_NORM_ROUNDS)
-                   : KERN_NO_SPACE;
+        status = kern_norm_open(p, &c.m) ? kern_norm_find(
+                     p, kern_part_load(p, &c.path.q, p->dual.load), KERN_BOUND,
+                     KERN_START_COLD, KERN_NORM_ROUNDS)
+                                         : KERN_NO_SPACE;
         if (status == KERN_FALLS) /* without a proof */
             status = KERN_UNDECIDED;
         if (status == KERN_STANDS) {
@@ -8340,9 +8395,9 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
             if (!kern_answer_holds(&c.m, &c.path.q))
                 status = KERN_UNDECIDED;
         }
-        status = kern_ended(task, status);
+        status = kern_call_status(task, status);
     }
-    kern_proof_out(&c.m, &proof, status);
+    kern_proof_write(&c.m, &proof, status);
     return status;
 }
 
@@ -8351,45 +8406,45 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
    the model, and the path continues with the other blocks. */
 
 typedef struct kern_fall {
-    int weak;         /* values of the weaker half still to come      */
-    kern_real sum;    /* sum of the values of the weaker half         */
-    kern_real *value; /* per block: its value, or -1 while it stands  */
+    int missing;        /* values of the weaker half still to come     */
+    kern_real weak_sum; /* sum of the values of the weaker half        */
+    kern_real *value;   /* per block: its value, or -1 while it stands */
 } kern_fall;
 
 /* The remaining blocks that fall. */
-typedef enum kern_fall_which {
+typedef enum kern_fall_scope {
     KERN_FALL_MOVING, /* all that move in the mechanism                   */
     KERN_FALL_ALL
-} kern_fall_which;
+} kern_fall_scope;
 
-/* Records `at` as the value of every remaining block that falls. */
-static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
-                          kern_fall_which which)
+/* Records `value` for every remaining block that falls. */
+static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real value,
+                          kern_fall_scope scope)
 {
     const kern_motion *v = m->answer.motion;
     int i;
-    KERN_ASSERT(at >= 0);
+    KERN_ASSERT(value >= 0);
     for (i = 0; i < m->s->blocks; i++)
         if (m->graph.group[i] < m->graph.groups
-            && (which == KERN_FALL_ALL
+            && (scope == KERN_FALL_ALL
                 || kern_block_speed(m->s->block + i, v + i) > KERN_REST)) {
-            fall->value[i] = at;
-            if (fall->weak-- > 0)
-                fall->sum += at;
+            fall->value[i] = value;
+            if (fall->missing-- > 0)
+                fall->weak_sum += value;
         }
 }
 
 /* Returns the verdict at path->fails, where the structure fell last. While the
    verdict is undecided, evaluates places beyond it. */
-static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
+static kern_status kern_fall_evaluate(kern_model *m, kern_path *path)
 {
-    kern_real beyond = path->fails;
+    kern_real place = path->fails;
     kern_status status;
-    int more = KERN_FALL_TRIES;
+    int tries = KERN_FALL_TRIES;
     do {
-        status = kern_path_evaluate(m, path, beyond);
-        beyond += kern_width(path);
-    } while (status == KERN_UNDECIDED && more-- > 0);
+        status = kern_path_evaluate(m, path, place);
+        place += kern_width(path);
+    } while (status == KERN_UNDECIDED && tries-- > 0);
     return status;
 }
 
@@ -8401,21 +8456,21 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
-    kern_real range[2], at = 0;
-    kern_status status = kern_path_evaluate(m, path, at);
+    kern_real range[2], place = 0;
+    kern_status status = kern_path_evaluate(m, path, place);
     int rounds = 3 * m->graph.groups + KERN_FALL_IDLE;
 
-    while (m->graph.groups > 0 && !path->never) {
+    while (m->graph.groups > 0 && !path->never_falls) {
         if (rounds-- == 0)
             return KERN_UNDECIDED;
 
         /* Removes the blocks that move in the mechanism. Then evaluates the
            remaining blocks just beyond the place at which they fell. */
         if (status == KERN_FALLS) {
-            kern_fall_add(m, fall, at, KERN_FALL_MOVING);
+            kern_fall_add(m, fall, place, KERN_FALL_MOVING);
             kern_model_group(m, &path->q);
             if (m->graph.groups > 0)
-                status = kern_fall_beyond(m, path);
+                status = kern_fall_evaluate(m, path);
 
         } else if (status == KERN_STANDS) {
             /* The remaining blocks stand: searches their critical value, and
@@ -8425,9 +8480,9 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                               || kern_is_nested(m, range)
                                           ? 0
                                           : path->end / KERN_SCAN);
-            at = path->critical;
-            if (status == KERN_STANDS && !path->never)
-                status = kern_fall_beyond(m, path);
+            place = path->critical;
+            if (status == KERN_STANDS && !path->never_falls)
+                status = kern_fall_evaluate(m, path);
         } else
             return status;
     }
@@ -8461,13 +8516,15 @@ static kern_real kern_expected_drop(const kern_model *m, const kern_real *value)
     for (pass = 0; pass < 2; pass++)
         for (i = 0; i < s->blocks; i++) {
             const kern_block *b = s->block + i;
-            const kern_real at = -kern_vec_dot(b->centre, s->gravity) / pull;
+            const kern_real height = -kern_vec_dot(b->centre, s->gravity)
+                                   / pull;
             if (b->fixed)
                 continue;
             if (pass == 0)
-                base = kern_min(base, at - kern_block_size(b) / 2);
+                base = kern_min(base, height - kern_block_size(b) / 2);
             else
-                sum += kern_max(KERN_DROP_HEIGHT, (at - base) / m->mean)
+                sum += kern_max(KERN_DROP_HEIGHT,
+                                (height - base) / m->mean_size)
                      * kern_decay(value[i] / KERN_DROP_LOAD);
         }
     return sum;
@@ -8478,7 +8535,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 {
     kern_call c;
     kern_fall fall;
-    kern_real range[2], least = KERN_INFINITY, sum = 0;
+    kern_real range[2], weakest = KERN_INFINITY, sum = 0;
     int i, free_blocks, half;
     kern_status status = kern_call_open(&c, task, 0, value ? out : NULL);
 
@@ -8502,10 +8559,10 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     /* Queries leave out every block that has a value. */
     c.path.q.fallen = value;
     free_blocks = c.m.graph.groups;
-    fall.weak = half = (free_blocks + 1) / 2;
-    fall.sum = sum;
+    fall.missing = half = (free_blocks + 1) / 2;
+    fall.weak_sum = sum;
     fall.value = value;
-    status = kern_ended(task, kern_fall_follow(&c.m, &c.path, &fall));
+    status = kern_call_status(task, kern_fall_follow(&c.m, &c.path, &fall));
 
     /* Computes the least value and the sum of the values of free blocks. */
     for (i = 0; i < task->s.blocks; i++) {
@@ -8513,14 +8570,14 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
             value[i] = KERN_INFINITY;
         else
             sum += value[i];
-        least = kern_min(least, value[i]);
+        weakest = kern_min(weakest, value[i]);
     }
     if (status != KERN_OK)
         return status;
 
-    out->least = least;
+    out->least = weakest;
     out->mean = sum / KERN_R(free_blocks);
-    out->weak = fall.sum / KERN_R(half);
+    out->weak = fall.weak_sum / KERN_R(half);
     out->drop = side ? kern_expected_drop(&c.m, value) / KERN_R(free_blocks)
                      : 0;
     return KERN_OK;
@@ -8534,10 +8591,10 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
                                     kern_vec u, kern_real turn)
 {
-    const kern_real along = kern_abs(kern_vec_cross(c->n, u));
-    if (kern_vec_dot(c->n, u) > mu * along + KERN_REST)
+    const kern_real slide = kern_abs(kern_vec_cross(c->n, u));
+    if (kern_vec_dot(c->n, u) > mu * slide + KERN_REST)
         return KERN_OPENS;
-    if (along > KERN_REST)
+    if (slide > KERN_REST)
         return KERN_SLIDES;
     return kern_abs(turn) > KERN_REST ? KERN_HINGES : KERN_RESTS;
 }
@@ -8551,7 +8608,7 @@ static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
-    kern_real most = 0, narrow = kern_reduction(q), rate;
+    kern_real largest = 0, reduction = kern_reduction(q), rate;
     int measure, i;
 
     /* Tries the measures in order until one gives a contact. Measure 0 needs
@@ -8563,7 +8620,7 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
             const kern_real spin = proof->motion[c->b].spin
                                  - proof->motion[c->a].spin;
             const kern_meeting meeting = kern_meeting_of(
-                c, kern_friction(c, narrow), u, spin * q->mean);
+                c, kern_friction(c, reduction), u, spin * q->mean_size);
 
             kern_real limit = 0;
             kern_shift(c->travel, q->shrink, q->relative, &rate);
@@ -8578,15 +8635,15 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                 out->meeting[i] = meeting;
             if (out->limit)
                 out->limit[i] = limit;
-            if (limit > most * (1 + KERN_TIE)) {
-                most = limit;
+            if (limit > largest * (1 + KERN_TIE)) {
+                largest = limit;
                 out->contact = i;
             }
         }
 
     /* Scales the limits so that the largest is 1. */
-    for (i = 0; i < s->contacts && out->limit && most > 0; i++)
-        out->limit[i] /= most;
+    for (i = 0; i < s->contacts && out->limit && largest > 0; i++)
+        out->limit[i] /= largest;
 }
 
 /* Returns 1 if two blocks move as one rigid body. */
@@ -8595,11 +8652,11 @@ static int kern_as_one(const kern_structure *s, const kern_motion *motion,
 {
     const kern_vec r = kern_vec_sub(s->block[j].centre, s->block[i].centre);
     const kern_vec v = kern_velocity(motion + i, r);
-    kern_motion apart = motion[j];
-    apart.vx -= v.x;
-    apart.vy -= v.y;
-    apart.spin -= motion[i].spin;
-    return kern_block_speed(s->block + j, &apart) < KERN_REST;
+    kern_motion relative = motion[j];
+    relative.vx -= v.x;
+    relative.vy -= v.y;
+    relative.spin -= motion[i].spin;
+    return kern_block_speed(s->block + j, &relative) < KERN_REST;
 }
 
 /* Numbers the groups of blocks that move as one rigid body. Each group begins
@@ -8607,25 +8664,25 @@ static int kern_as_one(const kern_structure *s, const kern_motion *motion,
 static void kern_critical_blocks(const kern_structure *s,
                                  const kern_motion *motion, kern_critical *out)
 {
-    const int none = s->blocks;
+    const int unset = s->blocks;
     int i, lead;
     for (i = 0; i < s->blocks; i++)
-        out->group[i] = none;
+        out->group[i] = unset;
     for (;; out->groups++) {
-        kern_real most = 0;
+        kern_real fastest = 0;
         for (lead = i = 0; i < s->blocks; i++) {
             const kern_real speed = kern_block_speed(s->block + i, motion + i);
             if (speed < KERN_REST)
                 out->group[i] = -1;
-            if (out->group[i] == none && speed > most * (1 + KERN_TIE)) {
-                most = speed;
+            if (out->group[i] == unset && speed > fastest * (1 + KERN_TIE)) {
+                fastest = speed;
                 lead = i;
             }
         }
-        if (!(most > 0))
+        if (!(fastest > 0))
             return;
         for (i = 0; i < s->blocks; i++)
-            if (out->group[i] == none && kern_as_one(s, motion, lead, i))
+            if (out->group[i] == unset && kern_as_one(s, motion, lead, i))
                 out->group[i] = out->groups;
     }
 }
@@ -8668,7 +8725,7 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
     const kern_vec t = kern_vec_turn(c->n);
     const kern_real f = proof->force[i].normal, r = proof->force[i].tangential;
     const kern_vec force = kern_vec_step(kern_vec_scale(c->n, f), r, t);
-    const kern_real travel = kern_travel(c, q->mean);
+    const kern_real travel = kern_travel(c, q->mean_size);
     const int closed = !q->relative && q->shrink >= kern_abs(travel);
     const kern_real spin = proof->motion[c->b].spin - proof->motion[c->a].spin;
     kern_real rate, shift;
@@ -8699,13 +8756,13 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
 {
     const kern_contact *c = task->s.contact + i;
     const kern_vec t = kern_vec_turn(c->n);
-    const kern_real along = kern_vec_dot(rate[i].p, t)
-                          + (rate[pair].travel - rate[i].travel) / 2;
-    const kern_real across = kern_vec_dot(rate[i].p, c->n);
-    kern_real off[2]; /* distance along the contact to the nearest corner */
+    const kern_real rate_t = kern_vec_dot(rate[i].p, t)
+                           + (rate[pair].travel - rate[i].travel) / 2;
+    const kern_real rate_n = kern_vec_dot(rate[i].p, c->n);
+    kern_real nearest[2]; /* distance along the contact to the nearest corner */
     int end, k;
 
-    if (!(kern_abs(along) + kern_abs(across) + kern_abs(rate[i].turn) > 0))
+    if (!(kern_abs(rate_t) + kern_abs(rate_n) + kern_abs(rate[i].turn) > 0))
         return;
 
     /* Finds for each block the distance along the contact to its nearest vertex
@@ -8713,15 +8770,15 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
        at this end. */
     for (end = 0; end < 2; end++) {
         const kern_block *b = task->s.block + (end ? c->b : c->a);
-        off[end] = KERN_INFINITY;
+        nearest[end] = KERN_INFINITY;
         for (k = 0; b->vertex && k < b->vertices; k++) {
             const kern_vec r = kern_vec_sub(b->vertex[k], c->p);
-            const kern_real at = kern_abs(kern_vec_cross(c->n, r));
-            if (at < off[end]
+            const kern_real distance = kern_abs(kern_vec_cross(c->n, r));
+            if (distance < nearest[end]
                 && kern_abs(kern_vec_dot(c->n, r))
                        <= KERN_CORNER_NEAR * kern_block_size(b)
                               + task->options.gap)
-                off[end] = at;
+                nearest[end] = distance;
         }
     }
 
@@ -8730,21 +8787,21 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
        the block of the corner moves it. The remaining share turns the
        normal. */
     for (end = 0; end < 2; end++) {
-        const int on = end ? c->b : c->a;
-        const kern_block *b = task->s.block + on;
+        const int owner = end ? c->b : c->a;
+        const kern_block *b = task->s.block + owner;
         const kern_vec r = kern_vec_sub(c->p, b->centre);
         const kern_real size = kern_block_size(b);
         const kern_real owns = KERN_R(
-            off[end] <= KERN_CORNER_NEAR * size
-            && off[end] <= off[!end] + KERN_CORNER_TIE * size);
+            nearest[end] <= KERN_CORNER_NEAR * size
+            && nearest[end] <= nearest[!end] + KERN_CORNER_TIE * size);
         const kern_real part = pair != i ? KERN_R(0.5) : owns;
-        const kern_vec way = kern_vec_step(kern_vec_scale(t, owns * along),
-                                           part * across, c->n);
+        const kern_vec way = kern_vec_step(kern_vec_scale(t, owns * rate_t),
+                                           part * rate_n, c->n);
 
-        kern_block_rate *to = out + on;
+        kern_block_rate *gain = out + owner;
         if (b->vertex) {
-            to->place = kern_vec_add(to->place, way);
-            to->turn += kern_vec_cross(r, way) + (1 - part) * rate[i].turn;
+            gain->place = kern_vec_add(gain->place, way);
+            gain->turn += kern_vec_cross(r, way) + (1 - part) * rate[i].turn;
         }
     }
 }
@@ -8756,7 +8813,7 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       kern_block_rate *block)
 {
     kern_query q;
-    kern_real gain = 0, most = 0;
+    kern_real gain = 0, total = 0;
     int i, end, line;
     kern_status status = kern_query_check(
         task, margin ? margin->margin : 0,
@@ -8771,11 +8828,11 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         const kern_real g = kern_contact_gain(&task->s, &q, i, proof,
                                               contact + i);
         gain += g;
-        most += kern_abs(g);
+        total += kern_abs(g);
     }
 
     /* There is no derivative if the power does not change along the path. */
-    if (margin->saturated || !(kern_abs(gain) > KERN_RATE_LEAST * most))
+    if (margin->saturated || !(kern_abs(gain) > KERN_RATE_LEAST * total))
         return KERN_UNDECIDED;
 
     /* Writes G_q for loads, masses and centres of mass: the change of the power
@@ -8810,8 +8867,8 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
 /* Finds forces that a load raises on unstressed contacts with a finite
    stiffness. The loads b cause a displacement u of the groups. Let wn be the
    approach of a contact along n and wt its shear along t, w = A' u. Coulomb's
-   law with a stiffness k along n and c mu k along t (k = dual.stiff_n, c =
-   dual.stiff) is
+   law with a stiffness k along n and c mu k along t (k = dual.stiffness, c =
+   dual.shear) is
 
        f = k max(0, wn),   r = c mu k wt, cut off at -mu f and mu f      (law)
        A (f, r) = b                                                  (balance)
@@ -8834,18 +8891,19 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
    (kern_settling). */
 
 typedef struct kern_raise {
-    kern_part *p;            /* all groups, or those near block `around`     */
-    int around;              /* the block of kern_stays(), or KERN_OUT       */
-    const kern_proof *proof; /* arrays for the proof of each load step; or NULL
-                                                                             */
-    kern_end end;            /* reason why the last search ended             */
-    int size;                /* length of u and prices in one array          */
-    kern_real *held;         /* u and prices of the last load with a proof   */
-    kern_real *earlier; /* u and prices of the load with a proof before it   */
-    kern_real *last;    /* two per contact: last F(p), and its change        */
-    kern_real *kept;    /* u at the start of Newton's method                 */
-    kern_skyline up;    /* columns of Newton's matrix; dual.matrix: rows    */
-    int *state;         /* per contact: 0 open, 1 sticks, 2 and 3 slides     */
+    kern_part *part;         /* all groups, or those near block `placed`      */
+    int placed;              /* the block of kern_stays(), or KERN_OUT        */
+    const kern_proof *proof; /* arrays for the proof of each load step; or
+                                NULL                                          */
+    kern_end end;            /* reason why the last search ended              */
+    int unknowns;            /* length of u and prices in one array           */
+    kern_real *shown;        /* u and prices of the last load with a proof    */
+    kern_real *shown_before; /* u and prices of the load with a proof before
+                                it                                            */
+    kern_real *last_price;   /* two per contact: last F(p), and its change    */
+    kern_real *saved;        /* u at the start of Newton's method             */
+    kern_skyline columns;    /* columns of Newton's matrix; dual.matrix: rows */
+    int *state;              /* per contact: 0 open, 1 sticks, 2 and 3 slides */
 } kern_raise;
 
 /* Start of a search: at u = 0, or at the present u and prices. */
@@ -8853,23 +8911,25 @@ typedef enum kern_begin { KERN_BEGIN_UNLOADED, KERN_BEGIN_HERE } kern_begin;
 
 /* State of a search, with the numbers that decide when it is lost. */
 typedef struct kern_settling {
-    kern_real tolerance; /* largest residual of equilibrium                  */
-    int warm;            /* nonzero: it starts at the present u and prices   */
+    kern_real tolerance; /* largest residual of equilibrium                */
+    int warm;            /* nonzero: it starts at the present u and prices */
     int round;
-    int units;       /* value of work->units before the search               */
-    kern_real first; /* largest displacement of a group in the first round   */
-    kern_real held;  /* largest displacement at the last load with a proof   */
-    kern_real least; /* least change of prices in a round, squared           */
-    int since;       /* number of rounds since that change                   */
+    int units;             /* value of work->units before the search       */
+    kern_real drift;       /* largest displacement of a group in the first
+                              round                                        */
+    kern_real drift_shown; /* largest displacement at the last load with a
+                              proof                                        */
+    kern_real change_min;  /* least change of prices in a round, squared   */
+    int stalled;           /* number of rounds since that change           */
 } kern_settling;
 
 /* Marks the groups that are held: all but the n groups within KERN_STAYS_NEAR
    contacts of block i. Those n groups stay unmarked, so that kern_norm_open()
    opens them. The mark is n, also for the ground. */
-static void kern_raise_near(kern_model *m, int i)
+static void kern_raise_mark(kern_model *m, int i)
 {
     const int *ends = m->graph.ends, groups = m->graph.groups;
-    int *local = m->graph.local, g, e, at, n = 1;
+    int *local = m->graph.local, g, e, distance, n = 1;
 
     /* Numbers the groups by their distance from the block, beginning with 1.
        The number 0 means that a group has not been reached. The ground counts
@@ -8877,12 +8937,12 @@ static void kern_raise_near(kern_model *m, int i)
     for (g = 0; g < groups; g++)
         local[g] = 0;
     local[groups] = local[m->graph.group[i]] = 1;
-    for (at = 1; at <= KERN_STAYS_NEAR; at++)
+    for (distance = 1; distance <= KERN_STAYS_NEAR; distance++)
         for (g = 0; g < groups; g++)
-            for (e = local[g] == at ? m->graph.touch[g] : KERN_OUT; e >= 0;
-                 e = m->graph.after[e])
+            for (e = local[g] == distance ? m->graph.first_end[g] : KERN_OUT;
+                 e >= 0; e = m->graph.next_end[e])
                 if (local[ends[e ^ 1]] == 0) {
-                    local[ends[e ^ 1]] = at + 1;
+                    local[ends[e ^ 1]] = distance + 1;
                     n++;
                 }
 
@@ -8898,35 +8958,35 @@ static void kern_raise_near(kern_model *m, int i)
    simulator. */
 static int kern_raise_open(kern_raise *r, kern_model *m)
 {
-    kern_part *p = r->p;
+    kern_part *p = r->part;
     int g, k, entries = 0;
-    if (r->around >= 0)
-        kern_raise_near(m, r->around);
+    if (r->placed >= 0)
+        kern_raise_mark(m, r->placed);
     if (!kern_norm_open(p, m))
         return 0;
 
     /* Sets the stiffness along t. A proof requires that contacts stick within
        KERN_STICKS, but kern_stays() needs no proof. */
     p->y = p->dual.step; /* no program is open: y is the room for a motion */
-    p->dual.stiff = r->around < 0 ? KERN_R(1.1) / KERN_STICKS
+    p->dual.shear = r->placed < 0 ? KERN_R(1.1) / KERN_STICKS
                                   : KERN_STAYS_STIFF;
 
     /* Takes the arrays. Newton's matrix is not symmetric, so its upper half has
        memory of its own. Prices follow u in one array, so that both are copied
        at once. */
     for (g = 0; g < p->groups; g++)
-        entries += 9 * (g - p->dual.matrix.first[g] + 1);
-    r->up = p->dual.matrix;
-    r->up.entry = kern_take_reals(&p->rest, entries);
-    r->size = 3 * p->groups + 3 + p->contacts;
-    r->kept = kern_take_reals(&p->rest, 3 * p->groups + 3);
-    r->held = kern_take_reals(&p->rest, 2 * r->size);
-    r->earlier = r->held + r->size;
-    p->dual.u = kern_take_reals(&p->rest, r->size + 3 * p->contacts);
+        entries += 9 * (g - p->dual.matrix.first_column[g] + 1);
+    r->columns = p->dual.matrix;
+    r->columns.entry = kern_take_reals(&p->rest, entries);
+    r->unknowns = 3 * p->groups + 3 + p->contacts;
+    r->saved = kern_take_reals(&p->rest, 3 * p->groups + 3);
+    r->shown = kern_take_reals(&p->rest, 2 * r->unknowns);
+    r->shown_before = r->shown + r->unknowns;
+    p->dual.u = kern_take_reals(&p->rest, r->unknowns + 3 * p->contacts);
     p->dual.law = KERN_LAW_STIFF;
-    p->dual.price = p->dual.u + r->size - p->contacts;
-    p->dual.stiff_n = p->dual.price + p->contacts;
-    r->last = p->dual.stiff_n + p->contacts;
+    p->dual.price = p->dual.u + r->unknowns - p->contacts;
+    p->dual.stiffness = p->dual.price + p->contacts;
+    r->last_price = p->dual.stiffness + p->contacts;
     r->state = kern_take_ints(&p->rest, p->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
@@ -8936,9 +8996,9 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     for (k = 0; k < p->contacts; k++) {
         const kern_contact *c = m->s->contact + p->contact[k];
         r->state[k] = 0;
-        p->dual.stiff_n[k] = KERN_R(0.1)
-                           + (c->line ? kern_abs(c->travel) / m->mean
-                                      : KERN_R(0));
+        p->dual.stiffness[k] = KERN_R(0.1)
+                             + (c->line ? kern_abs(c->travel) / m->mean_size
+                                        : KERN_R(0));
     }
     return 1;
 }
@@ -8949,12 +9009,12 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
    the result is negative, the contact sticks or does not press. */
 static kern_real kern_raise_slip(const kern_part *p, int k, kern_real approach)
 {
-    return kern_abs(p->dual.way[2 * k + 1])
-         - kern_max(approach, 0) / p->dual.stiff;
+    return kern_abs(p->dual.approach[2 * k + 1])
+         - kern_max(approach, 0) / p->dual.shear;
 }
 
 /* Writes the forces at u. Writes for each contact the new price F(p) and its
-   change to dual.turn. Returns 1 if the forces may be a proof: every loaded
+   change to dual.change. Returns 1 if the forces may be a proof: every loaded
    contact approaches, and none slides as far as a stone that falls into a jam.
    Prices fall slowly, since prices of joints that lean on each other would
    alternate. `found` means that the forces balance the loads. A contact that
@@ -8963,81 +9023,84 @@ static kern_real kern_raise_slip(const kern_part *p, int k, kern_real approach)
    joint that has stopped pressing would stay loaded. */
 static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
 {
-    kern_part *p = r->p;
-    const kern_real least = tolerance * p->m->weight;
-    kern_real slid = KERN_R(0), most = KERN_R(0);
+    kern_part *p = r->part;
+    const kern_real force_min = tolerance * p->m->weight;
+    kern_real slip_max = KERN_R(0), approach_max = KERN_R(0);
     int k, pressed = found;
     kern_norm_write(p);
     for (k = 0; k < p->contacts; k++) {
-        const kern_real wn = p->dual.way[2 * k], price = p->dual.price[k];
+        const kern_real wn = p->dual.approach[2 * k], price = p->dual.price[k];
         const kern_real approach = wn + price;
         const kern_real slip = kern_raise_slip(p, k, approach);
-        kern_real to = kern_model_mu(p->m, p->contact[k]) * kern_max(slip, 0);
+        kern_real target = kern_model_mu(p->m, p->contact[k])
+                         * kern_max(slip, 0);
 
         /* Checks that a loaded contact approaches. Finds the longest slide and
            the largest approach, to compare them. */
-        if (p->m->answer.force[p->contact[k]].normal > least) {
+        if (p->m->answer.force[p->contact[k]].normal > force_min) {
             pressed &= approach > 0;
-            slid = kern_max(slid, slip);
-            most = kern_max(most, approach);
+            slip_max = kern_max(slip_max, slip);
+            approach_max = kern_max(approach_max, approach);
         }
 
         /* Computes the new price. A contact that parts keeps its price, or gets
            a higher one if its force presses. A price that falls changes by the
            share KERN_PRICE_FALL of the difference. */
         if (found && !(approach > 0))
-            to = kern_max(to, price)
-               + 2 * kern_max(wn + kern_max(to, price), 0);
-        if (to < price)
-            to = price + KERN_PRICE_FALL * (to - price);
-        p->dual.turn[2 * k] = to;
-        p->dual.turn[2 * k + 1] = to - price;
+            target = kern_max(target, price)
+                   + 2 * kern_max(wn + kern_max(target, price), 0);
+        if (target < price)
+            target = price + KERN_PRICE_FALL * (target - price);
+        p->dual.change[2 * k] = target;
+        p->dual.change[2 * k + 1] = target - price;
     }
-    return pressed && slid <= KERN_SLIDE_MOST * most;
+    return pressed && slip_max <= KERN_SLIDE_MOST * approach_max;
 }
 
-/* Computes new prices from the last two rounds. Subtracts the share `back` of
-   the difference between these rounds, with which the change of prices is least
-   if F is linear (Anderson's method). If the change keeps its direction and
-   grows, a slide has only begun, and prices are extrapolated forward. Returns
-   the square of the change of prices. */
+/* Computes new prices from the last two rounds. Subtracts the share `portion`
+   of the difference between these rounds, with which the change of prices is
+   least if F is linear (Anderson's method). If the change keeps its direction
+   and grows, a slide has only begun, and prices are extrapolated forward.
+   Returns the square of the change of prices. */
 static kern_real kern_raise_extrapolate(kern_raise *r, int round)
 {
-    const kern_part *p = r->p;
-    const kern_real *to = p->dual.turn;
-    kern_real up = KERN_R(0), down = up, both = up, was = up, is = up, back;
+    const kern_part *p = r->part;
+    const kern_real *price = p->dual.change;
+    kern_real cross = KERN_R(0), square = cross, product = cross,
+              norm_last = cross, norm_now = cross, portion;
     int k;
     if (round == 0)
-        kern_copy(r->last, to, 2 * p->contacts);
+        kern_copy(r->last_price, price, 2 * p->contacts);
     for (k = 1; k < 2 * p->contacts; k += 2) {
-        const kern_real change = to[k] - r->last[k];
-        up += to[k] * change;
-        down += change * change;
-        both += to[k] * r->last[k];
-        was += r->last[k] * r->last[k];
-        is += to[k] * to[k];
+        const kern_real change = price[k] - r->last_price[k];
+        cross += price[k] * change;
+        square += change * change;
+        product += price[k] * r->last_price[k];
+        norm_last += r->last_price[k] * r->last_price[k];
+        norm_now += price[k] * price[k];
     }
-    back = down > 0 ? kern_max(-1, kern_min(up / down, 1)) : KERN_R(0);
-    if (up > 0 && both > KERN_COHERENT * KERN_SQRT(was * is))
-        back = -KERN_FORWARD;
+    portion = square > 0 ? kern_max(-1, kern_min(cross / square, 1))
+                         : KERN_R(0);
+    if (cross > 0 && product > KERN_COHERENT * KERN_SQRT(norm_last * norm_now))
+        portion = -KERN_FORWARD;
     for (k = 0; k < p->contacts; k++)
         p->dual.price[k] = kern_max(
-            to[2 * k] - back * (to[2 * k] - r->last[2 * k]), 0);
-    kern_copy(r->last, to, 2 * p->contacts);
-    return is;
+            price[2 * k] - portion * (price[2 * k] - r->last_price[2 * k]), 0);
+    kern_copy(r->last_price, price, 2 * p->contacts);
+    return norm_now;
 }
 
 /* Returns the number of contacts that have changed their state since the last
    call. The states are open, sticking, and sliding in either direction. */
 static int kern_raise_changes(kern_raise *r)
 {
-    const kern_part *p = r->p;
+    const kern_part *p = r->part;
     int k, n = 0;
     for (k = 0; k < p->contacts; k++) {
-        const kern_real approach = p->dual.way[2 * k] + p->dual.price[k];
+        const kern_real approach = p->dual.approach[2 * k] + p->dual.price[k];
         const int state = !(approach > 0)                        ? 0
                         : !(kern_raise_slip(p, k, approach) > 0) ? 1
-                        : p->dual.way[2 * k + 1] > 0             ? 2
+                        : p->dual.approach[2 * k + 1] > 0        ? 2
                                                                  : 3;
         n += r->state[k] != state;
         r->state[k] = state;
@@ -9048,53 +9111,53 @@ static int kern_raise_changes(kern_raise *r)
 /* ---- Newton's method ---- */
 
 /* Subtracts the wrenches of contact k by Coulomb's law from dual.grad. Adds
-   their derivatives by u to the rows (dual.matrix) and columns (r->up) of
+   their derivatives by u to the rows (dual.matrix) and columns (r->columns) of
    Newton's matrix. Returns the normal force. */
 static kern_real kern_raise_contact(kern_raise *r, int k)
 {
     static const kern_real approach[2] = {1, 0}, shear[2] = {0, 1};
-    kern_part *p = r->p;
+    kern_part *p = r->part;
     const int *ends = p->ends + 2 * (size_t)k;
-    const kern_real *w = p->dual.way + 2 * (size_t)k;
+    const kern_real *w = p->dual.approach + 2 * (size_t)k;
     const kern_real mu = kern_model_mu(p->m, p->contact[k]);
-    const kern_real stiff = p->dual.stiff_n[k];
+    const kern_real stiffness = p->dual.stiffness[k];
     kern_real by_approach[2], by_shear[2] = {0, 0};
     kern_row row[2];
-    by_approach[0] = stiff;
+    by_approach[0] = stiffness;
     by_approach[1] = KERN_R(0);
     if (kern_raise_slip(p, k, w[0]) > 0)
-        by_approach[1] = w[1] > 0 ? mu * stiff : -mu * stiff;
+        by_approach[1] = w[1] > 0 ? mu * stiffness : -mu * stiffness;
     else
-        by_shear[1] = p->dual.stiff * mu * stiff;
+        by_shear[1] = p->dual.shear * mu * stiffness;
 
     kern_part_exert(p, k, -by_approach[0] * w[0],
                     -by_approach[1] * w[0] - by_shear[1] * w[1], p->dual.grad);
     kern_part_rows(p, k, row);
     kern_skyline_outer(&p->dual.matrix, ends, row, by_approach, approach);
     kern_skyline_outer(&p->dual.matrix, ends, row, by_shear, shear);
-    kern_skyline_outer(&r->up, ends, row, approach, by_approach);
-    kern_skyline_outer(&r->up, ends, row, shear, by_shear);
-    return stiff * w[0];
+    kern_skyline_outer(&r->columns, ends, row, approach, by_approach);
+    kern_skyline_outer(&r->columns, ends, row, shear, by_shear);
+    return stiffness * w[0];
 }
 
 /* Writes to dual.grad the loads b minus the wrenches of the contacts by
-   Coulomb's law, and Newton's matrix to dual.matrix and r->up. Returns the
+   Coulomb's law, and Newton's matrix to dual.matrix and r->columns. Returns the
    largest normal force. */
 static kern_real kern_raise_linearise(kern_raise *r)
 {
-    kern_part *p = r->p;
-    kern_real most = KERN_R(0);
+    kern_part *p = r->part;
+    kern_real largest = KERN_R(0);
     int k;
     kern_skyline_clear(&p->dual.matrix);
-    kern_skyline_clear(&r->up);
-    kern_copy(p->dual.grad, p->dual.b, 3 * p->groups);
+    kern_skyline_clear(&r->columns);
+    kern_copy(p->dual.grad, p->dual.load, 3 * p->groups);
     for (k = 0; k < p->contacts; k++)
-        if (p->dual.way[2 * k] > 0)
-            most = kern_max(most, kern_raise_contact(r, k));
+        if (p->dual.approach[2 * k] > 0)
+            largest = kern_max(largest, kern_raise_contact(r, k));
     kern_zero(p->dual.grad + 3 * p->groups, 3);
     kern_skyline_shift(&p->dual.matrix, KERN_ROUNDING);
-    kern_skyline_shift(&r->up, KERN_ROUNDING);
-    return most;
+    kern_skyline_shift(&r->columns, KERN_ROUNDING);
+    return largest;
 }
 
 /* Runs Newton's method on (law) and (balance) from u, in whole steps, as long
@@ -9102,64 +9165,67 @@ static kern_real kern_raise_linearise(kern_raise *r)
    the slips and returns 1. Otherwise restores u. */
 static int kern_raise_newton(kern_raise *r, kern_real tolerance)
 {
-    kern_part *p = r->p;
+    kern_part *p = r->part;
     const int n = 3 * p->groups;
-    kern_real *way = p->dual.way, last = KERN_INFINITY;
+    kern_real *approach = p->dual.approach, last = KERN_INFINITY;
     int k, round;
 
     /* Removes the prices from the approaches, since Coulomb's law has none. */
-    kern_copy(r->kept, p->dual.u, n + 3);
+    kern_copy(r->saved, p->dual.u, n + 3);
     for (k = 0; k < p->contacts; k++)
-        way[2 * k] += p->dual.price[k];
+        approach[2 * k] += p->dual.price[k];
     for (round = 0; round < KERN_NEWTON_ROUNDS; round++) {
-        const kern_real most = kern_raise_linearise(r);
-        const kern_real left = kern_dot(p->dual.grad, p->dual.grad, n);
+        const kern_real largest = kern_raise_linearise(r);
+        const kern_real residual = kern_dot(p->dual.grad, p->dual.grad, n);
 
         /* Ends if the loads are balanced. The slips then give the prices of the
            fixed point. */
-        if (kern_largest(p->dual.grad, n) <= tolerance + 4 * KERN_EPS * most) {
+        if (kern_largest(p->dual.grad, n)
+            <= tolerance + 4 * KERN_EPS * largest) {
             for (k = 0; k < p->contacts; k++) {
-                const kern_real slip = kern_raise_slip(p, k, way[2 * k]);
+                const kern_real slip = kern_raise_slip(p, k, approach[2 * k]);
                 p->dual.price[k] = kern_model_mu(p->m, p->contact[k])
                                  * kern_max(slip, 0);
-                way[2 * k] -= p->dual.price[k];
+                approach[2 * k] -= p->dual.price[k];
             }
             return 1;
         }
 
         /* Takes a whole step, unless the last one raised the residual. */
-        if (!(left < last) || !kern_model_spend(p->m, 3 * p->dual.cost))
+        if (!(residual < last)
+            || !kern_model_spend(p->m, 3 * p->dual.step_units))
             break;
-        last = left;
-        kern_skyline_split(&p->dual.matrix, &r->up);
-        kern_skyline_split_solve(&p->dual.matrix, &r->up, p->dual.grad,
+        last = residual;
+        kern_skyline_split(&p->dual.matrix, &r->columns);
+        kern_skyline_split_solve(&p->dual.matrix, &r->columns, p->dual.grad,
                                  p->dual.step);
-        kern_norm_ways(p, KERN_WAY_OF_STEP);
+        kern_norm_approach(p, KERN_WAY_OF_STEP);
         kern_add(p->dual.u, KERN_R(1), p->dual.step, n);
-        kern_add(way, KERN_R(1), p->dual.turn, 2 * p->contacts);
+        kern_add(approach, KERN_R(1), p->dual.change, 2 * p->contacts);
     }
 
     /* no balance: restores u */
-    kern_copy(p->dual.u, r->kept, n + 3);
-    kern_norm_ways(p, KERN_WAY_OF_U);
+    kern_copy(p->dual.u, r->saved, n + 3);
+    kern_norm_approach(p, KERN_WAY_OF_U);
     return 0;
 }
 
 /* ---- a search ---- */
 
-/* Returns the largest displacement of a group from its place in `from`, or from
-   its unloaded place if `from` is NULL. A turn counts as turn times half the
-   size of its block. */
-static kern_real kern_raise_far(const kern_raise *r, const kern_real *u,
-                                const kern_real *from)
+/* Returns the largest displacement of a group from its place in `origin`, or
+   from its unloaded place if `origin` is NULL. A turn counts as turn times half
+   the size of its block. */
+static kern_real kern_raise_displacement(const kern_raise *r,
+                                         const kern_real *u,
+                                         const kern_real *origin)
 {
     kern_real reach = KERN_R(0);
     int i;
-    for (i = 0; i < 3 * r->p->groups; i += 3) {
+    for (i = 0; i < 3 * r->part->groups; i += 3) {
         kern_real v[3];
         kern_copy(v, u + i, 3);
-        if (from)
-            kern_add(v, KERN_R(-1), from + i, 3);
+        if (origin)
+            kern_add(v, KERN_R(-1), origin + i, 3);
         v[2] /= 2;
         reach = kern_max(reach, kern_dot(v, v, 3));
     }
@@ -9169,13 +9235,14 @@ static kern_real kern_raise_far(const kern_raise *r, const kern_real *u,
 /* Returns 1 if u has grown too far (KERN_RUNS_AWAY, KERN_JUMPS). */
 static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
 {
-    const kern_real *u = r->p->dual.u, groups = KERN_R(r->p->groups);
-    const kern_real reach = kern_raise_far(r, u, NULL);
+    const kern_real *u = r->part->dual.u, groups = KERN_R(r->part->groups);
+    const kern_real reach = kern_raise_displacement(r, u, NULL);
     if (settling->round == 0)
-        settling->first = reach;
-    return reach > (KERN_RUNS_AWAY + groups) * settling->first
-        || (settling->held > 0
-            && kern_raise_far(r, u, r->held) > KERN_JUMPS * settling->held);
+        settling->drift = reach;
+    return reach > (KERN_RUNS_AWAY + groups) * settling->drift
+        || (settling->drift_shown > 0
+            && kern_raise_displacement(r, u, r->shown)
+                   > KERN_JUMPS * settling->drift_shown);
 }
 
 /* Returns 1 if prices no longer converge: their change has not become smaller
@@ -9184,21 +9251,21 @@ static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
 static int kern_raise_stalls(const kern_raise *r, kern_settling *settling,
                              kern_real change)
 {
-    if (settling->round == 0 || change < settling->least) {
-        settling->least = change;
-        settling->since = 0;
+    if (settling->round == 0 || change < settling->change_min) {
+        settling->change_min = change;
+        settling->stalled = 0;
     }
-    return settling->since++ > KERN_PATIENCE + r->p->groups / 2;
+    return settling->stalled++ > KERN_PATIENCE + r->part->groups / 2;
 }
 
 /* Returns 1 if forces and u are a proof, and copies them to r->proof. Returns 1
    without a proof for kern_stays(), which needs none. */
 static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 {
-    kern_part *p = r->p;
+    kern_part *p = r->part;
     const kern_model *m = p->m;
     int i;
-    if (r->around >= 0)
+    if (r->placed >= 0)
         return 1;
     for (i = 0; i < 3 * p->groups; i++)
         p->y[i] = -p->dual.u[i];
@@ -9207,8 +9274,8 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
                                                 m->answer.motion,
                                                 m->answer.scratch)))
         return 0;
-    kern_proof_out(m, r->proof, KERN_STANDS);
-    kern_proof_out(m, r->proof, KERN_FALLS);
+    kern_proof_write(m, r->proof, KERN_STANDS);
+    kern_proof_write(m, r->proof, KERN_FALLS);
     return 1;
 }
 
@@ -9217,7 +9284,7 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                                  kern_settling *settling)
 {
-    kern_part *p = r->p;
+    kern_part *p = r->part;
     const kern_status found = kern_norm_find(
         p, settling->tolerance, KERN_RAISE_NORM,
         settling->warm || settling->round > 0 ? KERN_START_WARM
@@ -9229,7 +9296,7 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
     /* Ends the search if its work is used up, or if u has grown too far. */
     if (found == KERN_LIMIT || !kern_model_spend(p->m, 1 + p->contacts / 10)
         || p->m->task->work->units - settling->units
-               > KERN_SEARCH_COSTS * p->dual.cost)
+               > KERN_SEARCH_COSTS * p->dual.step_units)
         return KERN_END_WORK;
     if (found == KERN_FALLS || kern_raise_runs_away(r, settling))
         return KERN_END_LOST;
@@ -9257,15 +9324,16 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
 static int kern_raise_settle(kern_raise *r, const kern_query *q,
                              kern_begin begin)
 {
-    const kern_model *m = r->p->m;
+    const kern_model *m = r->part->m;
     kern_settling settling = {0, 0, 0, 0, 0, 0, 0, 0};
-    settling.tolerance = kern_part_load(r->p, q, r->p->dual.b);
+    settling.tolerance = kern_part_load(r->part, q, r->part->dual.load);
     settling.warm = begin == KERN_BEGIN_HERE;
     settling.units = m->task->work->units;
-    settling.held = settling.warm ? kern_raise_far(r, r->held, NULL)
-                                  : KERN_R(0);
-    r->end = kern_model_ask(m, r->around < 0 ? 3 : 1) ? KERN_END_NONE
-                                                      : KERN_END_WORK;
+    settling.drift_shown = settling.warm
+                             ? kern_raise_displacement(r, r->shown, NULL)
+                             : KERN_R(0);
+    r->end = kern_model_charge(m, r->placed < 0 ? 3 : 1) ? KERN_END_NONE
+                                                         : KERN_END_WORK;
     for (settling.round = 0; r->end == KERN_END_NONE; settling.round++)
         r->end = kern_raise_round(r, q, &settling);
     return r->end == KERN_END_SHOWN;
@@ -9278,46 +9346,46 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q,
    shrunk by this share of the mean size. A push stands for errors of angle, and
    a shrinkage for errors of place as a share of the size. If kerns are not
    nested, the structure must also stay raised under the push alone. Shares
-   above `most` are not tried, unless `most` is 0. Each search begins at the
+   above `limit` are not tried, unless `limit` is 0. Each search begins at the
    last load with a proof. */
 KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
-                                                const kern_query *asked,
-                                                kern_real most)
+                                                const kern_query *query,
+                                                kern_real limit)
 {
     static const short share[] = {
         0,  10, 20,  30,  40,  50,  55,  60,
         70, 80, 100, 150, 200, 300, 500, 1000}; /* of 10,000 */
-    kern_model *m = r->p->m;
+    kern_model *m = r->part->m;
     kern_real range[2];
     const int nested = kern_is_nested(m, range);
-    kern_query q = *asked;
-    int low = (int)(sizeof share / sizeof share[0]) - 1, at, high;
+    kern_query q = *query;
+    int low = (int)(sizeof share / sizeof share[0]) - 1, middle, high;
 
     /* Finds the largest share to the right. Then tries only shares up to that
        one to the left. */
-    while (most > 0 && KERN_R(share[low]) / 10000 > most)
+    while (limit > 0 && KERN_R(share[low]) / 10000 > limit)
         low--;
-    kern_copy(r->earlier, r->p->dual.u, r->size);
+    kern_copy(r->shown_before, r->part->dual.u, r->unknowns);
     for (q.side = 1; q.side >= -1; q.side -= 2) {
-        kern_copy(r->held, r->earlier, r->size);
+        kern_copy(r->shown, r->shown_before, r->unknowns);
 
         /* Bisects the list, beginning with its last share. */
-        for (at = low, high = low + 1, low = 0; high - low > 1;
-             at = (low + high) / 2) {
-            int k, good = 1;
-            q.factor = KERN_R(share[at]) / 10000;
-            kern_copy(r->p->dual.u, r->held, r->size);
-            for (k = nested; k < 2 && good; k++) {
-                q.shrink = asked->shrink
+        for (middle = low, high = low + 1, low = 0; high - low > 1;
+             middle = (low + high) / 2) {
+            int k, shown = 1;
+            q.factor = KERN_R(share[middle]) / 10000;
+            kern_copy(r->part->dual.u, r->shown, r->unknowns);
+            for (k = nested; k < 2 && shown; k++) {
+                q.shrink = query->shrink
                          + (kern_real)k * q.factor
-                               * (q.relative ? KERN_R(1) : m->mean);
+                               * (q.relative ? KERN_R(1) : m->mean_size);
                 kern_model_arms(m, &q);
-                good = kern_raise_settle(r, &q, KERN_BEGIN_HERE);
+                shown = kern_raise_settle(r, &q, KERN_BEGIN_HERE);
             }
-            if (good)
-                kern_copy(r->held, r->p->dual.u, r->size);
-            low = good ? at : low;
-            high = good ? high : at;
+            if (shown)
+                kern_copy(r->shown, r->part->dual.u, r->unknowns);
+            low = shown ? middle : low;
+            high = shown ? high : middle;
         }
     }
     return KERN_R(share[low]) / 10000;
@@ -9333,8 +9401,8 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     kern_query *const q = &c->path.q;
     kern_status status = KERN_STANDS;
     kern_real *value;
-    int i, left;
-    r->p = &c->part;
+    int i, hanging;
+    r->part = &c->part;
     *out = KERN_NOT_SHOWN;
     value = kern_take_last(&m->rest, m->s->blocks);
     kern_take_last(&m->common, m->s->blocks); /* both takes end at the same
@@ -9346,20 +9414,20 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
        any, or for kern_stays(). */
     for (i = 0; i < m->s->blocks; i++)
         value[i] = KERN_R(1);
-    left = kern_unsupported(m->s, value);
-    if (left > 0 || r->around >= 0) {
+    hanging = kern_unsupported(m->s, value);
+    if (hanging > 0 || r->placed >= 0) {
         kern_known_begin(m, q->shrink);
-        status = kern_model_evaluate(m, r->p, q);
+        status = kern_model_evaluate(m, r->part, q);
     }
 
     /* The blocks hang if the others stand without them. Writes their motion, a
        free fall. */
-    if (left > 0 && status == KERN_STANDS && kern_model_ask(m, 1)) {
+    if (hanging > 0 && status == KERN_STANDS && kern_model_charge(m, 1)) {
         const kern_vec way = kern_vec_unit(m->s->gravity);
         q->fallen = value;
         kern_model_group(m, q);
         if (m->graph.groups == 0
-            || kern_model_evaluate(m, r->p, q) == KERN_STANDS)
+            || kern_model_evaluate(m, r->part, q) == KERN_STANDS)
             *out = KERN_HANGS;
         q->fallen = NULL;
         kern_zero(m->answer.motion, 3 * m->s->blocks);
@@ -9370,90 +9438,92 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
         return status;
 
     /* opens the model of all groups again, without a linear program */
-    if (left > 0 || m->whole)
+    if (hanging > 0 || m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
     return kern_raise_open(r, m) ? KERN_STANDS : KERN_NO_SPACE;
 }
 
-/* Raises the load of q in steps, with *share as its factor from 0 to `most`.
+/* Raises the load of q in steps, with *share as its factor from 0 to `limit`.
    The u of each step is extrapolated from the last two. A step that fails is
    repeated with a smaller one, down to a share of the largest load with a
-   proof. If `most` is unknown, the end of the steps doubles. Returns the
+   proof. If `limit` is unknown, the end of the steps doubles. Returns the
    largest factor with a proof, or a negative number if there is none. */
 static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
-                                  kern_real *share, kern_real most)
+                                  kern_real *share, kern_real limit)
 {
-    kern_real end = most < KERN_FACTOR_MOST ? most : KERN_R(1);
-    kern_real stood = *share = KERN_R(0), taken = KERN_R(1), *u = r->p->dual.u;
+    kern_real end = limit < KERN_FACTOR_MOST ? limit : KERN_R(1);
+    kern_real proven = *share = KERN_R(0), taken = KERN_R(1),
+              *u = r->part->dual.u;
     kern_real step = end / KERN_LOAD_STEPS;
-    int i, good = 1;
+    int i, shown = 1;
 
     /* finds u without the load */
     if (!kern_raise_settle(r, q, KERN_BEGIN_UNLOADED))
         return KERN_R(-1);
-    kern_copy(r->held, u, r->size);
-    while (stood < end
-           && step >= KERN_LOAD_NARROW * kern_max(stood, end / 100)) {
-        *share = stood + KERN_R(1.01) * step < end ? stood + step : end;
+    kern_copy(r->shown, u, r->unknowns);
+    while (proven < end
+           && step >= KERN_LOAD_NARROW * kern_max(proven, end / 100)) {
+        *share = proven + KERN_R(1.01) * step < end ? proven + step : end;
 
         /* extrapolates from the last two loads; prices are not negative */
-        for (i = 0; i < r->size; i++) {
-            if (good) {
-                r->earlier[i] = r->held[i];
-                r->held[i] = u[i];
+        for (i = 0; i < r->unknowns; i++) {
+            if (shown) {
+                r->shown_before[i] = r->shown[i];
+                r->shown[i] = u[i];
             }
-            u[i] = r->held[i]
-                 + (*share - stood) / taken * (r->held[i] - r->earlier[i]);
-            if (u + i >= r->p->dual.price)
+            u[i] = r->shown[i]
+                 + (*share - proven) / taken
+                       * (r->shown[i] - r->shown_before[i]);
+            if (u + i >= r->part->dual.price)
                 u[i] = kern_max(u[i], 0);
         }
 
         /* repeats a step that fails with a smaller one */
-        good = kern_raise_settle(r, q, KERN_BEGIN_HERE)
-            || (!(stood > 0) /* only u at 0 is known */
-                && kern_raise_settle(r, q, KERN_BEGIN_UNLOADED));
-        if (good) {
-            taken = *share - stood;
-            stood = *share;
+        shown = kern_raise_settle(r, q, KERN_BEGIN_HERE)
+             || (!(proven > 0) /* only u at 0 is known */
+                 && kern_raise_settle(r, q, KERN_BEGIN_UNLOADED));
+        if (shown) {
+            taken = *share - proven;
+            proven = *share;
         } else
             step /= KERN_LOAD_FINER;
 
         /* doubles an end that was only a guess */
-        if (!(stood < end) && end < most) {
-            end = kern_min(2 * end, most);
+        if (!(proven < end) && end < limit) {
+            end = kern_min(2 * end, limit);
             step = end / KERN_LOAD_STEPS;
         }
     }
-    return stood;
+    return proven;
 }
 
 /* Sets *out to KERN_RAISED if the load raises forces, at once or as the loads
    of the blocks grow from 0. If `sag` is not NULL, writes to it the
-   displacement of block r->around for a stiffness of 1 and a mean weight of 1.
+   displacement of block r->placed for a stiffness of 1 and a mean weight of 1.
    A turn counts as turn times half the size of the block. */
 static kern_status kern_raise_show(kern_raise *r, kern_call *c,
                                    kern_raising *out, kern_real *sag)
 {
-    kern_query grown = c->path.q;
+    kern_query growing = c->path.q;
     const kern_status status = kern_raise_begin(r, c, out);
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
     if (kern_raise_settle(r, &c->path.q, KERN_BEGIN_UNLOADED)
         || (kern_model_loaded(&c->m)
-            && kern_raise_climb(r, &grown, &grown.loads, KERN_R(1)) >= 1))
+            && kern_raise_climb(r, &growing, &growing.loads, KERN_R(1)) >= 1))
         *out = KERN_RAISED;
     if (sag) {
         const kern_graph *graph = &c->m.graph;
-        const kern_real *u = r->p->dual.u
-                           + 3 * graph->local[graph->group[r->around]];
+        const kern_real *u = r->part->dual.u
+                           + 3 * graph->local[graph->group[r->placed]];
         *sag = (kern_real)graph->groups
              * (kern_abs(u[2]) / 2
                 + kern_vec_length(kern_vec_make(u[0], u[1])));
     }
     return *out == KERN_RAISED || sag
              ? status
-             : kern_model_evaluate(&c->m, r->p, &c->path.q);
+             : kern_model_evaluate(&c->m, r->part, &c->path.q);
 }
 
 /* Computes kern_raised(). If `sag` is not NULL, computes kern_stays(), in which
@@ -9478,22 +9548,22 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
 
     /* runs the search, and writes its proof: forces, and the motion if there is
        one */
-    r.around = i;
+    r.placed = i;
     r.proof = NULL;
     r.end = KERN_END_NONE;
     if (sag)
         kern_model_know(&c.m, &task->known);
     status = kern_raise_show(&r, &c, &raising, sag);
-    kern_proof_out(&c.m, proof, status);
+    kern_proof_write(&c.m, proof, status);
     if (raising != KERN_NOT_SHOWN)
-        kern_proof_out(&c.m, proof, KERN_FALLS);
+        kern_proof_write(&c.m, proof, KERN_FALLS);
     task->work->end = raising == KERN_NOT_SHOWN ? r.end : KERN_END_SHOWN;
 
     /* finds the largest push on top of the load */
     if (raising == KERN_RAISED && reserve)
         share = kern_raise_reserve(
             &r, &c.path.q, sag ? KERN_STAYS_MOST : task->options.reserve);
-    status = kern_ended(task, status);
+    status = kern_call_status(task, status);
     if (status == KERN_STANDS)
         *out = raising;
     if (status == KERN_STANDS && reserve)
@@ -9546,11 +9616,11 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_real *factor,
                                       const kern_proof *proof)
 {
-    kern_real most = KERN_R(-1), stood = most;
+    kern_real limit = KERN_R(-1), proven = limit;
     kern_call c;
     kern_raise r;
     kern_status status = kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
-                                  side, factor ? &most : NULL, proof);
+                                  side, factor ? &limit : NULL, proof);
 
     /* Grows the load from 0 to the load factor, which is an upper bound. The
        proof of the raised load overwrites that of the load factor in the
@@ -9561,23 +9631,24 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
         kern_query *q = &c.path.q;
         kern_raising hung;
         kern_model_open(&c.m, task, q);
-        r.around = KERN_OUT;
+        r.placed = KERN_OUT;
         r.proof = proof;
         r.end = KERN_END_NONE;
         status = kern_raise_begin(&r, &c, &hung);
         if (hung == KERN_HANGS)
             status = KERN_UNDECIDED;
-        q->factor = most = kern_min(most, KERN_FACTOR_MOST);
+        q->factor = limit = kern_min(limit, KERN_FACTOR_MOST);
         kern_model_set(&c.m, q); /* the unit of force includes the largest load
                                                                              */
         if (status == KERN_STANDS)
-            stood = kern_raise_climb(&r, q, &q->factor, most);
+            proven = kern_raise_climb(&r, q, &q->factor, limit);
         task->work->end = r.end;
-        status = kern_ended(
-            task, status == KERN_STANDS && stood < 0 ? KERN_UNDECIDED : status);
+        status = kern_call_status(task, status == KERN_STANDS && proven < 0
+                                            ? KERN_UNDECIDED
+                                            : status);
     }
     if (status == KERN_STANDS || status == KERN_LIMIT)
-        *factor = stood < KERN_FACTOR_MOST ? stood : KERN_INFINITY;
+        *factor = proven < KERN_FACTOR_MOST ? proven : KERN_INFINITY;
     return status;
 }
 
@@ -9753,7 +9824,7 @@ static int kern_polygon_next(const kern_block *block, int i)
 }
 
 /* Returns the vertex before i in the caller's order. */
-static int kern_polygon_before(const kern_block *block, int i)
+static int kern_polygon_previous(const kern_block *block, int i)
 {
     return (i > 0 ? i : block->vertices) - 1;
 }
@@ -9763,20 +9834,23 @@ static int kern_polygon_before(const kern_block *block, int i)
 static inline int kern_polygon_turn(const kern_block *block, int i)
 {
     const kern_vec *v = block->vertex;
-    const kern_vec in = kern_vec_sub(v[i], v[kern_polygon_before(block, i)]);
-    const kern_vec out = kern_vec_sub(v[kern_polygon_next(block, i)], v[i]);
-    const kern_real turn = kern_vec_cross(in, out);
-    const kern_real least = KERN_TURN_LEAST * kern_vec_dot(in, out);
-    if (kern_abs(turn) < least)
+    const kern_vec edge_in = kern_vec_sub(v[i],
+                                          v[kern_polygon_previous(block, i)]);
+    const kern_vec edge_out = kern_vec_sub(v[kern_polygon_next(block, i)],
+                                           v[i]);
+    const kern_real turn = kern_vec_cross(edge_in, edge_out);
+    const kern_real cross_min = KERN_TURN_LEAST
+                              * kern_vec_dot(edge_in, edge_out);
+    if (kern_abs(turn) < cross_min)
         return 0;
-    if (kern_abs(turn) <= -least)
+    if (kern_abs(turn) <= -cross_min)
         return -2;
     return (turn > 0) == (block->area >= 0) ? 1 : -1;
 }
 
 /* Returns 1 if two boxes are no farther apart than the gap. If the gap is
    negative, they must overlap by its magnitude. */
-static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
+static int kern_boxes_meet(const kern_box *a, const kern_box *b, kern_real gap)
 {
     return b->low.y - gap <= a->high.y && a->low.y - gap <= b->high.y
         && b->low.x - gap <= a->high.x && a->low.x - gap <= b->high.x;
@@ -9790,14 +9864,14 @@ static kern_real kern_box_largest(const kern_box *box)
 
 /* ---- outlines ---- */
 
-/* A block's outline, divided into runs of `each` vertices. Each run has a box
-   around the edges that start in it, from corner to corner. A short outline is
-   a single run. */
+/* A block's outline, divided into runs of `run_vertices` vertices. Each run has
+   a box around the edges that start in it, from corner to corner. A short
+   outline is a single run. */
 typedef struct kern_outline {
     const kern_block *block;
-    int straight, reflex; /* nonzero: has straight, reflex vertices     */
-    int each;             /* number of vertices of a run                */
-    int looks;            /* vertices and runs read, not charged yet    */
+    int straight, reflex; /* nonzero: has straight, reflex vertices  */
+    int run_vertices;     /* number of vertices of a run             */
+    int visits;           /* vertices and runs read, not charged yet */
     kern_box box[KERN_RUNS];
 } kern_outline;
 
@@ -9818,21 +9892,21 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
     int i;
     o->block = block;
     o->straight = o->reflex = 0;
-    o->looks = n;
+    o->visits = n;
     for (i = 0; i < n; i++) {
         const int turn = kern_polygon_turn(block, i);
         o->straight |= turn == 0;
         o->reflex |= turn < 0;
     }
-    o->each = n > KERN_RUNS ? n / KERN_RUNS + KERN_RUNS / 2 : n;
+    o->run_vertices = n > KERN_RUNS ? n / KERN_RUNS + KERN_RUNS / 2 : n;
     o->box[0] = block->box;
     for (i = 0; n > KERN_RUNS && i < n; i++) {
-        kern_box *box = &o->box[i / o->each];
+        kern_box *box = &o->box[i / o->run_vertices];
         const int end = kern_polygon_next(block, i);
-        if (i % o->each == 0)
+        if (i % o->run_vertices == 0)
             box->low = box->high = block->vertex[i];
         kern_box_add(box, block->vertex[end]);
-        if (end % o->each == 0)
+        if (end % o->run_vertices == 0)
             kern_box_add(box, block->vertex[kern_outline_corner(o, i)]);
     }
 }
@@ -9842,20 +9916,21 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
 /* The segment from one corner to another, counter-clockwise: an edge or a
    chord. */
 typedef struct kern_edge {
-    int at;           /* index of first corner, caller's order   */
-    int start, end;   /* indices of corners, counter-clockwise   */
-    kern_vec p, q, d; /* places of start, end; unit direction    */
+    int corner;       /* index of first corner, caller's order */
+    int start, end;   /* indices of corners, counter-clockwise */
+    kern_vec p, q, d; /* places of start, end; unit direction  */
     kern_real length;
-    kern_box box; /* box of an edge; not set for a chord         */
+    kern_box box; /* box of an edge; not set for a chord */
 } kern_edge;
 
-/* Makes an edge from `at` to `to`, which follows in the caller's order. */
-static inline void kern_edge_set(kern_edge *e, const kern_block *block, int at,
-                                 int to)
+/* Makes an edge from `corner` to `next`, which follows in the caller's
+   order. */
+static inline void kern_edge_set(kern_edge *e, const kern_block *block,
+                                 int corner, int next)
 {
-    e->at = at;
-    e->start = block->area < 0 ? to : at;
-    e->end = block->area < 0 ? at : to;
+    e->corner = corner;
+    e->start = block->area < 0 ? next : corner;
+    e->end = block->area < 0 ? corner : next;
     e->p = block->vertex[e->start];
     e->q = block->vertex[e->end];
     e->d = kern_vec_sub(e->q, e->p);
@@ -9871,24 +9946,24 @@ static kern_real kern_edge_foot(const kern_edge *e, kern_vec p)
 }
 
 /* Finds the next edge of the outline within the gap of the box, beginning after
-   vertex e->at. Set e->at to -1 for the first call. Returns 0 if there is no
-   such edge. */
+   vertex e->corner. Set e->corner to -1 for the first call. Returns 0 if there
+   is no such edge. */
 static int kern_edge_next(kern_edge *e, kern_outline *o, const kern_box *box,
                           kern_real gap)
 {
     const kern_block *block = o->block;
     int i;
-    for (i = e->at + 1; i < block->vertices; i++, o->looks++)
-        if (o->each < block->vertices && i % o->each == 0
-            && !kern_box_near(&o->box[i / o->each], box, gap)) {
-            i += o->each - 1;
+    for (i = e->corner + 1; i < block->vertices; i++, o->visits++)
+        if (o->run_vertices < block->vertices && i % o->run_vertices == 0
+            && !kern_boxes_meet(&o->box[i / o->run_vertices], box, gap)) {
+            i += o->run_vertices - 1;
         } else if (!o->straight || kern_polygon_turn(block, i) != 0) {
             const int corner = kern_outline_corner(o, i);
-            kern_box own = {block->vertex[i], block->vertex[i]};
-            kern_box_add(&own, block->vertex[corner]);
-            if (kern_box_near(&own, box, gap)) {
+            kern_box edge_box = {block->vertex[i], block->vertex[i]};
+            kern_box_add(&edge_box, block->vertex[corner]);
+            if (kern_boxes_meet(&edge_box, box, gap)) {
                 kern_edge_set(e, block, i, corner);
-                e->box = own;
+                e->box = edge_box;
                 return 1;
             }
         }
@@ -9903,9 +9978,9 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
 {
     const kern_vec d = kern_vec_sub(v, u);
     const kern_real whole = kern_vec_dot(d, d);
-    const kern_real along = kern_min(kern_max(-kern_vec_dot(u, d), KERN_R(0)),
-                                     whole);
-    const kern_real share = whole > 0 ? along / whole : KERN_R(0);
+    const kern_real foot = kern_min(kern_max(-kern_vec_dot(u, d), KERN_R(0)),
+                                    whole);
+    const kern_real share = whole > 0 ? foot / whole : KERN_R(0);
     const kern_vec r = kern_vec_step(u, share, d);
     return kern_vec_dot(r, r);
 }
@@ -9919,7 +9994,7 @@ static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
     const kern_vec *vertex = block->vertex;
     const int n = block->vertices;
     kern_vec u = kern_vec_sub(vertex[*nearest], p);
-    kern_real least = kern_edge_square(
+    kern_real closest = kern_edge_square(
         u, kern_vec_sub(vertex[kern_polygon_next(block, *nearest)], p));
     int i, start, end, inside = 0;
 
@@ -9927,23 +10002,23 @@ static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
     for (start = 0; start < n; start = end) {
         /* skips a run farther away than the nearest edge so far: only its two
            ends decide whether it crosses the level of p */
-        const kern_box *box = &o->box[start / o->each];
+        const kern_box *box = &o->box[start / o->run_vertices];
         const kern_real x = kern_min(kern_max(p.x, box->low.x), box->high.x);
         const kern_real y = kern_min(kern_max(p.y, box->low.y), box->high.y);
         const kern_vec way = kern_vec_sub(p, kern_vec_make(x, y));
         const int skip = /* farther despite rounding */
-            KERN_R(0.999) * kern_vec_dot(way, way) > least;
-        end = n - start > o->each ? start + o->each : n;
-        o->looks += 1 + (skip ? 0 : end - start);
+            KERN_R(0.999) * kern_vec_dot(way, way) > closest;
+        end = n - start > o->run_vertices ? start + o->run_vertices : n;
+        o->visits += 1 + (skip ? 0 : end - start);
 
         /* p is inside if edges to its right cross its level an odd number of
            times */
         for (i = skip ? end - 1 : start; i < end; i++) {
             const kern_vec v = kern_vec_sub(vertex[kern_polygon_next(block, i)],
                                             p);
-            const kern_real square = skip ? least : kern_edge_square(u, v);
-            if (square < least) {
-                least = square;
+            const kern_real square = skip ? closest : kern_edge_square(u, v);
+            if (square < closest) {
+                closest = square;
                 *nearest = i;
             }
             if ((u.y > 0) != (v.y > 0)
@@ -9953,8 +10028,8 @@ static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
             u = v;
         }
     }
-    least = KERN_SQRT(least);
-    return inside ? least : -least;
+    closest = KERN_SQRT(closest);
+    return inside ? closest : -closest;
 }
 
 /* Returns 1 if f lies on one side of the line of e. Does not use e->d, since
@@ -9962,9 +10037,9 @@ static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
 static int kern_one_side(const kern_edge *e, const kern_edge *f)
 {
     const kern_vec d = kern_vec_sub(e->q, e->p);
-    const kern_real from = kern_vec_cross(d, kern_vec_sub(f->p, e->p));
-    const kern_real to = kern_vec_cross(d, kern_vec_sub(f->q, e->p));
-    return (from > 0 && to > 0) || (from < 0 && to < 0);
+    const kern_real side_p = kern_vec_cross(d, kern_vec_sub(f->p, e->p));
+    const kern_real side_q = kern_vec_cross(d, kern_vec_sub(f->q, e->p));
+    return (side_p > 0 && side_q > 0) || (side_p < 0 && side_q < 0);
 }
 
 /* ---- what a polygon must be ---- */
@@ -9981,20 +10056,20 @@ static int kern_polygon_crossing(const kern_block *block)
     int i, lowest = 0;
     for (i = 0; i < block->vertices; i++)
         lowest += v[kern_polygon_next(block, i)].y > v[i].y
-               && v[kern_polygon_before(block, i)].y >= v[i].y;
+               && v[kern_polygon_previous(block, i)].y >= v[i].y;
     kern_outline_set(&o, block);
     if (!o.reflex && lowest < 2)
         return -1;
     o.straight = 0; /* edges from vertex to vertex, which cost less */
-    e.at = -1;
+    e.corner = -1;
     while (kern_edge_next(&e, &o, &block->box, 0)) {
-        int touch = kern_polygon_turn(block, e.at) == -2;
+        int touch = kern_polygon_turn(block, e.corner) == -2;
         f = e;
         while (!touch && kern_edge_next(&f, &o, &e.box, 0))
             touch = f.start != e.end && f.end != e.start
                  && !kern_one_side(&e, &f) && !kern_one_side(&f, &e);
         if (touch)
-            return e.at;
+            return e.corner;
     }
     return -1;
 }
@@ -10028,19 +10103,19 @@ static inline kern_real kern_polygon_area(kern_block *block)
    polygon. */
 static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 {
-    kern_real spread, least;
+    kern_real spread, area_min;
     for (fault->index = 0; fault->index < block->vertices; fault->index++)
         if (!kern_vec_is_moderate(block->vertex[fault->index]))
             return KERN_BAD_NUMBER;
     spread = kern_polygon_area(block);
-    least = 2 * KERN_ROUNDING * kern_box_largest(&block->box)
-          * kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
-    least = kern_max(least, 1 / (KERN_FAR * KERN_FAR));
+    area_min = 2 * KERN_ROUNDING * kern_box_largest(&block->box)
+             * kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
+    area_min = kern_max(area_min, 1 / (KERN_FAR * KERN_FAR));
     /* with a smaller spread all vertices are on one line */
-    fault->index = spread > least ? kern_polygon_crossing(block) : -1;
-    return fault->index >= 0             ? KERN_CROSSING
-         : kern_abs(block->area) > least ? KERN_OK
-                                         : KERN_NO_AREA;
+    fault->index = spread > area_min ? kern_polygon_crossing(block) : -1;
+    return fault->index >= 0                ? KERN_CROSSING
+         : kern_abs(block->area) > area_min ? KERN_OK
+                                            : KERN_NO_AREA;
 }
 
 /* Checks an array of n vertices, except for its contents. Returns KERN_OK or
@@ -10096,10 +10171,10 @@ KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
     return KERN_OK;
 }
 
-KERN_API void kern_block_load(kern_block *block, kern_vec force, kern_vec at,
+KERN_API void kern_block_load(kern_block *block, kern_vec force, kern_vec point,
                               kern_real torque)
 {
-    const kern_vec arm = kern_vec_sub(at, block->centre);
+    const kern_vec arm = kern_vec_sub(point, block->centre);
     block->load.fx += force.x;
     block->load.fy += force.y;
     block->load.torque += kern_vec_cross(arm, force) + torque;
@@ -10129,7 +10204,7 @@ KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
                                              kern_real tolerance)
 {
     const kern_vec *v = block->vertex;
-    kern_real most = tolerance * tolerance;
+    kern_real largest = tolerance * tolerance;
     int i = start, found = -1;
     do {
         kern_real square;
@@ -10140,8 +10215,8 @@ KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
              && (v[i].y < v[found].y
                  || (!(v[i].y > v[found].y) && v[i].x < v[found].x));
         if (square
-            > (lower ? 1 - KERN_EQUALLY_FAR : 1 + KERN_EQUALLY_FAR) * most) {
-            most = square;
+            > (lower ? 1 - KERN_EQUALLY_FAR : 1 + KERN_EQUALLY_FAR) * largest) {
+            largest = square;
             found = i;
         }
     } while (i != end);
@@ -10158,28 +10233,28 @@ static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
 {
     const kern_vec *v = block->vertex, c = block->centre;
     const int anchor = kern_outline_farthest(block, 0, 0, c, c, KERN_R(0));
-    int at = anchor, waiting = room, count = 0;
+    int corner = anchor, waiting = room, count = 0;
     KERN_ASSERT(tolerance >= 0 && block->vertices > 0);
     if (anchor < 0)
         return (int)KERN_NO_AREA;
     while (count < waiting) {
         const int end = waiting < room ? kept[waiting] : anchor;
-        const int split = kern_outline_farthest(block, at, end, v[at], v[end],
-                                                tolerance);
+        const int split = kern_outline_farthest(block, corner, end, v[corner],
+                                                v[end], tolerance);
 
-        /* an edge from `at` to `end` would leave out a vertex that is too far
-           away */
+        /* an edge from `corner` to `end` would leave out a vertex that is too
+           far away */
         if (split >= 0) {
             kept[--waiting] = split;
             continue;
         }
 
-        /* otherwise vertex `at` stays, and the next edge begins at `end` */
-        kept[count] = at;
-        out[count++] = v[at];
+        /* otherwise vertex `corner` stays, and the next edge begins at `end` */
+        kept[count] = corner;
+        out[count++] = v[corner];
         if (waiting++ == room)
             return count;
-        at = end;
+        corner = end;
     }
     return (int)KERN_NO_SPACE;
 }
@@ -10237,24 +10312,26 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
    caller's array. In that array a line is still one contact, whose p is its
    middle and whose travel is half its length. */
 typedef struct kern_pair {
-    int a, b;        /* indices of the blocks, a before b             */
-    kern_real gap;   /* widest gap [m], without errors of angle       */
-    kern_real swing; /* gap per distance from errors of angle [1]     */
-    kern_real deep;  /* deepest overlap that is a contact [m]         */
-    kern_real reach; /* bound of all gaps and overlaps [m]            */
-    kern_real least; /* least length of a line [m]                    */
-    kern_real foot;  /* least distance of a foot from an edge's ends [m] */
-    kern_real sure;  /* the same distance from errors of place, and least length
-                        of a line; below 0: the foot may be beyond the ends */
-    kern_real apart; /* widest hollow of a face [m]                   */
-    kern_real sine;  /* sine of options->angle                        */
+    int a, b;              /* indices of the blocks, a before b             */
+    kern_real gap;         /* widest gap [m], without errors of angle       */
+    kern_real swing;       /* gap per distance from errors of angle [1]     */
+    kern_real overlap_max; /* deepest overlap that is a contact [m]         */
+    kern_real reach;       /* bound of all gaps and overlaps [m]            */
+    kern_real length_min;  /* least length of a line [m]                    */
+    kern_real inset;       /* least distance of a foot from an edge's ends
+                              [m]                                           */
+    kern_real sure_inset;  /* the same distance from errors of place, and
+                              least length of a line; below 0: the foot may
+                              be beyond the ends                            */
+    kern_real hollow;      /* widest hollow of a face [m]                   */
+    kern_real sine;        /* sine of options->angle                        */
     const kern_options *options;
     kern_work *work;
-    int steps; /* steps since the last unit of work                   */
+    int steps; /* steps since the last unit of work */
     kern_contact *out;
-    int room, count;         /* if count exceeds room, no more is stored    */
-    int first;               /* first contact of this pair                  */
-    kern_outline outline[2]; /* a and b                                     */
+    int room, count;         /* if count exceeds room, no more is stored */
+    int first_contact;       /* first contact of this pair               */
+    kern_outline outline[2]; /* a and b                                  */
 } kern_pair;
 
 /* Charges steps before a search takes them, and the vertices that it has read.
@@ -10262,8 +10339,8 @@ typedef struct kern_pair {
    ends. */
 static int kern_pair_spend(kern_pair *pair, int steps)
 {
-    pair->steps += steps + pair->outline[0].looks + pair->outline[1].looks;
-    pair->outline[0].looks = pair->outline[1].looks = 0;
+    pair->steps += steps + pair->outline[0].visits + pair->outline[1].visits;
+    pair->outline[0].visits = pair->outline[1].visits = 0;
     if (pair->steps >= KERN_SEARCH_UNIT
         && kern_spend(pair->work, pair->options->limit,
                       pair->steps / KERN_SEARCH_UNIT))
@@ -10278,15 +10355,15 @@ static int kern_pair_spend(kern_pair *pair, int steps)
 
 /* Returns the largest distance of the vertices of b from the line of edge e, to
    its left (side 1) or right (side -1). Stops at the first vertex farther away
-   than `most`, and returns the distance of that vertex. */
+   than `limit`, and returns the distance of that vertex. */
 static kern_real kern_overlap_side(kern_pair *pair, const kern_edge *e,
                                    const kern_block *b, kern_real side,
-                                   kern_real most)
+                                   kern_real limit)
 {
     const kern_vec d = kern_vec_scale(e->d, side);
     kern_real reach = -KERN_INFINITY;
     int k;
-    for (k = 0; k < b->vertices && reach <= most; k++)
+    for (k = 0; k < b->vertices && reach <= limit; k++)
         reach = kern_max(reach,
                          kern_vec_cross(d, kern_vec_sub(b->vertex[k], e->p)));
     pair->steps += k / 4;
@@ -10295,61 +10372,63 @@ static kern_real kern_overlap_side(kern_pair *pair, const kern_edge *e,
 
 /* Returns the distance of the nearer end of f from the line of e. Returns a
    negative number if both ends are on the same side of that line. */
-static kern_real kern_edge_across(const kern_edge *e, const kern_edge *f)
+static kern_real kern_edge_crossing(const kern_edge *e, const kern_edge *f)
 {
     const kern_real p = kern_vec_cross(e->d, kern_vec_sub(f->p, e->p));
     const kern_real q = kern_vec_cross(e->d, kern_vec_sub(f->q, e->p));
     return kern_max(kern_min(p, -q), kern_min(-p, q));
 }
 
-/* Raises *deep to the depth of the boundary of block a (on = 0) or b (1) inside
-   the other block. Where edges cross, as in thin blocks, raises *deep to the
-   shortest motion after which they do not. The true depth may be larger by a
-   stride. Stops at a depth above `enough`. Strides grow from step to step,
+/* Raises *deepest to the depth of the boundary of block a (side = 0) or b (1)
+   inside the other block. Where edges cross, as in thin blocks, raises *deepest
+   to the shortest motion after which they do not. The true depth may be larger
+   by a stride. Stops at a depth above `limit`. Strides grow from step to step,
    since a gap close to rounding would take too many. */
-static void kern_overlap_boundary(kern_pair *pair, int on, kern_real enough,
-                                  kern_real *deep)
+static void kern_overlap_boundary(kern_pair *pair, int side, kern_real limit,
+                                  kern_real *deepest)
 {
-    kern_outline *a = &pair->outline[on], *b = &pair->outline[!on];
+    kern_outline *a = &pair->outline[side], *b = &pair->outline[!side];
     kern_edge e, f;
     int nearest = 0;
-    e.at = -1;
-    while (kern_edge_next(&e, a, &b->block->box, -*deep)) {
-        kern_real s, step, low, stride = *deep / KERN_STRIDES;
-        f.at = -1;
+    e.corner = -1;
+    while (kern_edge_next(&e, a, &b->block->box, -*deepest)) {
+        kern_real s, step, low, stride = *deepest / KERN_STRIDES;
+        f.corner = -1;
         while (kern_pair_spend(pair, 1)
-               && kern_edge_next(&f, b, &e.box, -*deep))
-            *deep = kern_max(*deep, kern_min(kern_edge_across(&e, &f),
-                                             kern_edge_across(&f, &e)));
+               && kern_edge_next(&f, b, &e.box, -*deepest))
+            *deepest = kern_max(*deepest, kern_min(kern_edge_crossing(&e, &f),
+                                                   kern_edge_crossing(&f, &e)));
         for (s = 0; s < e.length && kern_pair_spend(pair, 1); s += step) {
-            const kern_vec at = kern_vec_step(e.p, s, e.d);
-            const kern_real depth = kern_polygon_depth(b, at, &nearest);
-            *deep = kern_max(*deep, depth);
-            if (*deep > enough)
+            const kern_vec point = kern_vec_step(e.p, s, e.d);
+            const kern_real depth = kern_polygon_depth(b, point, &nearest);
+            *deepest = kern_max(*deepest, depth);
+            if (*deepest > limit)
                 return;
             /* steps as far as the depth under the nearest edge stays below
-               *deep */
+               *deepest */
             kern_edge_set(&f, b->block, nearest,
                           kern_polygon_next(b->block, nearest));
             low = KERN_R(0);
             step = e.length - s;
-            kern_clip(&low, &step, kern_edge_foot(&f, at),
+            kern_clip(&low, &step, kern_edge_foot(&f, point),
                       kern_vec_dot(e.d, f.d), KERN_R(0), f.length);
-            kern_clip(&low, &step, kern_vec_cross(kern_vec_sub(at, f.p), f.d),
-                      kern_vec_cross(e.d, f.d), -*deep, *deep);
-            step = kern_max(low > 0 ? KERN_R(0) : step, *deep - depth + stride);
+            kern_clip(&low, &step,
+                      kern_vec_cross(kern_vec_sub(point, f.p), f.d),
+                      kern_vec_cross(e.d, f.d), -*deepest, *deepest);
+            step = kern_max(low > 0 ? KERN_R(0) : step,
+                            *deepest - depth + stride);
             stride += stride / KERN_STRIDES;
         }
     }
 }
 
-/* Raises *deep to the depth of inner points of block a (on = 0) or b (1) inside
-   the other block. The points are centroids of triangles of vertices, first of
-   vertices far apart. If no boundary is deep, one inner point is enough: all
-   points around it have the same result. */
-static void kern_overlap_middles(kern_pair *pair, int on, kern_real *deep)
+/* Raises *deepest to the depth of inner points of block a (side = 0) or b (1)
+   inside the other block. The points are centroids of triangles of vertices,
+   first of vertices far apart. If no boundary is deep, one inner point is
+   enough: all points around it have the same result. */
+static void kern_overlap_middles(kern_pair *pair, int side, kern_real *deepest)
 {
-    kern_outline *a = &pair->outline[on], *b = &pair->outline[!on];
+    kern_outline *a = &pair->outline[side], *b = &pair->outline[!side];
     const kern_vec *vertex = a->block->vertex;
     const int n = a->block->vertices;
     int step, i, near_a = 0, near_b = 0;
@@ -10359,70 +10438,72 @@ static void kern_overlap_middles(kern_pair *pair, int on, kern_real *deep)
             const kern_vec sum = kern_vec_add(
                 kern_vec_add(vertex[i], vertex[(i + step) % n]),
                 vertex[(i + 2 * step) % n]);
-            const kern_vec at = kern_vec_scale(sum, KERN_R(1) / 3);
-            const kern_real own = kern_polygon_depth(a, at, &near_a);
-            if (own > *deep)
-                *deep = kern_max(
-                    *deep, kern_min(own, kern_polygon_depth(b, at, &near_b)));
-            if (own > 2 * *deep)
+            const kern_vec point = kern_vec_scale(sum, KERN_R(1) / 3);
+            const kern_real depth = kern_polygon_depth(a, point, &near_a);
+            if (depth > *deepest)
+                *deepest = kern_max(
+                    *deepest,
+                    kern_min(depth, kern_polygon_depth(b, point, &near_b)));
+            if (depth > 2 * *deepest)
                 return;
         }
 }
 
 /* Returns the shortest motion that separates a convex pair: the least distance
    that one block reaches beyond an edge of the other. If the line of an edge
-   separates the pair, convex or not, the result is at most pair->deep / 2. */
-static kern_real kern_overlap_least(kern_pair *pair)
+   separates the pair, convex or not, the result is at most pair->overlap_max /
+   2. */
+static kern_real kern_overlap_parting(kern_pair *pair)
 {
-    const kern_real some = pair->deep / 2;
-    kern_real least = KERN_INFINITY;
+    const kern_real limit = pair->overlap_max / 2;
+    kern_real parting = KERN_INFINITY;
     kern_edge e;
     int i, k;
     for (i = 1; i >= 0; i--) {
         const kern_outline *o = &pair->outline[i];
-        const kern_block *own = o->block, *other = pair->outline[!i].block;
-        for (k = 0; k < own->vertices && kern_pair_spend(pair, 1); k++) {
+        const kern_block *block = o->block, *partner = pair->outline[!i].block;
+        for (k = 0; k < block->vertices && kern_pair_spend(pair, 1); k++) {
             kern_real reach;
-            kern_edge_set(&e, own, k, kern_polygon_next(own, k));
-            reach = kern_overlap_side(pair, &e, other, 1,
-                                      kern_max(least, some));
-            if (reach > some)
-                least = kern_min(least, reach);
+            kern_edge_set(&e, block, k, kern_polygon_next(block, k));
+            reach = kern_overlap_side(pair, &e, partner, 1,
+                                      kern_max(parting, limit));
+            if (reach > limit)
+                parting = kern_min(parting, reach);
             else if (o->reflex + o->straight == 0 /* convex */
-                     || kern_overlap_side(pair, &e, own, -1, some) <= some)
+                     || kern_overlap_side(pair, &e, block, -1, limit) <= limit)
                 return reach;
         }
     }
-    return least;
+    return parting;
 }
 
 /* Returns the depth of the pair's overlap, or 0 if it is no deeper than a
-   contact may be. May stop at any depth above `enough`. The result may be too
+   contact may be. May stop at any depth above `limit`. The result may be too
    small by one stride. For convex blocks that are too thin to be so deep, the
    result is the shortest motion that separates them. Two equal blocks at one
    place have no boundary inside each other, but inner points. */
 KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
-                                                kern_real enough)
+                                                kern_real limit)
 {
     const kern_outline *const o = pair->outline;
-    const kern_real gap = pair->deep;
-    kern_real deep = gap, least;
+    const kern_real gap = pair->overlap_max;
+    kern_real deepest = gap, parting;
     int i;
-    if (!kern_box_near(&o[0].block->box, &o[1].block->box, -gap))
+    if (!kern_boxes_meet(&o[0].block->box, &o[1].block->box, -gap))
         return KERN_R(0);
-    least = kern_overlap_least(pair);
-    if (least <= gap / 2 || !kern_pair_spend(pair, 0))
+    parting = kern_overlap_parting(pair);
+    if (parting <= gap / 2 || !kern_pair_spend(pair, 0))
         return KERN_R(0);
 
     /* finds the depth of points, or the motion that separates convex blocks */
-    for (i = 0; i < 2 && !(deep > enough); i++)
-        kern_overlap_boundary(pair, i, enough, &deep);
-    for (i = 0; i < 2 && !(deep > gap); i++)
-        kern_overlap_middles(pair, i, &deep);
-    if (!(deep > gap)
+    for (i = 0; i < 2 && !(deepest > limit); i++)
+        kern_overlap_boundary(pair, i, limit, &deepest);
+    for (i = 0; i < 2 && !(deepest > gap); i++)
+        kern_overlap_middles(pair, i, &deepest);
+    if (!(deepest > gap)
         && o[0].reflex + o[0].straight + o[1].reflex + o[1].straight == 0)
-        deep = least;
-    return deep > gap ? deep : KERN_R(0);
+        deepest = parting;
+    return deepest > gap ? deepest : KERN_R(0);
 }
 
 /* ---- lines ---- */
@@ -10440,13 +10521,13 @@ static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
 {
     const kern_contact made = {pair->a, pair->b,           half > 0, p,
                                n,       pair->options->mu, half};
-    kern_contact *at = pair->out;
+    kern_contact *contact = pair->out;
     int i = pair->count++;
     if (i >= pair->room)
         return;
-    for (; i > pair->first && at[i - 1].travel < half; i--)
-        at[i] = at[i - 1];
-    at[i] = made;
+    for (; i > pair->first_contact && contact[i - 1].travel < half; i--)
+        contact[i] = contact[i - 1];
+    contact[i] = made;
     pair->steps += (pair->count - i) / 4;
 }
 
@@ -10480,7 +10561,7 @@ static int kern_pair_inside(kern_pair *pair, kern_vec p, kern_real gap,
                             kern_real slack)
 {
     int i = 0, k = 0;
-    return gap >= 0 || pair->deep <= pair->gap
+    return gap >= 0 || pair->overlap_max <= pair->gap
         || kern_min(kern_polygon_depth(&pair->outline[0], p, &i),
                     kern_polygon_depth(&pair->outline[1], p, &k))
                >= -KERN_THIN * gap - slack;
@@ -10494,7 +10575,7 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 {
     const kern_edge *e = edge, *f = edge + 1;
     const kern_vec r = kern_vec_sub(f->q, e->p); /* small: less rounding */
-    kern_real at, cosine, slope, low, high, gap, wide, least;
+    kern_real start, cosine, slope, low, high, gap, gap_max, length_min;
     kern_vec t, n, p;
     if (!kern_pair_opposed(pair, e, f))
         return;
@@ -10504,79 +10585,84 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     n = kern_vec_scale(kern_vec_turn(t), -1); /* outward */
     cosine = kern_vec_dot(e->d, t);           /* that of f is the opposite */
     slope = kern_vec_dot(e->d, n) / cosine;
-    at = kern_vec_dot(r, t);
-    low = kern_max(KERN_R(0), at);
-    high = kern_min(e->length * cosine, at + f->length * cosine);
+    start = kern_vec_dot(r, t);
+    low = kern_max(KERN_R(0), start);
+    high = kern_min(e->length * cosine, start + f->length * cosine);
 
     /* clips the range to where the gap is small enough */
-    gap = kern_vec_dot(r, n) + slope * at; /* at s = 0 */
+    gap = kern_vec_dot(r, n) + slope * start; /* at s = 0 */
     p = kern_vec_step(kern_vec_step(e->p, (low + high) / 2, t), gap / 2, n);
-    wide = kern_pair_gap(pair, p); /* midway, the same from either edge */
-    kern_clip(&low, &high, gap, -2 * slope, -kern_max(wide, pair->deep), wide);
+    gap_max = kern_pair_gap(pair, p); /* midway, the same from either edge */
+    kern_clip(&low, &high, gap, -2 * slope,
+              -kern_max(gap_max, pair->overlap_max), gap_max);
 
     /* adds the contact midway between the edges; short edges that match are a
        contact, too */
-    least = kern_min(pair->least, kern_max(e->length, f->length) / 2);
-    if (!(high - low > kern_max(least, kern_max(pair->foot, pair->sure))))
+    length_min = kern_min(pair->length_min, kern_max(e->length, f->length) / 2);
+    if (!(high - low
+          > kern_max(length_min, kern_max(pair->inset, pair->sure_inset))))
         return;
     p = kern_vec_step(kern_vec_step(e->p, (low + high) / 2, t), gap / 2, n);
     gap = kern_max(gap - slope * (low + high), low - high); /* there */
-    if (kern_pair_inside(pair, p, gap, pair->least))
+    if (kern_pair_inside(pair, p, gap, pair->length_min))
         kern_pair_put(pair, p, n, (high - low) / 2);
 }
 
 /* Returns 1 if the foot of the corner at p is inside edge e. Also returns 1 if
-   e ends there in a reflex corner, and the edges of the corner, along `back`
-   and `out`, lead away from both edges of the reflex corner. e belongs to block
-   a (on = 0) or b (1). */
-static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int on,
-                           kern_vec p, kern_vec back, kern_vec out)
+   e ends there in a reflex corner, and the edges of the corner, along `prev_d`
+   and `next_d`, lead away from both edges of the reflex corner. e belongs to
+   block a (side = 0) or b (1). */
+static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int side,
+                           kern_vec p, kern_vec prev_d, kern_vec next_d)
 {
-    const kern_block *block = pair->outline[on].block;
-    const kern_real along = kern_edge_foot(e, p);
+    const kern_block *block = pair->outline[side].block;
+    const kern_real foot = kern_edge_foot(e, p);
     int end, bears = 1;
     for (end = 0; end < 2 && bears; end++) {
-        const int at = end ? e->end : e->start;
-        const kern_real inside = end ? e->length - along : along;
-        bears = inside > pair->foot + pair->sure;
-        if (inside <= pair->gap && kern_polygon_turn(block, at) < 0) {
-            const int from = at == e->at ? kern_polygon_before(block, at) : at;
+        const int corner = end ? e->end : e->start;
+        const kern_real inset = end ? e->length - foot : foot;
+        bears = inset > pair->inset + pair->sure_inset;
+        if (inset <= pair->gap && kern_polygon_turn(block, corner) < 0) {
+            const int start = corner == e->corner
+                                ? kern_polygon_previous(block, corner)
+                                : corner;
             kern_edge wall; /* other edge of the reflex corner */
-            kern_edge_set(&wall, block, from, kern_polygon_next(block, from));
-            bears = inside >= -pair->gap
-                 && kern_vec_cross(end ? back : out, wall.d) >= -pair->sine;
+            kern_edge_set(&wall, block, start, kern_polygon_next(block, start));
+            bears = inset >= -pair->gap
+                 && kern_vec_cross(end ? prev_d : next_d, wall.d)
+                        >= -pair->sine;
         }
     }
     return bears;
 }
 
 /* Adds the point contact of edge e with a corner of the other block. e is
-   edge[on], of block a (on = 0) or b (1). The corner is the start of the other
-   edge f, which leads away from e. The corner must be convex and within the
-   gap, its foot must be on e, and its other edge must lead away from e. */
-static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
+   edge[on], of block a (side = 0) or b (1). The corner is the start of the
+   other edge f, which leads away from e. The corner must be convex and within
+   the gap, its foot must be on e, and its other edge must lead away from e. */
+static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int side)
 {
-    const kern_edge *e = &edge[on], *f = &edge[!on];
-    const kern_real wide = kern_pair_gap(pair, f->p);
+    const kern_edge *e = &edge[side], *f = &edge[!side];
+    const kern_real gap_max = kern_pair_gap(pair, f->p);
     const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
-    const kern_block *own = pair->outline[!on].block;
-    kern_vec back, p = f->p;
-    int last; /* index of the corner before f */
-    if (high > wide || high < -kern_max(wide, pair->deep))
+    const kern_block *block = pair->outline[!side].block;
+    kern_vec prev_d, p = f->p;
+    int corner; /* index of the corner before f */
+    if (high > gap_max || high < -kern_max(gap_max, pair->overlap_max))
         return;
-    last = own->area > 0 ? kern_polygon_before(own, f->start)
-                         : kern_polygon_next(own, f->start);
-    back = kern_vec_unit(kern_vec_sub(own->vertex[last], f->p));
-    if (kern_vec_cross(back, f->d) > 0
-        || kern_vec_cross(back, e->d) < -pair->sine
-        || !kern_pair_holds(pair, e, on, p, back, f->d))
+    corner = block->area > 0 ? kern_polygon_previous(block, f->start)
+                             : kern_polygon_next(block, f->start);
+    prev_d = kern_vec_unit(kern_vec_sub(block->vertex[corner], f->p));
+    if (kern_vec_cross(prev_d, f->d) > 0
+        || kern_vec_cross(prev_d, e->d) < -pair->sine
+        || !kern_pair_holds(pair, e, side, p, prev_d, f->d))
         return;
-    if (pair->deep > pair->gap) /* midway, as for a line */
+    if (pair->overlap_max > pair->gap) /* midway, as for a line */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
     if (kern_pair_inside(pair, p, high,
                          KERN_ERROR_EDGE * pair->options->pose_error))
-        kern_pair_put(pair, p, kern_vec_scale(kern_vec_turn(e->d), on ? 1 : -1),
-                      0);
+        kern_pair_put(pair, p,
+                      kern_vec_scale(kern_vec_turn(e->d), side ? 1 : -1), 0);
 }
 
 /* Finds the lines and points of all pairs of edges that are close to each
@@ -10585,10 +10671,10 @@ static void kern_pair_edges(kern_pair *pair)
 {
     kern_outline *a = &pair->outline[0], *b = &pair->outline[1];
     kern_edge edge[2];
-    edge[0].at = -1;
+    edge[0].corner = -1;
     while (kern_edge_next(&edge[0], a, &b->block->box, pair->reach)
            && kern_pair_spend(pair, 1)) {
-        edge[1].at = -1;
+        edge[1].corner = -1;
         while (kern_edge_next(&edge[1], b, &edge[0].box, pair->reach)) {
             const kern_real turn = kern_vec_cross(edge[0].d, edge[1].d);
             pair->steps += KERN_SEARCH_NEAR;
@@ -10612,50 +10698,51 @@ static void kern_pair_edges(kern_pair *pair)
 /* Makes a face of contact i and all contacts that join it. */
 KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 {
-    kern_contact *at = pair->out;
-    const kern_contact *const lead = &at[i];
+    kern_contact *contact = pair->out;
+    const kern_contact *const lead = &contact[i];
     kern_vec low = lead->p, high = lead->p; /* outermost points of face     */
-    kern_real least = KERN_R(0), most = KERN_R(0);      /* places of low, high
+    kern_real low_place = KERN_R(0),
+              high_place = KERN_R(0);                   /* places of low, high
                                                            along the face */
     kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* of normals   */
     kern_real half;
     int k, rest = i + 1;
-    KERN_ASSERT(i >= pair->first && i < pair->count);
+    KERN_ASSERT(i >= pair->first_contact && i < pair->count);
 
     for (k = i; k < pair->count; k++) { /* the lead itself comes first */
         /* computes the place of the contact relative to the lead */
-        const kern_contact *c = &at[k];
+        const kern_contact *c = &contact[k];
         const kern_vec r = kern_vec_sub(c->p, lead->p);
         const kern_real cosine = kern_vec_dot(lead->n, c->n);
         const kern_real sine = kern_abs(kern_vec_cross(lead->n, c->n));
-        const kern_real along = kern_vec_cross(lead->n, r);
-        const kern_real off = kern_abs(kern_vec_dot(lead->n, r));
-        const kern_real hollow = kern_same_blocks(lead, c)
-                                   ? kern_max(least - along, along - most)
-                                   : KERN_INFINITY;
+        const kern_real place = kern_vec_cross(lead->n, r);
+        const kern_real offset = kern_abs(kern_vec_dot(lead->n, r));
+        const kern_real hollow = kern_same_blocks(lead, c) ? kern_max(
+                                     low_place - place, place - high_place)
+                                                           : KERN_INFINITY;
         half = c->travel * cosine;
 
         /* the line contact already covers this point */
         if (lead->line && !c->line && cosine > 0 && sine < KERN_SAME_FACE
-            && kern_max(off, hollow) <= pair->gap)
+            && kern_max(offset, hollow) <= pair->gap)
             continue;
 
         /* it belongs to another face */
         if (!(cosine > 0) || sine > pair->sine
-            || kern_max(off + c->travel * sine - pair->gap,
-                        hollow - half - pair->apart)
+            || kern_max(offset + c->travel * sine - pair->gap,
+                        hollow - half - pair->hollow)
                    > 0) {
-            at[rest++] = *c;
+            contact[rest++] = *c;
             continue;
         }
 
         /* it joins the face, whose ends are the outermost points */
-        if (along - half < least) {
-            least = along - half;
+        if (place - half < low_place) {
+            low_place = place - half;
             low = kern_line_end(c, -1);
         }
-        if (along + half > most) {
-            most = along + half;
+        if (place + half > high_place) {
+            high_place = place + half;
             high = kern_line_end(c, 1);
         }
         sum = kern_vec_step(sum, c->line ? 2 * c->travel : pair->gap, c->n);
@@ -10663,11 +10750,11 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 
     /* the lead becomes the face; a face that is too short is a point */
     pair->count = rest;
-    at[i].p = kern_vec_mid(low, high);
-    at[i].n = kern_vec_unit(sum);
-    half = kern_vec_cross(at[i].n, kern_vec_sub(high, low)) / 2;
-    at[i].line = 2 * half > pair->foot;
-    at[i].travel = at[i].line ? half : KERN_R(0);
+    contact[i].p = kern_vec_mid(low, high);
+    contact[i].n = kern_vec_unit(sum);
+    half = kern_vec_cross(contact[i].n, kern_vec_sub(high, low)) / 2;
+    contact[i].line = 2 * half > pair->inset;
+    contact[i].travel = contact[i].line ? half : KERN_R(0);
 }
 
 /* Makes faces of the contacts from the first one of the pair on. A contact that
@@ -10676,9 +10763,9 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 static void kern_pair_faces(kern_pair *pair)
 {
     int i, count;
-    for (i = pair->first;
+    for (i = pair->first_contact;
          i < pair->count && kern_pair_spend(pair, pair->count - i);
-         i += !(pair->apart < KERN_INFINITY && pair->count < count)) {
+         i += !(pair->hollow < KERN_INFINITY && pair->count < count)) {
         count = pair->count;
         kern_pair_face(pair, i);
     }
@@ -10686,41 +10773,45 @@ static void kern_pair_faces(kern_pair *pair)
 
 /* ---- travels ---- */
 
-/* Returns the block that a contact carries if `down` is the direction of
+/* Returns the block that a contact carries if `gravity` is the direction of
    gravity. Returns KERN_OUT if the normal is horizontal within rounding. */
-KERN_SHARED static int kern_carried_block(const kern_contact *c, kern_vec down)
+KERN_SHARED static int kern_carried_block(const kern_contact *c,
+                                          kern_vec gravity)
 {
-    const kern_real push = kern_vec_dot(c->n, down);
-    const kern_real least = KERN_LEVEL_LEAST * kern_vec_largest(down);
-    return push < -least ? c->b : push > least ? c->a : KERN_OUT;
+    const kern_real push = kern_vec_dot(c->n, gravity);
+    const kern_real push_min = KERN_LEVEL_LEAST * kern_vec_largest(gravity);
+    return push < -push_min ? c->b : push > push_min ? c->a : KERN_OUT;
 }
 
-/* Returns 1 if contacts c and d belong to one interface. If `down` is not NULL,
-   returns 1 if they carry the same block. */
+/* Returns 1 if contacts c and d belong to one interface. If `gravity` is not
+   NULL, returns 1 if they carry the same block. */
 static int kern_same_group(const kern_contact *c, const kern_contact *d,
-                           const kern_vec *down)
+                           const kern_vec *gravity)
 {
-    return down ? kern_carried_block(c, *down) == kern_carried_block(d, *down)
-                : kern_same_interface(c, d);
+    return gravity ? kern_carried_block(c, *gravity)
+                         == kern_carried_block(d, *gravity)
+                   : kern_same_interface(c, d);
 }
 
 /* Returns the middle of the two points that are farthest apart, among the
-   contacts in the same group as *of (kern_same_group()). Of pairs that are
+   contacts in the same group as *member (kern_same_group()). Of pairs that are
    equally far apart it takes the first by index. */
 static kern_vec kern_middle(const kern_contact *contact, int contacts,
-                            const kern_contact *of, const kern_vec *down,
+                            const kern_contact *member, const kern_vec *gravity,
                             kern_pair *pair)
 {
-    kern_vec middle = of->p;
+    kern_vec middle = member->p;
     kern_real widest = KERN_R(0);
     int j, k;
     for (j = 0; j < contacts; j++)
-        for (k = j + 1; k < contacts && kern_same_group(of, &contact[j], down)
-                        && (!pair || kern_pair_spend(pair, 1));
+        for (k = j + 1;
+             k < contacts && kern_same_group(member, &contact[j], gravity)
+             && (!pair || kern_pair_spend(pair, 1));
              k++) {
             const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
             const kern_real square = kern_vec_dot(d, d);
-            if (square > widest && kern_same_group(of, &contact[k], down)) {
+            if (square > widest
+                && kern_same_group(member, &contact[k], gravity)) {
                 widest = square;
                 middle = kern_vec_mid(contact[j].p, contact[k].p);
             }
@@ -10729,29 +10820,29 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
 }
 
 /* Sets the travel of points: to the foot of the middle of their group. If
-   `down` is NULL, sets all points. Otherwise sets only points that are alone in
-   their interface and carry a block. Keeps the last middle, since successive
+   `gravity` is NULL, sets all points. Otherwise sets only points that are alone
+   in their interface and carry a block. Keeps the last middle, since successive
    points usually share it. */
 static void kern_point_travels(kern_contact *contact, int contacts,
-                               const kern_vec *down, kern_pair *pair)
+                               const kern_vec *gravity, kern_pair *pair)
 {
     kern_vec middle = kern_vec_make(KERN_R(0), KERN_R(0));
-    const kern_contact *of = NULL;
+    const kern_contact *member = NULL;
     int i, k;
     for (i = 0;
          i < contacts
-         && (!pair || kern_pair_spend(pair, down ? 1 + contacts / 8 : 1));
+         && (!pair || kern_pair_spend(pair, gravity ? 1 + contacts / 8 : 1));
          i++) {
         kern_contact *c = contact + i;
         int found = 0;
-        for (k = 0; down && !c->line && k < contacts; k++)
+        for (k = 0; gravity && !c->line && k < contacts; k++)
             found += kern_same_interface(c, contact + k);
         if (c->line
-            || (down && (found > 1 || kern_carried_block(c, *down) < 0)))
+            || (gravity && (found > 1 || kern_carried_block(c, *gravity) < 0)))
             continue;
-        if (!of || !kern_same_group(of, c, down)) {
-            of = c;
-            middle = kern_middle(contact, contacts, c, down, pair);
+        if (!member || !kern_same_group(member, c, gravity)) {
+            member = c;
+            middle = kern_middle(contact, contacts, c, gravity, pair);
         }
         c->travel = 0 /* turns -0 into 0 */
                   + kern_vec_cross(c->n, kern_vec_sub(middle, c->p));
@@ -10772,11 +10863,11 @@ typedef enum kern_search_kind {
 typedef struct kern_search {
     const kern_block *block;
     int blocks;
-    int from; /* first block that is paired with earlier ones     */
+    int first_block; /* first block that is paired with earlier ones */
     kern_fault *fault;
-    kern_real floor;       /* places closer than this are the same [m]    */
-    kern_real reach;       /* widest gap of any pair [m]                  */
-    kern_search_kind kind; /* decides whether pair.count counts overlaps  */
+    kern_real resolution;  /* places closer than this are the same [m]   */
+    kern_real reach;       /* widest gap of any pair [m]                 */
+    kern_search_kind kind; /* decides whether pair.count counts overlaps */
     kern_overlap *overlap;
     kern_pair pair;
 } kern_search;
@@ -10795,7 +10886,7 @@ static kern_real kern_search_gap(const kern_search *s, kern_real size)
     const kern_real exact = o->gap > 0 && !(o->pose_error > 0)
                               ? KERN_R(0)
                               : KERN_GAP_SHARE * size;
-    return kern_max(o->gap + exact, s->floor);
+    return kern_max(o->gap + exact, s->resolution);
 }
 
 /* Sets the tolerances of the pair, whose outlines must be set. */
@@ -10806,27 +10897,28 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
         kern_min(a->fixed ? KERN_INFINITY : kern_abs(a->area),
                  b->fixed ? KERN_INFINITY : kern_abs(b->area)));
     pair->gap = kern_search_gap(s, size);
-    pair->deep = kern_max(pair->gap, pair->options->overlap)
-               + 2 * pair->swing * kern_min(kern_box_half(a), kern_box_half(b));
-    pair->reach = kern_max(s->reach, pair->deep);
-    pair->least = kern_max(kern_min(pair->gap, KERN_LINE_LEAST * size),
-                           s->floor);
-    pair->foot = kern_max(KERN_FOOT_INSET * size, s->floor);
-    pair->sure = (s->kind == KERN_SEARCH_SURE ? KERN_ERROR_SURE
-                                              : -KERN_ERROR_EDGE)
-               * pair->options->pose_error;
-    pair->apart = s->kind == KERN_SEARCH_CONTACTS ? KERN_INFINITY : pair->gap;
+    pair->overlap_max = kern_max(pair->gap, pair->options->overlap)
+                      + 2 * pair->swing
+                            * kern_min(kern_box_half(a), kern_box_half(b));
+    pair->reach = kern_max(s->reach, pair->overlap_max);
+    pair->length_min = kern_max(kern_min(pair->gap, KERN_LINE_LEAST * size),
+                                s->resolution);
+    pair->inset = kern_max(KERN_FOOT_INSET * size, s->resolution);
+    pair->sure_inset = (s->kind == KERN_SEARCH_SURE ? KERN_ERROR_SURE
+                                                    : -KERN_ERROR_EDGE)
+                     * pair->options->pose_error;
+    pair->hollow = s->kind == KERN_SEARCH_CONTACTS ? KERN_INFINITY : pair->gap;
 }
 
 /* Returns 1 if the box or the area of the vertices has changed since
    kern_block_init(). */
 static int kern_block_is_stale(const kern_block *block)
 {
-    kern_block now = *block;
-    kern_polygon_area(&now);
-    return kern_vec_largest(kern_vec_sub(now.box.low, block->box.low)) > 0
-        || kern_vec_largest(kern_vec_sub(now.box.high, block->box.high)) > 0
-        || !(kern_abs(now.area - block->area)
+    kern_block fresh = *block;
+    kern_polygon_area(&fresh);
+    return kern_vec_largest(kern_vec_sub(fresh.box.low, block->box.low)) > 0
+        || kern_vec_largest(kern_vec_sub(fresh.box.high, block->box.high)) > 0
+        || !(kern_abs(fresh.area - block->area)
              <= KERN_AREA_TOL * kern_abs(block->area));
 }
 
@@ -10838,7 +10930,7 @@ static int kern_search_is_apart(const kern_search *s, const kern_block *a,
                                 const kern_block *b)
 {
     return !a->vertices
-        || (!kern_box_near(&a->box, &b->box, s->reach)
+        || (!kern_boxes_meet(&a->box, &b->box, s->reach)
             && a->vertex != b->vertex)
         || (a->fixed && b->fixed);
 }
@@ -10853,7 +10945,7 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
 
     if (kern_search_is_apart(s, a, b)) /* true for most pairs */
         return KERN_OK;
-    if (i < s->from && kern_block_is_stale(a)) {
+    if (i < s->first_block && kern_block_is_stale(a)) {
         s->fault->block = i;
         return KERN_STALE;
     }
@@ -10863,17 +10955,18 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     kern_pair_tolerances(pair, s);
     if (!kern_pair_spend(pair, 1))
         return KERN_LIMIT;
-    depth = kern_overlap_depth(
-        pair, s->kind == KERN_SEARCH_OVERLAPS ? KERN_INFINITY : pair->deep);
+    depth = kern_overlap_depth(pair, s->kind == KERN_SEARCH_OVERLAPS
+                                         ? KERN_INFINITY
+                                         : pair->overlap_max);
     if (depth > 0 && s->kind == KERN_SEARCH_CONTACTS) {
         s->fault->block = i;
         s->fault->other = j;
         s->fault->value = depth;
-        s->fault->allowed = pair->deep;
+        s->fault->allowed = pair->overlap_max;
         return KERN_OVERLAP;
     }
     if (s->kind == KERN_SEARCH_OVERLAPS) {
-        const kern_overlap found = {i, j, depth, pair->deep};
+        const kern_overlap found = {i, j, depth, pair->overlap_max};
         if (depth > 0 && pair->count++ < pair->room)
             s->overlap[pair->count - 1] = found;
         return KERN_OK;
@@ -10883,15 +10976,15 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
        points */
     pair->a = i;
     pair->b = j;
-    pair->first = pair->count;
+    pair->first_contact = pair->count;
     kern_pair_edges(pair);
     if (pair->count > pair->room)
         return KERN_NO_SPACE;
     if (s->kind != KERN_SEARCH_EDGES)
         kern_pair_faces(pair);
     if (s->kind <= KERN_SEARCH_EDGES)
-        kern_point_travels(pair->out + pair->first, pair->count - pair->first,
-                           NULL, pair);
+        kern_point_travels(pair->out + pair->first_contact,
+                           pair->count - pair->first_contact, NULL, pair);
     return KERN_OK;
 }
 
@@ -10903,24 +10996,24 @@ static void kern_search_ground(kern_search *s)
 {
     kern_pair *pair = &s->pair;
     kern_contact *out = pair->out;
-    int i, ground = KERN_OUT, more = 0;
+    int i, ground = KERN_OUT, joined = 0;
     for (i = 0; i < pair->count; i++) {
         kern_contact *c = &out[i];
         if (s->block[c->b].fixed) {
-            const int held = c->a;
+            const int block = c->a;
             c->a = c->b;
-            c->b = held;
+            c->b = block;
             c->n = kern_vec_scale(c->n, -1);
         }
         if (s->block[c->a].fixed) {
             ground = ground < 0 ? c->a : ground;
-            more |= c->a != ground;
+            joined |= c->a != ground;
             c->a = ground;
         }
     }
-    pair->first = 0;
-    pair->gap = pair->apart = kern_search_gap(s, KERN_R(0));
-    if (more)
+    pair->first_contact = 0;
+    pair->gap = pair->hollow = kern_search_gap(s, KERN_R(0));
+    if (joined)
         kern_pair_faces(pair);
     kern_point_travels(out, pair->count, NULL, pair);
 }
@@ -10930,16 +11023,16 @@ static void kern_search_ground(kern_search *s)
 static int kern_search_close(const kern_search *s)
 {
     kern_contact *out = s->pair.out;
-    int i, side, points = s->pair.count, to;
+    int i, side, points = s->pair.count, place;
     for (i = 0; i < s->pair.count; i++)
         points += out[i].line;
     if (points > s->pair.room)
         return (int)KERN_NO_SPACE;
-    to = points;
+    place = points;
     for (i = s->pair.count - 1; i >= 0; i--) {
         const kern_contact c = out[i];
         for (side = 1; side >= -1; side -= 2) {
-            kern_contact *end = &out[--to];
+            kern_contact *end = &out[--place];
             *end = c;
             if (!c.line)
                 break;
@@ -10947,18 +11040,18 @@ static int kern_search_close(const kern_search *s)
             end->p = kern_vec_step(c.p, -end->travel, kern_vec_turn(c.n));
         }
     }
-    KERN_ASSERT(to == 0);
+    KERN_ASSERT(place == 0);
     return points;
 }
 
 /* Checks every block, and sets the data on which the tolerances of all pairs
-   depend. The vertices of blocks before s->from are checked in
+   depend. The vertices of blocks before s->first_block are checked in
    kern_search_pair(). */
 KERN_SHARED static kern_status kern_search_survey(kern_search *s)
 {
-    kern_real most = KERN_R(0); /* largest coordinate                 */
-    kern_real area = KERN_R(0); /* largest area of a free block       */
-    kern_real arm = KERN_R(0);  /* twice the longest diagonal of a box */
+    kern_real largest = KERN_R(0); /* largest coordinate                 */
+    kern_real area = KERN_R(0);    /* largest area of a free block       */
+    kern_real arm = KERN_R(0);     /* twice the longest diagonal of a box */
     int i;
     s->pair.swing = KERN_ERRORS * s->pair.options->pose_turn;
     s->pair.sine = kern_sine(s->pair.options->angle);
@@ -10976,20 +11069,21 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
         /* checks that box and area are those of kern_block_init() */
         if (status == KERN_OK)
             status = !kern_is_finite(block->area)
-                          || !kern_box_near(box, box, 0) /* 0 if low is above
+                          || !kern_boxes_meet(box, box, 0) /* 0 if low is above
                                                             high           */
                           || kern_box_largest(box) > KERN_FAR
                        ? KERN_BAD_NUMBER
-                   : !(kern_abs(block->area) > 0)               ? KERN_NO_AREA
-                   : i >= s->from && kern_block_is_stale(block) ? KERN_STALE
-                                                                : KERN_OK;
+                   : !(kern_abs(block->area) > 0) ? KERN_NO_AREA
+                   : i >= s->first_block && kern_block_is_stale(block)
+                       ? KERN_STALE
+                       : KERN_OK;
         if (status != KERN_OK) {
             s->fault->block = i;
             return status;
         }
 
         /* finds the largest coordinate, arm and free block */
-        most = kern_max(most, kern_box_largest(box));
+        largest = kern_max(largest, kern_box_largest(box));
         if (s->pair.swing > 0) /* saves square roots */
             arm = kern_max(arm, 4 * kern_box_half(block));
         if (!block->fixed)
@@ -10997,33 +11091,34 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
     }
 
     /* sets the least tolerance, which is rounding, and the widest gap */
-    s->floor = 2 * KERN_ROUNDING * most;
+    s->resolution = 2 * KERN_ROUNDING * largest;
     s->reach = kern_search_gap(s, KERN_SQRT(area)) + s->pair.swing * arm;
     return KERN_OK;
 }
 
 /* Checks the arguments of a search, except the contents of the blocks. Returns
    KERN_LIMIT if the blocks are too many to read. */
-static kern_status kern_search_asked(kern_search *s)
+static kern_status kern_search_check(kern_search *s)
 {
     const kern_options *o = s->pair.options;
     const kern_status status = o ? kern_options_check(o) : KERN_BAD_POINTER;
     return status != KERN_OK ? status
-         : s->from < 0 || s->blocks < s->from || s->pair.room < 0
+         : s->first_block < 0 || s->blocks < s->first_block || s->pair.room < 0
                    || s->blocks > KERN_POINTS_MOST
              ? KERN_BAD_COUNT
          : (s->blocks > 0 && !s->block) || (s->pair.room > 0 && !s->pair.out)
              ? KERN_BAD_POINTER
-         : kern_pair_spend(&s->pair, 2 * s->blocks - s->from) ? KERN_OK
-                                                              : KERN_LIMIT;
+         : kern_pair_spend(&s->pair, 2 * s->blocks - s->first_block)
+             ? KERN_OK
+             : KERN_LIMIT;
 }
 
-/* Finds the contacts or overlaps of each block from index `from` on with the
+/* Finds the contacts or overlaps of each block from index `first` on with the
    blocks of lower index. Returns the number of contact points or overlaps, or a
    negative status. */
 static int kern_search_run(const kern_block *block, int blocks,
                            const kern_options *options, void *out, int room,
-                           kern_work *work, int from, kern_search_kind kind)
+                           kern_work *work, int first, kern_search_kind kind)
 {
     kern_search s;
     kern_status status;
@@ -11035,11 +11130,11 @@ static int kern_search_run(const kern_block *block, int blocks,
     kern_work_begin(work);
     s.block = block;
     s.blocks = blocks;
-    s.from = from;
+    s.first_block = first;
     s.pair.options = options;
     s.pair.work = work;
     s.pair.steps = KERN_SEARCH_UNIT - 1; /* so that the first step is charged */
-    s.pair.outline[0].looks = s.pair.outline[1].looks = 0;
+    s.pair.outline[0].visits = s.pair.outline[1].visits = 0;
     s.fault = &work->fault;
     s.kind = kind;
     s.overlap = (kern_overlap *)out;
@@ -11048,10 +11143,10 @@ static int kern_search_run(const kern_block *block, int blocks,
     s.pair.count = 0;
 
     /* searches every pair of a new block and an earlier one */
-    status = kern_search_asked(&s);
+    status = kern_search_check(&s);
     if (status == KERN_OK)
         status = kern_search_survey(&s);
-    for (b = from; b < blocks && status == KERN_OK; b++) {
+    for (b = first; b < blocks && status == KERN_OK; b++) {
         if (!kern_pair_spend(&s.pair, b / 4))
             return (int)KERN_LIMIT;
         kern_outline_set(&s.pair.outline[1], &block[b]);
@@ -11261,12 +11356,12 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
    question returns it, and writes what it does then. */
 KERN_SHARED static kern_status kern_plan_open(kern_plan *plan,
                                               const kern_block *block,
-                                              kern_structure *without)
+                                              kern_structure *original)
 {
     int found;
     if (!kern_plan_is_whole(plan))
         return KERN_BAD_POINTER;
-    *without = plan->task.s;
+    *original = plan->task.s;
     found = block ? kern_plan_add(plan, block) : 0;
     if (found < 0)
         plan->task.s.contacts = found;
@@ -11274,36 +11369,38 @@ KERN_SHARED static kern_status kern_plan_open(kern_plan *plan,
 }
 
 /* Gives the plan back its structure. Returns the answer. */
-static kern_status kern_plan_back(kern_plan *plan,
-                                  const kern_structure *without,
-                                  kern_status answer)
+static kern_status kern_plan_restore(kern_plan *plan,
+                                     const kern_structure *original,
+                                     kern_status answer)
 {
-    plan->task.s = *without;
+    plan->task.s = *original;
     return answer;
 }
 
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof)
 {
-    kern_structure without;
-    const kern_status status = block ? kern_plan_open(plan, block, &without)
+    kern_structure original;
+    const kern_status status = block ? kern_plan_open(plan, block, &original)
                                      : KERN_BAD_POINTER;
     return status != KERN_OK
              ? status
-             : kern_plan_back(
-                 plan, &without,
+             : kern_plan_restore(
+                 plan, &original,
                  kern_measure_anew(&plan->task, &plan->task.known, out, proof));
 }
 
 /* Returns the verdict at a margin, first without the points that travel if
    kerns are not nested: what stands without them stands at every smaller
-   margin. *below: 1 if it may fall at a smaller one though it stands here. */
-static kern_status kern_plan_ask(kern_call *c, kern_real margin, int *below)
+   margin. *may_fall: 1 if it may fall at a smaller one though it stands
+   here. */
+static kern_status kern_plan_verdict(kern_call *c, kern_real margin,
+                                     int *may_fall)
 {
     kern_real range[2];
     const int nested = kern_is_nested(&c->m, range);
     kern_status status;
-    *below = 0;
+    *may_fall = 0;
     if (!nested)
         kern_path_carry(&c->m, &c->path, KERN_CARRY_NESTED);
     kern_known_begin(&c->m, margin);
@@ -11312,10 +11409,10 @@ static kern_status kern_plan_ask(kern_call *c, kern_real margin, int *below)
         return status;
 
     /* neither proof is one of the whole: ask it */
-    *below = status != KERN_STANDS
-          && !(status == KERN_FALLS
-               && kern_path_falls_whole(&c->m, &c->path, margin));
-    if (!*below)
+    *may_fall = status != KERN_STANDS
+             && !(status == KERN_FALLS
+                  && kern_path_falls_whole(&c->m, &c->path, margin));
+    if (!*may_fall)
         return status;
     kern_path_carry(&c->m, &c->path, KERN_CARRY_ALL);
     return kern_model_evaluate(&c->m, &c->part, &c->path.q);
@@ -11329,7 +11426,7 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
     const kern_known *known = &task->known;
     kern_call c;
     kern_margin r;
-    int below = 0;
+    int may_fall = 0;
     kern_status status = kern_call_open(&c, task, margin, known);
     if (status == KERN_OK && !(margin >= 0))
         status = KERN_BAD_NUMBER;
@@ -11342,41 +11439,41 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
     status = KERN_FALLS;
     if (!(known->fails > 0 && margin >= known->fails
           && kern_known_falls(&c.m, &c.path.q, known)))
-        status = kern_plan_ask(&c, margin, &below);
-    kern_proof_out(&c.m, proof, status);
+        status = kern_plan_verdict(&c, margin, &may_fall);
+    kern_proof_write(&c.m, proof, status);
 
     /* it stands by points that travel: does it at every smaller margin? */
-    if (status == KERN_STANDS && below) {
-        const kern_proof under = {NULL, proof ? proof->motion : NULL};
+    if (status == KERN_STANDS && may_fall) {
+        const kern_proof motion_only = {NULL, proof ? proof->motion : NULL};
         c.path.q.shrink = KERN_R(0);
-        status = kern_measure_task(&c, known, &r, &under);
+        status = kern_measure_task(&c, known, &r, &motion_only);
         if (status == KERN_STANDS && !r.saturated && r.margin < margin)
             status = KERN_FALLS;
     }
-    return kern_ended(task, status);
+    return kern_call_status(task, status);
 }
 
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof)
 {
-    kern_structure without;
-    const kern_status status = block ? kern_plan_open(plan, block, &without)
+    kern_structure original;
+    const kern_status status = block ? kern_plan_open(plan, block, &original)
                                      : KERN_BAD_POINTER;
     return status != KERN_OK
              ? status
-             : kern_plan_back(plan, &without,
-                              kern_plan_stands(&plan->task, margin, proof));
+             : kern_plan_restore(plan, &original,
+                                 kern_plan_stands(&plan->task, margin, proof));
 }
 
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
                                      kern_real *chance)
 {
-    kern_structure without;
-    const kern_status status = kern_plan_open(plan, block, &without);
+    kern_structure original;
+    const kern_status status = kern_plan_open(plan, block, &original);
     return status != KERN_OK
              ? status
-             : kern_plan_back(
-                 plan, &without,
+             : kern_plan_restore(
+                 plan, &original,
                  kern_stays(&plan->task, plan->task.s.blocks - 1, chance));
 }
 
@@ -11384,12 +11481,12 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
                                       kern_raising *out, kern_real *reserve,
                                       const kern_proof *proof)
 {
-    kern_structure without;
-    const kern_status status = kern_plan_open(plan, block, &without);
+    kern_structure original;
+    const kern_status status = kern_plan_open(plan, block, &original);
     return status != KERN_OK
              ? status
-             : kern_plan_back(
-                 plan, &without,
+             : kern_plan_restore(
+                 plan, &original,
                  kern_raised(&plan->task, KERN_R(0), out, reserve, proof));
 }
 
@@ -11437,11 +11534,11 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
 
 /* A point where the stone touches a block. */
 typedef struct kern_footing {
-    kern_vec p, n;  /* place of touch; unit normal into the stone    */
-    kern_vec other; /* normal of another edge where two corners meet,
-                       otherwise n                                   */
-    kern_vec way;   /* unit direction of a slide down the edge       */
-    kern_real run;  /* length of that slide, to the end of the edge  */
+    kern_vec p, n;     /* place of touch; unit normal into the stone     */
+    kern_vec corner_n; /* normal of another edge where two corners meet,
+                          otherwise n                                    */
+    kern_vec way;      /* unit direction of a slide down the edge        */
+    kern_real run;     /* length of that slide, to the end of the edge   */
 } kern_footing;
 
 /* Kinds of a course: a search for touches, or a motion. */
@@ -11454,12 +11551,11 @@ typedef enum kern_course_kind {
 /* A motion of the stone, or its search for touches. */
 typedef struct kern_course {
     kern_course_kind kind;
-    kern_vec way;    /* slide: unit direction; turn: its centre            */
-    kern_real spin;  /* turn: 1 counter-clockwise, -1 clockwise            */
-    kern_real end;   /* slide: length; turn: tangent of half its angle     */
-    kern_real steep; /* rate at which the centre first moves down          */
-    kern_real low,
-        high; /* range that the stone covers across a slide         */
+    kern_vec way;        /* slide: unit direction; turn: its centre        */
+    kern_real sense;     /* turn: 1 counter-clockwise, -1 clockwise        */
+    kern_real extent;    /* slide: length; turn: tangent of half its angle */
+    kern_real steepness; /* rate at which the centre first moves down      */
+    kern_real low, high; /* range that the stone covers across a slide     */
 } kern_course;
 
 /* State of a descent. */
@@ -11468,15 +11564,15 @@ typedef struct kern_descent {
     const kern_block *shape; /* the caller's stone                   */
     kern_pose *pose;         /* present pose of the stone            */
     kern_vec *vertex;        /* its present vertices                 */
-    kern_vec down;           /* unit direction of gravity            */
+    kern_vec plumb;          /* unit direction of gravity            */
     kern_real touch;         /* largest distance of a touch          */
     kern_real graze;         /* extension of an edge at its ends     */
-    kern_real bottom;        /* place along `down` below all blocks  */
+    kern_real bottom;        /* place along `plumb` below all blocks */
     kern_box swept;          /* box around its whole course          */
     int side;                /* 1: edges of blocks; -1: of the stone */
     kern_footing footing[KERN_REST_TOUCHES];
     int footings;
-    int before; /* number of footings on the blocks visited before      */
+    int earlier_footings; /* number of footings on the blocks visited before */
 } kern_descent;
 
 /* Returns a turned by the angle whose cosine and sine are q. */
@@ -11511,12 +11607,12 @@ static kern_box kern_descent_way(const kern_descent *r, const kern_course *c,
                                  kern_vec p)
 {
     const kern_vec d = kern_vec_make(r->touch, r->touch);
-    const kern_real end = KERN_R(r->side) * c->end;
+    const kern_real end = KERN_R(r->side) * c->extent;
     kern_box box = {kern_vec_sub(p, d), kern_vec_add(p, d)};
     if (c->kind == KERN_COURSE_SLIDE) {
         kern_box_add(&box, kern_vec_step(p, end, c->way));
     } else if (c->kind == KERN_COURSE_TURN) {
-        const kern_real q = c->spin * end;
+        const kern_real q = c->sense * end;
         const kern_vec meet = kern_vec_step(
             p, q, kern_vec_turn(kern_vec_sub(p, c->way)));
         kern_box_add(&box, meet);
@@ -11528,7 +11624,7 @@ static kern_box kern_descent_way(const kern_descent *r, const kern_course *c,
 }
 
 /* Returns the distance of p from the line of e, positive on the outer side. */
-static kern_real kern_edge_out(const kern_edge *e, kern_vec p)
+static kern_real kern_edge_height(const kern_edge *e, kern_vec p)
 {
     return kern_vec_cross(kern_vec_sub(p, e->p), e->d);
 }
@@ -11538,15 +11634,15 @@ static kern_real kern_edge_out(const kern_edge *e, kern_vec p)
    since q may be far away. */
 static kern_real kern_edge_leaves(const kern_edge *e, kern_vec p, kern_vec q)
 {
-    return kern_edge_out(e, q) * e->length
+    return kern_edge_height(e, q) * e->length
          / (e->length + kern_vec_largest(kern_vec_sub(q, p)));
 }
 
 /* Returns 1 if a point at the distance s from the start of an edge is on the
-   edge, or at most `beyond` past its ends. */
-static int kern_edge_holds(const kern_edge *e, kern_real s, kern_real beyond)
+   edge, or at most `tolerance` past its ends. */
+static int kern_edge_holds(const kern_edge *e, kern_real s, kern_real tolerance)
 {
-    return s >= -beyond && s <= e->length + beyond;
+    return s >= -tolerance && s <= e->length + tolerance;
 }
 
 /* Ends a slide where a point meets the edge from outside. The stone passes
@@ -11557,16 +11653,17 @@ static void kern_descent_slide(const kern_descent *r, kern_course *c,
                                const kern_edge *e, kern_vec p)
 {
     const kern_real side = KERN_R(r->side);
-    const kern_real from = kern_vec_cross(c->way, side > 0 ? e->p : p);
-    const kern_real to = kern_vec_cross(c->way, side > 0 ? e->q : p);
-    const kern_real into = side * kern_vec_cross(e->d, c->way);
-    const kern_real out = kern_edge_out(e, p), way = out / into;
-    if (into > KERN_REST_LEVEL && out >= -r->touch && way < c->end
-        && kern_max(from, to) > c->low && kern_min(from, to) < c->high
+    const kern_real place_p = kern_vec_cross(c->way, side > 0 ? e->p : p);
+    const kern_real place_q = kern_vec_cross(c->way, side > 0 ? e->q : p);
+    const kern_real approach = side * kern_vec_cross(e->d, c->way);
+    const kern_real height = kern_edge_height(e, p), way = height / approach;
+    if (approach > KERN_REST_LEVEL && height >= -r->touch && way < c->extent
+        && kern_max(place_p, place_q) > c->low
+        && kern_min(place_p, place_q) < c->high
         && kern_edge_holds(
             e, kern_edge_foot(e, p) + way * side * kern_vec_dot(e->d, c->way),
             way > r->touch ? r->graze : -r->touch))
-        c->end = kern_max(way, KERN_R(0));
+        c->extent = kern_max(way, KERN_R(0));
 }
 
 /* Ends a turn where a point meets the edge from outside. Places have two
@@ -11577,61 +11674,63 @@ static void kern_descent_arc(const kern_descent *r, kern_course *c,
                              const kern_edge *e, kern_vec p)
 {
     const kern_vec arm = kern_vec_sub(p, c->way);
-    const kern_real along = kern_vec_dot(arm, e->d);
-    const kern_real out = kern_vec_cross(arm, e->d);
-    const kern_real off = kern_edge_out(e, c->way);
-    const kern_real square = kern_vec_dot(arm, arm), side = square - off * off;
-    const kern_real sense = c->spin * KERN_R(r->side);
-    const kern_real least = r->touch * r->touch;
-    kern_real to, cosine, q;
-    int begins;
-    if (side < 2 * r->graze * off || square < least)
+    const kern_real arm_d = kern_vec_dot(arm, e->d);
+    const kern_real arm_n = kern_vec_cross(arm, e->d);
+    const kern_real centre_n = kern_edge_height(e, c->way);
+    const kern_real square = kern_vec_dot(arm, arm),
+                    side = square - centre_n * centre_n;
+    const kern_real sense = c->sense * KERN_R(r->side);
+    const kern_real touch_square = r->touch * r->touch;
+    kern_real chord, cosine, q;
+    int is_start;
+    if (side < 2 * r->graze * centre_n || square < touch_square)
         return;
 
     /* takes the place on the line at which the arc crosses it inward; a turn is
        smaller than a right angle */
-    to = sense * KERN_SQRT(kern_max(side, KERN_R(0)));
-    cosine = along * to - out * off;
-    q = sense * (along * off + out * to) / (square + cosine);
-    begins = 4 * q * q * square <= least;
-    if (begins)
-        to -= sense * off * r->touch / KERN_SQRT(square);
-    if (cosine > 0 && q < c->end && (q >= 0 || begins)
-        && kern_edge_holds(e, kern_edge_foot(e, c->way) + to,
-                           r->graze - KERN_R(begins) * r->touch))
-        c->end = kern_max(q, KERN_R(0));
+    chord = sense * KERN_SQRT(kern_max(side, KERN_R(0)));
+    cosine = arm_d * chord - arm_n * centre_n;
+    q = sense * (arm_d * centre_n + arm_n * chord) / (square + cosine);
+    is_start = 4 * q * q * square <= touch_square;
+    if (is_start)
+        chord -= sense * centre_n * r->touch / KERN_SQRT(square);
+    if (cosine > 0 && q < c->extent && (q >= 0 || is_start)
+        && kern_edge_holds(e, kern_edge_foot(e, c->way) + chord,
+                           r->graze - KERN_R(is_start) * r->touch))
+        c->extent = kern_max(q, KERN_R(0));
 }
 
 /* Stores a footing where vertex k of b touches edge e of a, if both edges of
    the vertex lie on the outer side of e. Where two convex corners meet, two
-   edges pass this test. Then `other` of each of the two footings is set to the
-   normal of the other edge. A motion is free if it is outward along one of
+   edges pass this test. Then `corner_n` of each of the two footings is set to
+   the normal of the other edge. A motion is free if it is outward along one of
    these two normals. */
 static void kern_descent_keep(kern_descent *r, const kern_edge *e,
                               const kern_block *a, const kern_block *b, int k)
 {
     const kern_vec p = b->vertex[k];
     const kern_real foot = kern_edge_foot(e, p);
-    const int along = kern_vec_dot(e->d, r->down) > 0 ? 1 : -1;
-    kern_footing *f = &r->footing[r->footings], *g = r->footing + r->before;
+    const int sense = kern_vec_dot(e->d, r->plumb) > 0 ? 1 : -1;
+    kern_footing *f = &r->footing[r->footings],
+                 *g = r->footing + r->earlier_footings;
     if (r->footings >= KERN_REST_TOUCHES || !kern_edge_holds(e, foot, r->touch)
-        || kern_abs(kern_edge_out(e, p)) > r->touch
+        || kern_abs(kern_edge_height(e, p)) > r->touch
         || kern_min(
-               kern_edge_leaves(e, p, b->vertex[kern_polygon_before(b, k)]),
+               kern_edge_leaves(e, p, b->vertex[kern_polygon_previous(b, k)]),
                kern_edge_leaves(e, p, b->vertex[kern_polygon_next(b, k)]))
                < -r->touch)
         return;
     f->p = p;
-    f->n = f->other = kern_vec_scale(kern_vec_turn(e->d), -KERN_R(r->side));
-    f->way = kern_vec_scale(e->d, KERN_R(along));
-    f->run = along == r->side ? e->length - foot : foot;
+    f->n = f->corner_n = kern_vec_scale(kern_vec_turn(e->d), -KERN_R(r->side));
+    f->way = kern_vec_scale(e->d, KERN_R(sense));
+    f->run = sense == r->side ? e->length - foot : foot;
     r->footings++;
     if (!kern_edge_holds(e, foot, -r->touch)
         && kern_polygon_turn(a, 2 * foot < e->length ? e->start : e->end) > 0)
         for (; g < f; g++)
             if (kern_vec_largest(kern_vec_sub(g->p, p)) <= r->touch) {
-                g->other = f->n;
-                f->other = g->n;
+                g->corner_n = f->n;
+                f->corner_n = g->n;
             }
 }
 
@@ -11644,7 +11743,7 @@ static void kern_descent_pair(kern_descent *r, kern_course *c,
     for (k = 0; k < b->vertices; k++) {
         const kern_vec p = b->vertex[k];
         const kern_box box = kern_descent_way(r, c, p);
-        if (!kern_box_near(&box, &a->box, KERN_R(0)))
+        if (!kern_boxes_meet(&box, &a->box, KERN_R(0)))
             continue;
         if (!kern_spend(r->task->work, r->task->options.limit,
                         1 + a->vertices / KERN_UNIT))
@@ -11656,7 +11755,7 @@ static void kern_descent_pair(kern_descent *r, kern_course *c,
             kern_edge e;
             e.box.low = e.box.high = a->vertex[i];
             kern_box_add(&e.box, a->vertex[next]);
-            if (!kern_box_near(&e.box, &box, KERN_R(0)))
+            if (!kern_boxes_meet(&e.box, &box, KERN_R(0)))
                 continue;
             kern_edge_set(&e, a, i, next);
             if (c->kind == KERN_COURSE_TURN)
@@ -11679,12 +11778,12 @@ static void kern_descent_sweep(kern_descent *r, kern_course *c)
     c->low = KERN_INFINITY;
     c->high = -c->low;
     for (i = 0; i < r->shape->vertices; i++) {
-        const kern_real across = kern_vec_cross(c->way, r->vertex[i]);
+        const kern_real place = kern_vec_cross(c->way, r->vertex[i]);
         const kern_box box = kern_descent_way(r, c, r->vertex[i]);
         kern_box_add(&r->swept, box.low);
         kern_box_add(&r->swept, box.high);
-        c->low = kern_min(c->low, across + r->graze);
-        c->high = kern_max(c->high, across - r->graze);
+        c->low = kern_min(c->low, place + r->graze);
+        c->high = kern_max(c->high, place - r->graze);
     }
 }
 
@@ -11693,22 +11792,22 @@ static void kern_descent_look(kern_descent *r, kern_course *c)
 {
     const kern_structure *s = &r->task->s;
     const kern_block *stone = &r->pose->block;
-    kern_real end = c->end;
+    kern_real end = c->extent;
     int i;
     kern_descent_sweep(r, c);
     /* begins with the last blocks, which are often the highest and shorten the
        course */
     for (i = s->blocks - 1; i >= 0; i--) {
         const kern_block *b = &s->block[i];
-        if (!b->vertices || !kern_box_near(&r->swept, &b->box, KERN_R(0)))
+        if (!b->vertices || !kern_boxes_meet(&r->swept, &b->box, KERN_R(0)))
             continue;
-        r->before = r->footings;
+        r->earlier_footings = r->footings;
         kern_descent_pair(r, c, b, stone);
         r->side = -1;
         kern_descent_pair(r, c, stone, b);
         r->side = 1;
-        if (2 * c->end < end) {
-            end = c->end;
+        if (2 * c->extent < end) {
+            end = c->extent;
             kern_descent_sweep(r, c);
         }
     }
@@ -11719,28 +11818,28 @@ static void kern_descent_look(kern_descent *r, kern_course *c)
 static int kern_descent_go(kern_descent *r, kern_course *c)
 {
     const kern_vec centre = r->pose->block.centre;
-    const int before = r->footings;
+    const int footings = r->footings;
     kern_real size = KERN_R(1);
     int moved;
     kern_descent_look(r, c);
     if (c->kind == KERN_COURSE_TURN) {
-        const kern_real q = c->end, whole = 1 + q * q;
+        const kern_real q = c->extent, whole = 1 + q * q;
         const kern_vec turn = kern_vec_make((1 - q * q) / whole,
-                                            2 * q * c->spin / whole);
+                                            2 * q * c->sense / whole);
         r->pose->turn = kern_vec_unit(kern_vec_turned(r->pose->turn, turn));
         kern_descent_put(
             r, kern_vec_add(c->way, kern_vec_turned(
                                         kern_vec_sub(centre, c->way), turn)));
         size = kern_block_size(r->shape);
     } else {
-        kern_descent_put(r, kern_vec_step(centre, c->end, c->way));
+        kern_descent_put(r, kern_vec_step(centre, c->extent, c->way));
     }
-    moved = c->end * size > r->touch;
+    moved = c->extent * size > r->touch;
     r->pose->motions += moved;
     r->footings = 0;
     c->kind = KERN_COURSE_TOUCHES;
     kern_descent_look(r, c);
-    return moved || r->footings > before;
+    return moved || r->footings > footings;
 }
 
 /* Replaces *best by motion c if c presses no footing and is better: steeper; if
@@ -11751,16 +11850,16 @@ static void kern_descent_prefer(const kern_descent *r, kern_course *best,
 {
     const kern_vec centre = r->pose->block.centre;
     int i;
-    c->steep = m.vx * r->down.x + m.vy * r->down.y;
-    if (c->steep < best->steep - KERN_REST_LEVEL
-        || (c->steep <= best->steep + KERN_REST_LEVEL
-            && (c->kind == best->kind ? c->end >= best->end
+    c->steepness = m.vx * r->plumb.x + m.vy * r->plumb.y;
+    if (c->steepness < best->steepness - KERN_REST_LEVEL
+        || (c->steepness <= best->steepness + KERN_REST_LEVEL
+            && (c->kind == best->kind ? c->extent >= best->extent
                                       : c->kind < best->kind)))
         return;
     for (i = 0; i < r->footings; i++) {
         const kern_footing *f = &r->footing[i];
         const kern_vec v = kern_velocity(&m, kern_vec_sub(f->p, centre));
-        if (kern_max(kern_vec_dot(v, f->n), kern_vec_dot(v, f->other))
+        if (kern_max(kern_vec_dot(v, f->n), kern_vec_dot(v, f->corner_n))
             < -KERN_REST_LEVEL)
             return;
     }
@@ -11777,7 +11876,7 @@ static void kern_descent_slope(const kern_descent *r, const kern_footing *f,
     kern_course c;
     c.kind = KERN_COURSE_SLIDE;
     c.way = f->way;
-    c.end = f->run + 20 * r->touch;
+    c.extent = f->run + 20 * r->touch;
     kern_descent_prefer(r, best, &c, m);
 }
 
@@ -11788,16 +11887,16 @@ static void kern_descent_tip(const kern_descent *r, kern_vec p,
 {
     const kern_vec arm = kern_vec_sub(r->pose->block.centre, p);
     const kern_real length = kern_vec_length(arm);
-    const kern_real lever = kern_vec_cross(arm, r->down);
+    const kern_real lever = kern_vec_cross(arm, r->plumb);
     const kern_real spin = KERN_R(lever < 0 ? -1 : 1);
     const kern_motion m = {-spin * arm.y / length, spin * arm.x / length,
                            spin / length};
     kern_course c;
     c.kind = KERN_COURSE_TURN;
     c.way = p;
-    c.spin = spin;
-    c.end = kern_min(KERN_REST_TURN,
-                     spin * lever / (length + kern_vec_dot(arm, r->down)));
+    c.sense = spin;
+    c.extent = kern_min(KERN_REST_TURN,
+                        spin * lever / (length + kern_vec_dot(arm, r->plumb)));
     kern_descent_prefer(r, best, &c, m);
 }
 
@@ -11810,15 +11909,15 @@ static int kern_descent_move(kern_descent *r)
     kern_course best;
     int i, k;
     best.kind = KERN_COURSE_SLIDE;
-    best.way = r->down;
-    best.end = r->bottom - kern_vec_dot(r->pose->block.centre, r->down);
-    best.steep = r->footings ? KERN_REST_LEVEL : KERN_R(1);
+    best.way = r->plumb;
+    best.extent = r->bottom - kern_vec_dot(r->pose->block.centre, r->plumb);
+    best.steepness = r->footings ? KERN_REST_LEVEL : KERN_R(1);
     for (i = 0; i < r->footings; i++) {
         const kern_footing *f = &r->footing[i];
-        const kern_real up = -kern_vec_dot(f->n, r->down);
-        if (up > KERN_REST_LEVEL)
+        const kern_real lift = -kern_vec_dot(f->n, r->plumb);
+        if (lift > KERN_REST_LEVEL)
             kern_descent_tip(r, f->p, &best);
-        if (up * KERN_SQRT(1 + mu * mu) < 1 - KERN_REST_LEVEL)
+        if (lift * KERN_SQRT(1 + mu * mu) < 1 - KERN_REST_LEVEL)
             kern_descent_slope(r, f, &best);
 
         /* tries a turn about the point where two contact forces on the edges of
@@ -11830,14 +11929,14 @@ static int kern_descent_move(kern_descent *r)
             const kern_vec v = kern_vec_step(g->n, k & 2 ? slip : -slip,
                                              g->way);
             const kern_real sine = kern_vec_cross(u, v);
-            const kern_vec apart = kern_vec_sub(g->p, f->p);
+            const kern_vec span = kern_vec_sub(g->p, f->p);
             if (kern_abs(sine) > KERN_REST_LEVEL)
                 kern_descent_tip(
-                    r, kern_vec_step(f->p, kern_vec_cross(apart, v) / sine, u),
+                    r, kern_vec_step(f->p, kern_vec_cross(span, v) / sine, u),
                     &best);
         }
     }
-    return best.steep > KERN_REST_LEVEL && r->footings < KERN_REST_TOUCHES
+    return best.steepness > KERN_REST_LEVEL && r->footings < KERN_REST_TOUCHES
         && kern_descent_go(r, &best);
 }
 
@@ -11847,36 +11946,39 @@ static kern_status kern_descent_begin(kern_descent *r, kern_real x)
 {
     const kern_structure *s = &r->task->s;
     const kern_real weight = kern_vec_length(s->gravity);
-    kern_search of;
+    kern_search search;
     kern_status status;
     if (!(weight > 0))
         return KERN_NO_LOAD;
-    of.pair.options = &r->task->options;
-    of.fault = &r->task->work->fault;
-    of.block = r->shape;
-    of.blocks = 1;
-    of.from = 0;
-    status = r->shape->vertices ? kern_search_survey(&of) : KERN_FEW_VERTICES;
+    search.pair.options = &r->task->options;
+    search.fault = &r->task->work->fault;
+    search.block = r->shape;
+    search.blocks = 1;
+    search.first_block = 0;
+    status = r->shape->vertices ? kern_search_survey(&search)
+                                : KERN_FEW_VERTICES;
     if (status == KERN_OK && !kern_vec_is_moderate(r->shape->centre))
         status = KERN_BAD_NUMBER;
     if (status != KERN_OK) {
-        of.fault->block = s->blocks;
+        search.fault->block = s->blocks;
         return status;
     }
-    of.block = s->block;
-    of.blocks = of.from = s->blocks;
-    status = kern_search_survey(&of);
+    search.block = s->block;
+    search.blocks = search.first_block = s->blocks;
+    status = kern_search_survey(&search);
     if (status != KERN_OK)
         return status;
 
-    /* no coordinate of a block exceeds `floor` / (2 KERN_ROUNDING) */
-    r->down = kern_vec_scale(s->gravity, 1 / weight);
-    r->touch = kern_max(KERN_REST_TOUCH * kern_block_size(r->shape), of.floor);
-    r->graze = kern_max(KERN_REST_END * r->touch, of.floor / 2);
-    r->bottom = of.floor / KERN_ROUNDING + 2 * kern_box_half(r->shape);
+    /* no coordinate of a block exceeds `resolution` / (2 KERN_ROUNDING) */
+    r->plumb = kern_vec_scale(s->gravity, 1 / weight);
+    r->touch = kern_max(KERN_REST_TOUCH * kern_block_size(r->shape),
+                        search.resolution);
+    r->graze = kern_max(KERN_REST_END * r->touch, search.resolution / 2);
+    r->bottom = search.resolution / KERN_ROUNDING + 2 * kern_box_half(r->shape);
     r->footings = 0;
-    kern_descent_put(r, kern_vec_step(kern_vec_scale(kern_vec_turn(r->down), x),
-                                      -r->bottom, r->down));
+    kern_descent_put(r,
+                     kern_vec_step(kern_vec_scale(kern_vec_turn(r->plumb), x),
+                                   -r->bottom, r->plumb));
     return s->blocks ? KERN_NO_REST : KERN_NO_SUPPORT;
 }
 
@@ -11906,9 +12008,9 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
     while (status == KERN_NO_REST && out->motions < KERN_REST_MOTIONS)
         if (!kern_descent_move(&r))
             status = KERN_OK;
-        else if (kern_vec_dot(out->block.centre, r.down) > r.bottom - r.touch)
+        else if (kern_vec_dot(out->block.centre, r.plumb) > r.bottom - r.touch)
             status = KERN_NO_SUPPORT;
-    return kern_ended(task, status);
+    return kern_call_status(task, status);
 }
 
 /* ---- which place is best ---- */
@@ -11928,8 +12030,8 @@ static kern_real kern_place_number(const kern_place *place, int i,
                                  -place->x,
                                  -place->turn};
     const kern_real value = kern_max(number[i], -KERN_INFINITY);
-    const kern_real more = KERN_PLACE_SPLIT * value;
-    const kern_real rounded = more - (more - value); /* NaN for infinity */
+    const kern_real scaled = KERN_PLACE_SPLIT * value;
+    const kern_real rounded = scaled - (scaled - value); /* NaN for infinity */
     return i < 4 && kern_is_finite(rounded) ? rounded : value;
 }
 
@@ -11960,18 +12062,19 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
 
 typedef struct kern_repose {
     const kern_task *task;
-    kern_real mean;    /* size of the free blocks [m]                       */
-    kern_real fall;    /* of a block that nothing holds, in a step [m]      */
-    int *order;        /* the contact points, from below                    */
-    int *begins;       /* of a point: points of the stretch that it begins, */
-                       /* 0 for the second end of a line                    */
-    kern_real *give;   /* of a block: 1 / mass, 1 / moment of inertia       */
-    kern_real *ease;   /* of a point: how far a force of 1 moves its blocks */
-    kern_real *gap;    /* of a point [m]                                    */
-    kern_real *slid;   /* of a point: how far it slid along t [m]           */
-    kern_vec *arm;     /* of a point: from its two blocks; 0 from fixed     */
-    kern_force *force; /* of a point in a step [kg m]                       */
-    kern_motion *step; /* of a block in a step [m]                          */
+    kern_real mean_size; /* size of the free blocks [m]                       */
+    kern_real free_fall; /* of a block that nothing holds, in a step [m]      */
+    int *order;          /* the contact points, from below                    */
+    int *stretch;        /* of a point: points of the stretch that it begins, */
+                         /* 0 for the second end of a line                    */
+    kern_real *inverse_mass; /* of a block: 1 / mass, 1 / moment of inertia   */
+    kern_real *compliance;   /* of a point: how far a force of 1 moves its
+                                blocks                                        */
+    kern_real *gap;          /* of a point [m]                                */
+    kern_real *slip;         /* of a point: how far it slid along t [m]       */
+    kern_vec *arm;           /* of a point: from its two blocks; 0 from fixed */
+    kern_force *force;       /* of a point in a step [kg m]                   */
+    kern_motion *motion;     /* of a block in a step [m]                      */
 } kern_repose;
 
 /* Returns the height of contact point i, which orders sweeps. Both ends of a
@@ -11979,11 +12082,11 @@ typedef struct kern_repose {
 static kern_real kern_repose_height(const kern_repose *r, int i)
 {
     const kern_contact *c = r->task->s.contact + i;
-    const kern_vec down = r->task->s.gravity, *arm = r->arm + 2 * i;
+    const kern_vec gravity = r->task->s.gravity, *arm = r->arm + 2 * i;
     const kern_vec middle = kern_contact_at(c, kern_abs(c->travel), 0);
     return -kern_vec_dot(
         kern_vec_step(middle, -KERN_SETTLE_TIE, kern_vec_add(arm[0], arm[1])),
-        kern_vec_step(down, KERN_SETTLE_TIE, kern_vec_turn(down)));
+        kern_vec_step(gravity, KERN_SETTLE_TIE, kern_vec_turn(gravity)));
 }
 
 /* Sorts the contact points by their heights (Shell's sort). */
@@ -11995,13 +12098,13 @@ static void kern_repose_sort(const kern_repose *r)
         continue;
     for (; gap > 0; gap /= 3)
         for (i = gap; i < n; i++) {
-            const int at = r->order[i];
-            const kern_real height = kern_repose_height(r, at);
+            const int point = r->order[i];
+            const kern_real height = kern_repose_height(r, point);
             for (k = i;
                  k >= gap && kern_repose_height(r, r->order[k - gap]) > height;
                  k -= gap)
                 r->order[k] = r->order[k - gap];
-            r->order[k] = at;
+            r->order[k] = point;
         }
 }
 
@@ -12011,18 +12114,18 @@ static void kern_repose_fall(const kern_repose *r)
 {
     const kern_structure *s = &r->task->s;
     const kern_real pull = kern_vec_length(s->gravity);
-    const kern_real time = pull > 0 ? r->fall / pull : KERN_R(0);
+    const kern_real time = pull > 0 ? r->free_fall / pull : KERN_R(0);
     int i, k;
     for (i = 0; i < s->blocks; i++) {
         const kern_block *b = s->block + i;
-        kern_real *give = r->give + 2 * i;
+        kern_real *inverse_mass = r->inverse_mass + 2 * i;
         if (b->fixed)
             continue;
-        give[0] = 1 / b->mass;
-        give[1] = KERN_SETTLE_SPIN / b->mass / kern_abs(b->area);
-        kern_add(&r->step[i], time, &s->gravity, 2);
-        kern_add(&r->step[i], time * give[0], &b->load, 2);
-        r->step[i].spin += time * give[1] * b->load.torque;
+        inverse_mass[0] = 1 / b->mass;
+        inverse_mass[1] = KERN_SETTLE_SPIN / b->mass / kern_abs(b->area);
+        kern_add(&r->motion[i], time, &s->gravity, 2);
+        kern_add(&r->motion[i], time * inverse_mass[0], &b->load, 2);
+        r->motion[i].spin += time * inverse_mass[1] * b->load.torque;
     }
     for (i = 0; i < s->contacts; i++)
         for (k = 0; k < 2; k++) {
@@ -12030,8 +12133,9 @@ static void kern_repose_fall(const kern_repose *r)
             kern_vec *arm = r->arm + 2 * i + k;
             if (!s->block[b].fixed)
                 *arm = kern_vec_sub(s->contact[i].p, s->block[b].centre);
-            r->ease[i] += r->give[2 * b]
-                        + r->give[2 * b + 1] * kern_vec_dot(*arm, *arm);
+            r->compliance[i] += r->inverse_mass[2 * b]
+                              + r->inverse_mass[2 * b + 1]
+                                    * kern_vec_dot(*arm, *arm);
         }
 }
 
@@ -12042,24 +12146,24 @@ static void kern_repose_begin(kern_repose *r, const kern_task *task)
     kern_take take;
     int i;
     r->task = task;
-    r->mean = kern_mean_size(task->s.block, blocks);
-    r->fall = KERN_SETTLE_FALL * task->options.pose_error;
+    r->mean_size = kern_mean_size(task->s.block, blocks);
+    r->free_fall = KERN_SETTLE_FALL * task->options.pose_error;
     kern_take_open(&take, task->work);
     r->order = kern_take_ints(&take, contacts);
-    r->begins = kern_take_ints(&take, contacts);
-    r->give = kern_take_reals(&take, 2 * blocks);
-    r->step = (kern_motion *)(void *)kern_take_reals(&take, 3 * blocks);
+    r->stretch = kern_take_ints(&take, contacts);
+    r->inverse_mass = kern_take_reals(&take, 2 * blocks);
+    r->motion = (kern_motion *)(void *)kern_take_reals(&take, 3 * blocks);
     r->arm = (kern_vec *)(void *)kern_take_reals(&take, 4 * contacts);
-    r->ease = kern_take_reals(&take, contacts);
+    r->compliance = kern_take_reals(&take, contacts);
     r->gap = kern_take_reals(&take, contacts);
-    r->slid = kern_take_reals(&take, contacts);
+    r->slip = kern_take_reals(&take, contacts);
     r->force = (kern_force *)(void *)kern_take_reals(&take, 2 * contacts);
-    kern_zero(r->give, 5 * blocks + 9 * contacts); /* all of these */
+    kern_zero(r->inverse_mass, 5 * blocks + 9 * contacts); /* all of these */
     for (i = 0; i < contacts; i++) {
         r->order[i] = i;
-        r->begins[i] = i > 0 && r->begins[i - 1] > 1
-                         ? 0
-                         : 1 + task->s.contact[i].line;
+        r->stretch[i] = i > 0 && r->stretch[i - 1] > 1
+                          ? 0
+                          : 1 + task->s.contact[i].line;
     }
     kern_repose_fall(r);
     kern_repose_sort(r);
@@ -12084,20 +12188,20 @@ static kern_real kern_repose_depth(const kern_structure *s, kern_vec p, int b)
 }
 
 /* Sets all gaps to the share `keep` of those between the outlines. Every
-   `parts`-th stretch from below, beginning with number `part`, is open by `by`
-   more. */
+   `parts`-th stretch from below, beginning with number `part`, is open by
+   `extra` more. */
 static void kern_repose_open(const kern_repose *r, int part, int parts,
-                             kern_real by, kern_real keep)
+                             kern_real extra, kern_real keep)
 {
     const kern_structure *s = &r->task->s;
     int i, k, n = 0;
     for (k = 0; k < s->contacts; k++) {
-        const int first = r->order[k], points = r->begins[first];
+        const int first = r->order[k], points = r->stretch[first];
         for (i = first; i < first + points; i++) {
             const kern_contact *c = s->contact + i;
             const kern_real gap = -kern_repose_depth(s, c->p, c->a)
                                 - kern_repose_depth(s, c->p, c->b);
-            r->gap[i] = n % parts == part ? kern_max(gap, keep * gap) + by
+            r->gap[i] = n % parts == part ? kern_max(gap, keep * gap) + extra
                                           : keep * gap;
         }
         n += points > 0;
@@ -12110,8 +12214,8 @@ static kern_vec kern_repose_meeting(const kern_repose *r, int i)
 {
     const kern_contact *c = r->task->s.contact + i;
     const kern_vec *arm = r->arm + 2 * i;
-    return kern_vec_sub(kern_velocity(r->step + c->b, arm[1]),
-                        kern_velocity(r->step + c->a, arm[0]));
+    return kern_vec_sub(kern_velocity(r->motion + c->b, arm[1]),
+                        kern_velocity(r->motion + c->a, arm[0]));
 }
 
 /* Changes the force of contact point i, within its cone, so that its blocks
@@ -12121,32 +12225,36 @@ static kern_real kern_repose_hold(const kern_repose *r, int i)
 {
     const kern_contact *c = r->task->s.contact + i;
     const kern_vec t = kern_vec_turn(c->n), u = kern_repose_meeting(r, i);
-    const kern_real stiff = KERN_SETTLE_RELAX / r->ease[i];
+    const kern_real stiffness = KERN_SETTLE_RELAX / r->compliance[i];
     const kern_real open = r->gap[i] + kern_vec_dot(u, c->n);
     kern_force *f = r->force + i;
     const kern_force old = *f;
-    kern_real most;
-    kern_vec by, push;
+    kern_real limit;
+    kern_vec impulse, push;
     int k;
     if (open >= 0 && !(old.normal > 0))
         return KERN_R(0);
-    f->normal = kern_max(old.normal - open * stiff, KERN_R(0));
-    most = c->mu * f->normal;
+    f->normal = kern_max(old.normal - open * stiffness, KERN_R(0));
+    limit = c->mu * f->normal;
     f->tangential = kern_min(
-        kern_max(old.tangential - kern_vec_dot(u, t) * stiff, -most), most);
+        kern_max(old.tangential - kern_vec_dot(u, t) * stiffness, -limit),
+        limit);
 
     /* the change moves both blocks */
-    by = kern_vec_make(f->normal - old.normal, f->tangential - old.tangential);
-    push = kern_vec_step(kern_vec_scale(c->n, by.x), by.y, t);
+    impulse = kern_vec_make(f->normal - old.normal,
+                            f->tangential - old.tangential);
+    push = kern_vec_step(kern_vec_scale(c->n, impulse.x), impulse.y, t);
     for (k = 1; k >= 0; k--) {
         const int b = k ? c->b : c->a;
-        const kern_real *give = r->give + 2 * b;
-        r->step[b].vx += give[0] * push.x;
-        r->step[b].vy += give[0] * push.y;
-        r->step[b].spin += give[1] * kern_vec_cross(r->arm[2 * i + k], push);
+        const kern_real *inverse_mass = r->inverse_mass + 2 * b;
+        r->motion[b].vx += inverse_mass[0] * push.x;
+        r->motion[b].vy += inverse_mass[0] * push.y;
+        r->motion[b].spin += inverse_mass[1]
+                           * kern_vec_cross(r->arm[2 * i + k], push);
         push = kern_vec_scale(push, -1);
     }
-    return r->ease[i] * kern_vec_largest(by); /* the same in a turned frame */
+    return r->compliance[i]
+         * kern_vec_largest(impulse); /* the same in a turned frame */
 }
 
 /* Returns 1 if contact point i, the end of a line, slid by half of the line,
@@ -12154,8 +12262,8 @@ static kern_real kern_repose_hold(const kern_repose *r, int i)
 static int kern_repose_slid(const kern_repose *r, int i)
 {
     const kern_contact *c = r->task->s.contact + i;
-    const kern_real way = kern_abs(r->slid[i]);
-    const kern_real out = r->begins[i] ? 1 : -1; /* of the line, along t */
+    const kern_real way = kern_abs(r->slip[i]);
+    const kern_real out = r->stretch[i] ? 1 : -1; /* of the line, along t */
     return way > kern_abs(c->travel)
         && kern_repose_depth(
                &r->task->s,
@@ -12163,7 +12271,7 @@ static int kern_repose_slid(const kern_repose *r, int i)
                    c->p,
                    out * (KERN_ERRORS * r->task->options.pose_error + way),
                    kern_vec_turn(c->n)),
-               out * r->slid[i] > 0 ? c->a : c->b)
+               out * r->slip[i] > 0 ? c->a : c->b)
                < -way / 2;
 }
 
@@ -12173,30 +12281,30 @@ static int kern_repose_leaves(const kern_repose *r)
 {
     int i, leaves = 0;
     for (i = 0; i < r->task->s.contacts; i++)
-        leaves |= r->begins[i] > 1
+        leaves |= r->stretch[i] > 1
                && r->force[i].normal + r->force[i + 1].normal > 0
                && kern_repose_slid(r, i) && kern_repose_slid(r, i + 1);
     return leaves;
 }
 
 /* Lets the blocks settle by steps, from the forces that are there. Returns
-   how far they move at most, KERN_INFINITY where that is beyond `most` or
+   how far they move at most, KERN_INFINITY where that is beyond `limit` or
    they slide off what they lie on. Whether they are at rest then a verdict
    tells. */
-static kern_real kern_repose_settle(const kern_repose *r, kern_real most)
+static kern_real kern_repose_settle(const kern_repose *r, kern_real limit)
 {
     const kern_structure *s = &r->task->s;
     const int last = s->contacts - 1;
-    kern_real way = KERN_R(0), moved = r->fall;
+    kern_real way = KERN_R(0), moved = r->free_fall;
     int i, step, sweep;
-    for (step = 0; step < KERN_SETTLE_STEPS && way <= most
-                   && moved > KERN_SETTLE_REST * r->fall;
+    for (step = 0; step < KERN_SETTLE_STEPS && way <= limit
+                   && moved > KERN_SETTLE_REST * r->free_fall;
          step++) {
         /* sweeps from below and from above, until they change little */
-        for (sweep = 0;
-             sweep < KERN_SETTLE_SWEEPS && moved > KERN_SETTLE_STILL * r->fall
-             && kern_spend(r->task->work, r->task->options.limit,
-                           s->contacts / KERN_SETTLE_UNIT + 1);
+        for (sweep = 0; sweep < KERN_SETTLE_SWEEPS
+                        && moved > KERN_SETTLE_STILL * r->free_fall
+                        && kern_spend(r->task->work, r->task->options.limit,
+                                      s->contacts / KERN_SETTLE_UNIT + 1);
              sweep++)
             for (i = 0, moved = KERN_R(0); i <= last; i++)
                 moved = kern_max(
@@ -12208,28 +12316,29 @@ static kern_real kern_repose_settle(const kern_repose *r, kern_real most)
             const kern_contact *c = s->contact + i;
             const kern_vec u = kern_repose_meeting(r, i);
             r->gap[i] += kern_vec_dot(c->n, u);
-            r->slid[i] += kern_vec_cross(c->n, u);
+            r->slip[i] += kern_vec_cross(c->n, u);
         }
 
         /* how far the blocks went */
         for (i = 0, moved = KERN_R(0); i < s->blocks; i++)
             moved = kern_max(moved,
-                             kern_block_speed(&s->block[i], &r->step[i]));
+                             kern_block_speed(&s->block[i], &r->motion[i]));
         way = kern_repose_leaves(r) ? KERN_INFINITY : way + moved;
     }
-    return way <= most ? way : KERN_INFINITY;
+    return way <= limit ? way : KERN_INFINITY;
 }
 
 /* ---- certainty ---- */
 
-/* Shrinks the kerns of n contacts by `by` and turns the edges of their cones
-   inward by an angle of tangent `turn`. Below 0 kerns grow and cones widen. */
-static void kern_contacts_err(kern_contact *c, int n, kern_real by,
+/* Shrinks the kerns of n contacts by `shrink` and turns the edges of their
+   cones inward by an angle of tangent `turn`. Below 0 kerns grow and cones
+   widen. */
+static void kern_contacts_err(kern_contact *c, int n, kern_real shrink,
                               kern_real turn)
 {
     for (; n-- > 0; c++) {
         kern_real rate;
-        const kern_real shift = kern_shift(c->travel, by, 0, &rate);
+        const kern_real shift = kern_shift(c->travel, shrink, 0, &rate);
         c->p = kern_vec_step(c->p, shift, kern_vec_turn(c->n));
         c->travel -= shift;
         c->mu = kern_max(c->mu - turn, KERN_R(0))
@@ -12239,7 +12348,7 @@ static void kern_contacts_err(kern_contact *c, int n, kern_real by,
 
 /* Subtracts the work of a call from the limit. Returns its status, or
    KERN_LIMIT where nothing of the limit remains. */
-static kern_status kern_limit_less(kern_task *task, kern_status status)
+static kern_status kern_limit_subtract(kern_task *task, kern_status status)
 {
     task->options.limit -= task->work->units;
     task->work->units = status >= KERN_UNDECIDED && task->options.limit == 0;
@@ -12249,10 +12358,10 @@ static kern_status kern_limit_less(kern_task *task, kern_status status)
 /* Writes the contacts of the upper end to contact[0..room): those of the task,
    and of what falls those of edges and corners within twice the error, with the
    options that find them. Returns how many there are, or a status below 0. */
-KERN_SHARED static int kern_contacts_most(const kern_task *task,
-                                          kern_real margin,
-                                          kern_options *options,
-                                          kern_contact *contact, int room)
+KERN_SHARED static int kern_contacts_upper(const kern_task *task,
+                                           kern_real margin,
+                                           kern_options *options,
+                                           kern_contact *contact, int room)
 {
     int i, n = 0;
     if (!(margin > 0)) {
@@ -12330,19 +12439,19 @@ static int kern_certain_rocks(const kern_task *task, kern_real lack)
 }
 
 /* Finds the stretches and lets the blocks settle where every `parts`-th one,
-   beginning with number `part`, is open by `by` more than was measured. Sure
+   beginning with number `part`, is open by `extra` more than was measured. Sure
    stretches are shorter by the error and have no gap but that. Adds the way to
    *way: KERN_INFINITY if it is beyond the allowed way, or if a block on sure
    stretches may topple by its own speed. The contact points that are closed
    then, written to contact[0..room), become those of the task. */
 KERN_SHARED static kern_status kern_certain_rest(
-    kern_task *task, kern_search_kind kind, int part, int parts, kern_real by,
-    kern_real *way, kern_contact *contact, int room)
+    kern_task *task, kern_search_kind kind, int part, int parts,
+    kern_real extra, kern_real *way, kern_contact *contact, int room)
 {
     kern_structure *s = &task->s;
     const kern_options *o = &task->options;
     const int sure = kind == KERN_SEARCH_SURE;
-    kern_real closed, most, moved;
+    kern_real closed, limit, moved;
     kern_repose r;
     int i, line = 0, n = 0;
     s->contacts = kern_search_run(s->block, s->blocks, o, contact, room,
@@ -12350,7 +12459,7 @@ KERN_SHARED static kern_status kern_certain_rest(
     if (s->contacts < 0)
         return (kern_status)s->contacts;
     if (sure) {
-        if (kern_certain_rocks(task, KERN_ROCK_LACK * by))
+        if (kern_certain_rocks(task, KERN_ROCK_LACK * extra))
             *way = KERN_INFINITY;
         kern_contacts_err(contact, s->contacts, KERN_ERRORS * o->pose_error,
                           KERN_ERROR_CONE * o->pose_turn);
@@ -12358,17 +12467,17 @@ KERN_SHARED static kern_status kern_certain_rest(
 
     /* Lets the blocks settle, for the lower end as far as they do. */
     kern_repose_begin(&r, task);
-    kern_repose_open(&r, part, parts, by, KERN_R(!sure));
-    most = KERN_DOUBT_MOST / KERN_DOUBT_TELLS * r.mean;
-    moved = kern_repose_settle(&r, sure ? most : KERN_INFINITY);
-    *way = kern_max(*way, moved <= most ? moved : KERN_INFINITY);
+    kern_repose_open(&r, part, parts, extra, KERN_R(!sure));
+    limit = KERN_DOUBT_MOST / KERN_DOUBT_TELLS * r.mean_size;
+    moved = kern_repose_settle(&r, sure ? limit : KERN_INFINITY);
+    *way = kern_max(*way, moved <= limit ? moved : KERN_INFINITY);
 
-    /* Keeps the points that are closed: both ends of a line, or one as a point. */
+    /* Keeps the closed points: both ends of a line, or one as a point. */
     closed = KERN_LOW_CLOSED * o->pose_error
-           + KERN_R(!sure) * KERN_GAP_SHARE * r.mean;
+           + KERN_R(!sure) * KERN_GAP_SHARE * r.mean_size;
     for (i = 0; i < s->contacts; i++) {
-        if (r.begins[i] > 0)
-            line = r.begins[i] > 1
+        if (r.stretch[i] > 0)
+            line = r.stretch[i] > 1
                 && kern_max(r.gap[i], r.gap[i + 1]) <= closed;
         if (r.gap[i] <= closed) {
             contact[n] = contact[i];
@@ -12377,27 +12486,29 @@ KERN_SHARED static kern_status kern_certain_rest(
     }
     kern_contact_travels(contact, n);
     s->contacts = n;
-    return kern_limit_less(task, kern_ended(task, KERN_OK));
+    return kern_limit_subtract(task, kern_call_status(task, KERN_OK));
 }
 
 /* Returns the lower end: the smallest of `margin` and of the margins on what is
    closed once the blocks have settled, less what the error takes. Adds how far
    they settled to *way. */
-static kern_real kern_certain_low(kern_task *other, kern_real margin,
+static kern_real kern_certain_low(kern_task *variant, kern_real margin,
                                   kern_real *way, kern_contact *contact,
                                   int room, kern_status *status)
 {
-    const kern_real e = other->options.pose_error;
-    const kern_real share = e / kern_mean_size(other->s.block, other->s.blocks);
+    const kern_real e = variant->options.pose_error;
+    const kern_real share = e
+                          / kern_mean_size(variant->s.block, variant->s.blocks);
     kern_real low = margin;
     kern_margin m;
     int part;
     for (part = 0; part < KERN_LOW_PARTS && low > 0; part++) {
-        *status = kern_certain_rest(other, KERN_SEARCH_STRETCHES, part,
+        *status = kern_certain_rest(variant, KERN_SEARCH_STRETCHES, part,
                                     KERN_LOW_PARTS, KERN_LOW_OPEN * e, way,
                                     contact, room);
         if (*status >= KERN_UNDECIDED)
-            *status = kern_limit_less(other, kern_measure(other, &m, NULL));
+            *status = kern_limit_subtract(variant,
+                                          kern_measure(variant, &m, NULL));
         low = *status == KERN_STANDS ? kern_min(low, m.holds) : KERN_R(0);
     }
     return low
@@ -12410,20 +12521,21 @@ static kern_real kern_certain_low(kern_task *other, kern_real margin,
    farther if the gaps of sure stretches were measured too small. Returns
    KERN_INFINITY if that is too far, if a block may topple by its own speed, or
    if the blocks do not stand on the stretches that are closed then. */
-static kern_real kern_certain_way(kern_task *other, kern_real way,
+static kern_real kern_certain_way(kern_task *variant, kern_real way,
                                   kern_contact *contact, int room,
                                   kern_status *status)
 {
-    const kern_options *o = &other->options;
-    const kern_real size = kern_mean_size(other->s.block, other->s.blocks);
+    const kern_options *o = &variant->options;
+    const kern_real size = kern_mean_size(variant->s.block, variant->s.blocks);
     int part;
     for (part = 0; part < KERN_DOUBT_PARTS && *status == KERN_STANDS; part++) {
         *status = kern_certain_rest(
-            other, KERN_SEARCH_SURE, part, KERN_DOUBT_PARTS,
+            variant, KERN_SEARCH_SURE, part, KERN_DOUBT_PARTS,
             o->gap + KERN_ERRORS * o->pose_turn * size / 2, &way, contact,
             room);
         if (*status >= KERN_UNDECIDED && way < KERN_INFINITY)
-            *status = kern_limit_less(other, kern_verdict(other, 0, NULL));
+            *status = kern_limit_subtract(variant,
+                                          kern_verdict(variant, 0, NULL));
     }
     return *status == KERN_STANDS ? KERN_DOUBT_TELLS * way : KERN_INFINITY;
 }
@@ -12432,41 +12544,43 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
                                   int room)
 {
-    kern_task other;
+    kern_task variant;
     kern_margin m;
-    kern_real by, turn, way;
+    kern_real shrink, turn, way;
     int i;
     kern_status status = kern_certain_check(task, margin, out, contact, room);
     if (status != KERN_OK)
         return status;
-    by = KERN_ERRORS * task->options.pose_error;
+    shrink = KERN_ERRORS * task->options.pose_error;
     turn = KERN_ERROR_CONE * task->options.pose_turn;
     out->high = out->settles = KERN_INFINITY;
-    other = kern_task_of(task->s.block, task->s.blocks, contact, 0, task->work);
-    other.s.gravity = task->s.gravity;
-    other.options = task->options;
-    other.options.limit = kern_limit_of(task->options.limit);
+    variant = kern_task_of(task->s.block, task->s.blocks, contact, 0,
+                           task->work);
+    variant.s.gravity = task->s.gravity;
+    variant.options = task->options;
+    variant.options.limit = kern_limit_of(task->options.limit);
 
     /* stretches are found anew, with the least friction of the contacts */
     for (i = 0; i < task->s.contacts; i++)
-        other.options.mu = kern_min(other.options.mu, task->s.contact[i].mu);
+        variant.options.mu = kern_min(variant.options.mu,
+                                      task->s.contact[i].mu);
 
     /* low: less than the margins of the blocks where they come to rest,
        after a way that is no shorter than a stretch may be open */
-    way = KERN_LOW_OPEN * other.options.pose_error;
-    out->low = kern_certain_low(&other, margin, &way, contact, room, &status);
+    way = KERN_LOW_OPEN * variant.options.pose_error;
+    out->low = kern_certain_low(&variant, margin, &way, contact, room, &status);
 
     /* what stands for certain comes to rest on sure stretches, too */
     if (out->low > 0)
-        out->settles = kern_certain_way(&other, way, contact, room, &status);
+        out->settles = kern_certain_way(&variant, way, contact, room, &status);
 
     /* high: longer kerns and wider cones; of what falls all that may exist */
-    if (status >= KERN_UNDECIDED && other.s.contacts >= 0) {
-        other.options.mu = task->options.mu;
-        other.s.contacts = kern_contacts_most(task, margin, &other.options,
-                                              contact, room);
-        kern_contacts_err(contact, other.s.contacts, -by, -turn);
-        status = kern_measure(&other, &m, NULL);
+    if (status >= KERN_UNDECIDED && variant.s.contacts >= 0) {
+        variant.options.mu = task->options.mu;
+        variant.s.contacts = kern_contacts_upper(task, margin, &variant.options,
+                                                 contact, room);
+        kern_contacts_err(contact, variant.s.contacts, -shrink, -turn);
+        status = kern_measure(&variant, &m, NULL);
         out->high = status == KERN_STANDS || status == KERN_LIMIT
                       ? kern_max(m.fails, margin)
                   : status == KERN_FALLS ? margin /* not nested, if above 0 */
@@ -12477,8 +12591,8 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
 
     /* the work of all calls together */
     task->work->units += kern_limit_of(task->options.limit)
-                       - other.options.limit;
-    return other.s.contacts < 0 ? (kern_status)other.s.contacts : status;
+                       - variant.options.limit;
+    return variant.s.contacts < 0 ? (kern_status)variant.s.contacts : status;
 }
 
 /* ==== Part VII: Words ==================================================== */

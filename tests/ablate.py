@@ -62,13 +62,13 @@ MECHANISMS = [
      {"kern_path_follow": "return KERN_UNDECIDED;"}),
     ("extrapolate", "extrapolated prices",
      {"kern_raise_extrapolate": """{
-        const kern_part *q = r->p;
+        const kern_part *q = r->part;
         kern_real sum = 0;
         int i;
         (void)round;
         for (i = 0; i < q->contacts; i++) {
-            q->dual.price[i] = q->dual.turn[2 * i];
-            sum += q->dual.turn[2 * i + 1] * q->dual.turn[2 * i + 1];
+            q->dual.price[i] = q->dual.change[2 * i];
+            sum += q->dual.change[2 * i + 1] * q->dual.change[2 * i + 1];
         }
         return sum;
     }"""}),

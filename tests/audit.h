@@ -40,10 +40,10 @@ static void audit_places(const kern_simplex *sx)
     const int cols = sx->lp->cols;
     int p, j;
     for (j = 0; j <= cols; j++)
-        assert(sx->place[j] == KERN_OUT || sx->base[sx->place[j]] == j);
+        assert(sx->basic_row[j] == KERN_OUT || sx->base[sx->basic_row[j]] == j);
     for (p = 0; p < sx->lp->rows; p++)
         assert(sx->base[p] > cols ? sx->base[p] == cols + 1 + p
-                                  : sx->place[sx->base[p]] == p);
+                                  : sx->basic_row[sx->base[p]] == p);
 }
 
 /* And for a network, where rounding is bounded, whether B x = b, and B^-1 B = I
@@ -78,9 +78,9 @@ static void audit_factor(const kern_skyline *a)
 {
     int g, i, k;
     for (g = 0; g < a->groups; g++) {
-        const int wide = 3 * (g - a->first[g] + 1);
+        const int wide = 3 * (g - a->first_column[g] + 1);
         const kern_real *row = a->entry + a->offset[g];
-        assert(a->first[g] >= 0 && a->first[g] <= g);
+        assert(a->first_column[g] >= 0 && a->first_column[g] <= g);
         for (k = 0; k < 3; k++) {
             for (i = 0; i < wide - 3 + k; i++)
                 if (!kern_is_finite(row[k * wide + i]))
@@ -110,11 +110,11 @@ static void audit_part(const kern_part *p)
 static void audit_ipm(const kern_ipm *in)
 {
     int i;
-    if (!kern_is_finite(in->gap))
+    if (!kern_is_finite(in->duality_gap))
         return;
-    assert(in->gap > 0 && in->s <= 0);
-    for (i = 0; i < 2 * in->p->contacts; i++)
-        assert(in->p->x[i] > 0 && in->z[i] > 0 && in->d[i] > 0);
+    assert(in->duality_gap > 0 && in->s <= 0);
+    for (i = 0; i < 2 * in->part->contacts; i++)
+        assert(in->part->x[i] > 0 && in->z[i] > 0 && in->scaling[i] > 0);
 }
 
 #endif

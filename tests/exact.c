@@ -175,7 +175,7 @@ static double weight_of(int i)
     kern_query q;
     kern_wrench w;
     kern_query_read(task_of(&work), 0, &q);
-    return kern_wrench_on(&s, &q, i, &w);
+    return kern_block_wrench(&s, &q, i, &w);
 }
 
 /* The largest share of its own weight that a block may miss. */

@@ -280,7 +280,7 @@ static void engine_basis_holds(const kern_simplex *sx, const kern_real *a,
             v[i] = j < cols ? a[j * rows + i] : R(i == j - cols - 1);
             left[i] -= (double)(v[i] * sx->value[p]);
         }
-        CHECK(j >= cols || sx->place[j] == p);
+        CHECK(j >= cols || sx->basic_row[j] == p);
         kern_basis_solve(sx, v);
         for (i = 0; i < rows; i++)
             CHECK_NEAR(v[i], i == p, SINGLE ? 1e-2 : 1e-8);
@@ -379,20 +379,23 @@ static void engine_step(void)
             kern_call_open(&c, world_task(&w, &work), R(0.2 + 0.1 * falls), &w),
             KERN_OK);
         CHECK(kern_ipm_open(&in, &c.m, &c.part, &c.path.q));
-        kern_part_load(in.p, &c.path.q, in.p->eq.rhs);
+        kern_part_load(in.part, &c.path.q, in.part->eq.rhs);
         CHECK(kern_ipm_begin(&in));
-        for (round = 0; round < 25 && in.gap > least && in.s < 0; round++) {
-            const double before = (double)in.gap;
+        for (round = 0; round < 25 && in.duality_gap > least && in.s < 0;
+             round++) {
+            const double before = (double)in.duality_gap;
             CHECK(kern_ipm_step(&in));
-            CHECK(in.gap < 2 * before && in.s <= 0);
-            for (i = 0; i < 2 * in.p->contacts; i++)
-                CHECK(in.p->x[i] > 0 && in.z[i] > 0);
+            CHECK(in.duality_gap < 2 * before && in.s <= 0);
+            for (i = 0; i < 2 * in.part->contacts; i++)
+                CHECK(in.part->x[i] > 0 && in.z[i] > 0);
         }
         CHECK(round >= (falls ? 3 : 1) && round < 25);
         if (falls) {
             CHECK(in.s < -1e-3);
-            CHECK_NEAR(in.s, kern_dot(in.p->y, in.p->eq.rhs, 3 * in.p->groups),
-                       10 * least);
+            CHECK_NEAR(
+                in.s,
+                kern_dot(in.part->y, in.part->eq.rhs, 3 * in.part->groups),
+                10 * least);
         } else
             CHECK(in.s >= 0);
     }
