@@ -13,8 +13,8 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-TRUST, PUBLISHED, REALITY = (
-    "tests/%s.md" % name for name in ("TRUST", "PUBLISHED", "REALITY"))
+BENCH, TRUST, PUBLISHED, REALITY = (
+    "tests/%s.md" % name for name in ("BENCH", "TRUST", "PUBLISHED", "REALITY"))
 STUDY = "examples/laboratory/STUDY.md"
 N = r"([\d.,]+)"  # a number
 
@@ -49,10 +49,31 @@ ROWS = (
      r"%s rows of 20 to 90 columns, raised load / limit equilibrium \| at least "
      r"0\.97 \| 75 of 90 \|\n\| the same \| all \| %s to %s \|" % (N, N, N)),
     (r"besides, in g\) below %s as not" % N, TRUST, r"A reserve of %s g" % N),
+    (r"of %s walls that offer places .* stays in all six runs of a simulator on "
+     r"%s, the place of the highest margin on %s" % (N, N, N), TRUST,
+     r"%s walls that offer places .*\n.*\n\| `kern_place_compare\(\)` \| %s \|\n"
+     r"\| the highest margin \| %s \|" % (N, N, N)),
+    (r"on random brick walls up to %s times" % N, "tests/DESIGN.md",
+     r"random ones by up to %s times" % N),
+    (r"topple in a row it was up to %s times" % N, TRUST,
+     r"load factor of limit analysis / limit equilibrium \| most \| %s" % N),
+    # beside one simulated run
+    (r"one run of Box2D: of %s placements it keeps %s %% of what stays, kern %s"
+     % (N, N, N), TRUST,
+     r"\| %s that rock .* \| %s %% \| \|\n.*0\.5 \| %s %%" % (N, N, N)),
+    (r"on %s placements Box2D v3 accepted %s %% of what stays and rejected %s %% "
+     r"of what moves, kern %s %% and %s %%" % (N, N, N, N, N), TRUST,
+     r"\| %s \| one run of Box2D v3 at 60 Hz \| %s %% \| %s %% \|\n.*data "
+     r"\| %s %% \| %s %%" % (N, N, N, N, N)),
+    (r"kern %s us on walls of (19) to (25) bricks, one run of Box2D %s us" % (N, N),
+     BENCH, r"\| (19)-(25) \| 72 (?:\|[^|]*){5}\| %s [^|]*\| %s " % (N, N)),
+    (r"a verdict takes %s of one LP .* the margin %s, the load factor %s, one "
+     r"more stone %s, all" % (N, N, N, N), BENCH,
+     r"\| all \| 167 \| %s [^|]*\| %s [^|]*\| %s [^|]*\|[^|]*\| %s " % (N, N, N, N)),
     # how many
     (r"computes %s formulas" % N, "cc tests/published.c", r"\n%s results" % N),
     (r"reality\.c\) %s experiments" % N, "cc tests/reality.c", r"\n%s rows" % N),
-    (r"%s structures with known outcomes" % N, "tests/CORPUS.md",
+    (r"%s structures, \d+ of them with known outcomes" % N, "tests/CORPUS.md",
      r"The corpus: %s structures" % N),
     # textbooks and experiments
     (r"Milankovitch 1907\) \| %s \| %s" % (N, N), PUBLISHED,
