@@ -3609,15 +3609,13 @@ static int kern_model_charge(const kern_model *m, int queries)
         m, queries * (3 + (m->s->blocks + m->s->contacts) / KERN_QUERY_UNIT));
 }
 
-/* Returns 1 if the whole may be solved as one linear program: it has at most
-   KERN_SMALL groups, and the work memory has its full size. */
-static int kern_model_is_small(const kern_model *m)
+/* Returns 1 if the work memory has its full size. */
+static int kern_model_has_room(const kern_model *m)
 {
     const kern_work *work = m->task->work;
     int reals, indices;
     kern_work_need(m->s->blocks, m->s->contacts, &reals, &indices);
-    return m->graph.groups <= KERN_SMALL && work->reals >= reals
-        && work->indices >= indices;
+    return work->reals >= reals && work->indices >= indices;
 }
 
 /* Returns 1 if a proof with this error holds, and then records the error in
@@ -6711,6 +6709,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q)
 {
     kern_status status;
+    int stuck;
     p->result = KERN_UNDECIDED;
 
     if (!m->whole) {
@@ -6740,12 +6739,17 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     }
     status = kern_part_evaluate(p, q);
 
+    /* If the factors of a basis outgrow work memory of full size, digits were
+       lost: this decides nothing. */
+    stuck = status == KERN_NO_SPACE && kern_model_has_room(m);
+    if (stuck)
+        status = KERN_UNDECIDED;
+
     /* Tries the interior point as a last resort: it rounds differently and
        needs other memory. In float this is not tried, since proofs of the
        interior point are too coarse near the critical value. */
-    if (KERN_PICK(1, 0) > 0
-        && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
-            || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
+    if (KERN_PICK(1, 0) > 0 && status == KERN_UNDECIDED
+        && (stuck || m->graph.groups <= KERN_SMALL)) {
         status = kern_ipm_verdict(m, p, q);
         p->result = KERN_UNDECIDED; /* its y is a poorer start than a basis */
     }
@@ -8263,7 +8267,8 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     path->end = tilt ? 1 : KERN_FACTOR_MOST;
 
     /* Few groups are solved by one linear program, whose value is exact. */
-    if (!loaded && kern_model_is_small(&c->m))
+    if (!loaded && c->m.graph.groups <= KERN_SMALL
+        && kern_model_has_room(&c->m))
         kern_model_whole(&c->m, path->part, &path->q);
 
     status = kern_path_evaluate(&c->m, path, 0);

@@ -383,7 +383,9 @@ int main(void)
     for (i = 0; i < REGRESSIONS; i++)
         check_file(&regression[i]);
     check_bracket("hopper_undecided");
-    printf("%d structures, %ld checks, %ld failed\n", REGRESSIONS + 1, checks,
+    check_bracket(
+        "jam_no_room"); /* the factors of a basis outgrow the memory */
+    printf("%d structures, %ld checks, %ld failed\n", REGRESSIONS + 2, checks,
            failures);
     return failures ? 1 : 0;
 }

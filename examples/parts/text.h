@@ -122,7 +122,7 @@ struct text_file {
     kern_vec *mass; /* where statements `mass` put it                  */
     int masses;     /* how many                                        */
     double added, added_x,
-        added_y; /* the mass of all of these, and its moments */
+        added_y; /* their masses in sum, and moments of these */
     kern_vec gravity;
     kern_options options;  /* the defaults, and what the file says            */
     int epsilon_line;      /* where `epsilon` stands, 0: nowhere              */
