@@ -20,36 +20,36 @@ N = r"([\d.,]+)"  # a number
 
 ROWS = (
     # which number answers which question
-    (r"of %s near-critical structures none" % N, TRUST,
+    (r"either way; %s near-critical verdicts agree" % N, TRUST,
      r"`\./exact %s`: none wrong" % N),
-    (r"of %s toppling slopes it says `stays` for none below" % N, TRUST,
+    (r"on %s toppling slopes it says `stays` never below" % N, TRUST,
      r"\| %s slopes at 0\.9 and 0\.99 .* 0 of 720" % N),
-    (r"for all at %s times that" % N, TRUST,
+    (r"and always at %s times the critical" % N, TRUST,
      r"the same at %s and 1\.1 \| said to stay \| 720 of 720" % N),
-    (r"a chance of %s accepts %s %% .* rejects %s %%" % (N, N, N), TRUST,
+    (r"from a chance of %s keeps %s %% .* rejects %s %%" % (N, N, N), TRUST,
      r"\n\| (0\.5) \| %s \| %s \|" % (N, N)),
     (r"algorithm on all of %s structures" % N, TRUST,
      r"level on all %s structures" % N),
-    (r"a noise of %s %% of a stone the lower bound of the margin holds in %s %% "
-     r"of settled structures; %s %% of what stands and %s %% of what falls"
+    (r"a noise of %s %% of the stone size the margin is above its lower bound in "
+     r"%s %% of settled structures; of the verdicts %s %% of `stands` and %s %% of"
      % (N, N, N, N), TRUST,
      r"(?s)mean size \| 0\.2 % \| ([\d.]+) %.*?stands, and is certain \| 71 % \| "
      r"([\d.]+) %.*?falls, and is certain \| 99 % \| ([\d.]+) %.*?above the "
      r"lower end \| 94 % \| ([\d.]+) %"),
-    (r"%s of a simulator's collapse in the median of %s brick walls, from %s to "
+    (r"%s of the load at which .*? in the median of %s brick walls; from %s to "
      r"%s" % (N, N, N, N), TRUST,
      r"%s brick walls with openings, raised load .* \| median \| %s \|\n"
      r"\| the same \| all \| %s to %s \|" % (N, N, N, N)),
-    (r"rank correlation with the level of collapse %s on %s structures; load "
+    (r"rank correlation with the level of collapse %s on %s structures \(0\.80 on [^)]*\); load "
      r"factor %s, margin %s" % (N, N, N, N), STUDY,
      r"(?s)near: expected drop \| %s .*?load factor \| (0\.45) .*?margin \| %s "
      r".*?\| %s structures of the" % (N, N, N)),
-    (r"which was %s to %s of limit equilibrium on %s such rows" % (N, N, N),
+    (r"load was %s to %s of limit equilibrium on %s such rows" % (N, N, N),
      TRUST,
      r"%s rows of 20 to 90 columns, raised load / limit equilibrium \| at least "
      r"0\.97 \| 75 of 90 \|\n\| the same \| all \| %s to %s \|" % (N, N, N)),
-    (r"besides, in g\) below %s as not" % N, TRUST, r"A reserve of %s g" % N),
-    (r"of %s walls that offer places .* stays in all six runs of a simulator on "
+    (r"`--raised`\) is below %s\. A" % N, TRUST, r"A reserve of %s g" % N),
+    (r"on %s walls with both good .* stays in a simulator on "
      r"%s, the place of the highest margin on %s" % (N, N, N), TRUST,
      r"%s walls that offer places .*\n.*\n\| `kern_place_compare\(\)` \| %s \|\n"
      r"\| the highest margin \| %s \|" % (N, N, N)),
@@ -61,14 +61,14 @@ ROWS = (
     (r"one run of Box2D: of %s placements it keeps %s %% of what stays, kern %s"
      % (N, N, N), TRUST,
      r"\| %s that rock .* \| %s %% \| \|\n.*0\.5 \| %s %%" % (N, N, N)),
-    (r"on %s placements Box2D v3 accepted %s %% of what stays and rejected %s %% "
-     r"of what moves, kern %s %% and %s %%" % (N, N, N, N, N), TRUST,
+    (r"On %s placements Box2D v3 accepted %s %% of what stays and rejected %s %% "
+     r"of what moves; an earlier version of kern %s %% and %s %%" % (N, N, N, N, N), TRUST,
      r"\| %s \| one run of Box2D v3 at 60 Hz \| %s %% \| %s %% \|\n.*data "
      r"\| %s %% \| %s %%" % (N, N, N, N, N)),
-    (r"kern %s us on walls of (19) to (25) bricks, one run of Box2D %s us" % (N, N),
-     BENCH, r"\| (19)-(25) \| 72 (?:\|[^|]*){5}\| %s [^|]*\| %s " % (N, N)),
-    (r"a verdict takes %s of one LP .* the margin %s, the load factor %s, one "
-     r"more stone %s, all" % (N, N, N, N), BENCH,
+    (r"walls of (19) to (25) bricks kern .* in %s us, one run of Box2D in %s us"
+     % (N, N), BENCH, r"\| (19)-(25) \| 72 (?:\|[^|]*){5}\| %s [^|]*\| %s " % (N, N)),
+    (r"in the median %s for a verdict, %s for the margin, %s for the load factor "
+     r"and %s for one more" % (N, N, N, N), BENCH,
      r"\| all \| 167 \| %s [^|]*\| %s [^|]*\| %s [^|]*\|[^|]*\| %s " % (N, N, N, N)),
     # how many
     (r"computes %s formulas" % N, "cc tests/published.c", r"\n%s results" % N),
@@ -90,12 +90,12 @@ ROWS = (
      r"Prestwood 1986 \| %s \| %s" % (N, N)),
     (r"Dundee model bridge \[kN\] \| %s \| %s" % (N, N), REALITY,
      r"Dundee model 1989 \| %s \| %s" % (N, N)),
-    (r"no crushing: mean ratio, .* \| 1 \| %s," % N, REALITY,
+    (r"no crushing: kern / test .* \| 1 \| %s," % N, REALITY,
      r"\| no crushing \| %s " % N),
     (r"from least to most \| 1 \| [\d.]+, %s to %s" % (N, N), REALITY,
      r"(?s)\| Strathmashie 1989 \|[^|]*\|[^|]*\| %s .*\| Bolton model 1990 "
      r"\|[^|]*\|[^|]*\| %s " % (N, N)),
-    (r"5 MPa: mean ratio \| 1 \| %s" % N, REALITY, r"\n\| 5 MPa \| %s " % N),
+    (r"5 MPa: kern / test in the mean \| 1 \| %s" % N, REALITY, r"\n\| 5 MPa \| %s " % N),
     (r"right verdicts .* \| %s \| %s" % (N, N), REALITY,
      r"Right in %s of %s\. C" % (N, N)),
     (r"height of fill \[ft\] \| %s \| %s" % (N, N), REALITY,
