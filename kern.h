@@ -84,8 +84,8 @@
    Work memory is two arrays, of KERN_REALS(blocks, contacts) and of
    KERN_INTS(blocks, contacts) numbers (kern_work_need() at run time).
    `contacts` counts contact points. A running bond has seven for each block, or
-   twelve with joints between neighbours, for which KERN_CONTACTS(blocks) is
-   enough. Stones with many short edges may need twice as many; kern_contacts()
+   twelve with joints between neighbours. KERN_CONTACTS(blocks) is enough for
+   both. Stones with many short edges may need twice as many; kern_contacts()
    then returns KERN_NO_SPACE. Bytes in double (float: about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
@@ -111,8 +111,8 @@
    instructions plus 2,000 for each unit of its limit. A call that completes
    takes 550 to 2,000 instructions for each unit in work->units, or 0.1 to 0.6
    microseconds on a desktop computer (tests/work.sh limits). If most blocks
-   have a single contact, as in a fill that is pushed, a unit takes up to 3,100
-   and 2,230 instructions instead. A Cortex-M4F took up to 2,520.
+   have a single contact, as in a fill that is pushed, these 2,000 become 3,100
+   of the limit and 2,230 of a completed call. A Cortex-M4F took up to 2,520.
 
    CONFIGURATION                                                     >>config
 
@@ -135,7 +135,8 @@
    METHOD                                                            >>method
 
    Every free block is in equilibrium, Eqs. (1) to (3), under contact forces
-   without tension and within friction, Eq. (4):
+   without tension and within friction, Eq. (4), with the weight at the centre c
+   of the block and the contact at p, its normal n and its tangent t:
 
        sum f n + r t + weight = 0,     sum (p - c) x (f n + r t) = 0,
        f >= 0,  |r| <= mu f.
@@ -155,21 +156,21 @@
          |   simplex method on these (>>lp) --------------> FALLS
        whole        >>ipm     above 64 free blocks the interior-point method,
                     >>lp      otherwise the simplex method. In double the
-                              interior point is tried again where the simplex
-                              method gives no proof
+                              interior point is the last resort of up to 64
+                              blocks
 
    A measure is the critical value of a path (kerns shrink, a load grows,
    gravity turns): the first value at which the structure falls. Fixing blocks
    never lowers the critical value, so any part, with all other blocks fixed,
-   gives an upper bound. The search (>>search) begins at the smallest value of a
-   body (a block and the blocks that rest on nothing else) and runs the pass
-   there. If a part falls, the search continues at the critical value of that
-   part, until no part falls. If the pass gives no proof, the search solves the
-   whole structure. Load factor and tilt of up to 64 free blocks are one linear
-   program with the value as a column. If that program cannot decide, as in
-   jams, the interior-point method narrows the bracket of the critical value,
-   which has a proof at each end. tests/DESIGN.md says why each step is there,
-   and what it costs to leave it out.
+   gives an upper bound. The search (>>search) begins at the least critical
+   value of a body (a block and the blocks that rest on nothing else) and runs
+   the pass there. If a part falls, the search continues at the critical value
+   of that part, until no part falls. If the pass gives no proof, the search
+   solves the whole structure. Load factor and tilt of up to 64 free blocks are
+   one linear program with the value as a column. If that program cannot decide,
+   as in jams, the interior-point method narrows the bracket of the critical
+   value, which has a proof at each end. tests/DESIGN.md says why each step is
+   there, and what it costs to leave it out.
 
    RULES                                                               >>rules
 
@@ -264,11 +265,12 @@
 
    margin      compares structures, and places for a stone. The margin is the
                distance of the force on the worst stone from the edge of its
-               support, in metres, so that large stones count more; relative: as
-               a share of each travel
-   level       is the paper's measure: the margin in steps of epsilon
+               support: a length, so large stones count more (relative: a share
+               of half of each contact)
+   level       is the paper's measure: the margin in steps of epsilon, rounded
+               up
    load factor is the largest sideways acceleration, in units of gravity
-   raised load is the load factor without dilatant sliding (>>limits)
+   raised load is the load factor of Coulomb friction, from rest (>>limits)
    tilt        tells how far the ground may turn: without loads, atan of the
                load factor
    deficit     tells how far the contacts of a structure that falls must grow
@@ -311,16 +313,18 @@
 
    Whether a stone stays where it is released. kern_stays() returns the chance.
    Suppose that a planner releases a stone if the chance is at least a
-   threshold. The table has the shares of 835 clear cases among 969 placements,
-   with each half computed by the law that was fitted to the other half:
+   threshold. Of 969 placements 835 are clear: they stay, or they move, in all
+   of six noisy runs of a simulator. The table has shares of these, each half by
+   the law that was fitted to the other half:
 
        threshold                       0.3    0.5    0.7    0.9
        630 that stay: released         0.96   0.95   0.93   0.83
        205 that move: not released     0.90   0.96   0.985  0.995
 
-   The chance is computed from the displacement that raises the forces, and from
-   the reserve. The larger the displacement, the more equilibria are possible,
-   and friction decides between them.
+   The chance is computed from the distance by which stones move until the
+   forces hold them, and from the reserve (kern_raised()). The larger that
+   distance, the more equilibria are possible, and friction decides between
+   them.
 
    Whether a finished structure stays. kern_let_go() releases all blocks at
    once, so the order of the blocks does not matter. kern_least_load_of() and
@@ -357,10 +361,10 @@
    settle by a few errors before they rest again. kern_certain() computes this
    settling. It returns a lower and an upper end of the margin, whether the
    verdict is certain within the error, and how far stones may settle. A
-   structure certainly stands if it stands on stretches of contact that are
-   longer than the errors, and if it comes to rest after a small motion with
-   every third stretch open. tests/TRUST.md tells how often these answers are
-   right.
+   structure certainly stands if it passes two tests. It stands on stretches of
+   contact that are longer than the errors. It also comes to rest after a small
+   motion if every third stretch is open. tests/TRUST.md tells how often these
+   answers are right.
 
    LIMITS                                                            >>limits
 
@@ -383,43 +387,47 @@
              kern_raised_load() has no dilatancy. kern_let_go() tells whether
              such a row stays: it returned KERN_STANDS for none of 600 random
              slopes with less friction than limit equilibrium needs. Both
-             functions follow one path of loading, so use the lower answer.
-             Bricks that hang in a flat arch do not count as raised.
+             functions follow one path of loading: rely on the less favourable
+             answer. A flat arch with hanging bricks is never raised, although
+             it may stay.
    Search    KERN_NOT_SHOWN is no proof of falling. kern_work.end tells whether
              no equilibrium was found, or a limit of work ended the search. The
              raised load of 90 rows of 20 to 90 columns is at least 87 % of that
              of limit equilibrium, and at least 97 % for 75 of them. The raised
-             load is at least 97 % for 326 of 360 slopes within 10 % of critical
-             friction. For one of these slopes kern_raised() returns
-             KERN_NOT_SHOWN. Near critical friction, or if a structure has
-             several equilibria close to each other, the raised load may change
-             when the input is turned, mirrored or rounded. The raised load
-             changed by more than 2 % for 28 of these slopes, and for 13 of 969
-             placements, 10 of which move in the simulator.
+             load is at least 97 % of that of limit equilibrium for 326 of 360
+             slopes within 10 % of critical friction. For one of these slopes
+             kern_raised() returns KERN_NOT_SHOWN. Near critical friction, or if
+             a structure has several equilibria close to each other, the raised
+             load may change when the input is turned, mirrored or rounded. The
+             raised load changed by more than 2 % for 28 of these slopes, and
+             for 13 of 969 placements, 10 of which move in the simulator.
    Ambiguous The reserve does not cover equilibria that depend on the history of
    forces    loading. Of 181 rows of wedges between cliffs that fall in a
-             simulator although forces exist, 2 have the largest reserve
-             (tests/TRUST.md). A stone that is pushed out from under a longer
-             one may be held only by weight that the longer stone can shift
-             elsewhere: of 51 walls under .6 to .9 of their raised load, 7 move
-             in a simulator.
+             simulator although forces exist, 2 have the largest reserve, 0.1 g
+             (tests/TRUST.md). A stone that is pushed beneath a longer one may
+             rely on weight that the longer stone can shift elsewhere: of 51
+             walls under .6 to .9 of their raised load, 7 move in a simulator.
    Loads     Loads of kern_block_load() neither grow with a horizontal load nor
              turn with gravity.
    Not       If kerns are not nested (points of different normals), the path
-   nested    is first searched without these points. If this proves nothing for
-             all points, the path is searched in steps of at most d_max / 1001.
-             Tilts with loads are searched in steps of pi / 1001. An interval in
-             which the structure falls may be missed if it is narrower than a
-             step.
+   nested    is first searched without these points. If that answer does not
+             hold with these points, the path is searched in steps of at most
+             d_max / 1001. Tilts with loads are searched in steps of pi / 1001.
+             An interval in which the structure falls may be missed if it is
+             narrower than a step.
    Undecided A verdict may be undecided closer to the critical value than 1e-9
              mean sizes. In jams, whose forces grow without bound toward the
-             critical value, this distance may be 1e-7, and rarely 1e-4. Seven
+             critical value, this distance may be 1e-7, and rarely 1e-4. Four
              measures were undecided among 800 hoppers, rows between walls,
-             zigzag beds and packed discs of up to 120 stones. The distance may
-             be larger if one block weighs more than 1e4 times another. Of
-             bricks held by loads up to 1000 times their weight, none of 288 was
-             undecided with mu up to 100, and 2 of 96 with mu 1000. A level is
-             undecided only if it depends on an undecided verdict.
+             zigzag beds and packed discs of up to 120 stones, and one of twenty
+             of rows of skew stones between walls, with brackets of 1e-4 to 1e-2
+             mean sizes. In a jam both proofs may pass within 1e-6 of each
+             other, since they bound the forces by different weights (>>proof).
+             The distance may be larger if one block weighs more than 1e4 times
+             another. Of bricks held by loads up to 1000 times their weight,
+             none of 288 was undecided with mu up to 100, and 2 of 96 with mu
+             1000. A level is undecided only if it depends on an undecided
+             verdict.
    Brackets  Brackets are at most 2e-6 mean sizes wide (load factor 2e-6, tilt
              8e-6 rad), in jams up to 50 times as wide, and up to 3e-5 if there
              are more than 256 blocks and many of them move at once. If more
@@ -1524,12 +1532,12 @@ KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
 /* Returns the error of the proof of kern_raised(), as a share of the allowed
    error. For KERN_RAISED kern_check_raised() checks the forces.
    kern_check_raised() also checks that the motion closes every contact whose
-   force equilibrium needs. A contact that must stick may slide by at most 1/500
-   (float: 1/5) of the length by which the motion closes it. For KERN_HANGS it
-   checks that the motion moves blocks without a load, that no contact with
-   another block presses one of them against gravity, and that the forces hold
-   the others without them. KERN_NOT_SHOWN proves nothing: KERN_INFINITY. Work
-   memory: 5 B reals. */
+   force is needed for equilibrium. A contact that must stick may slide by at
+   most 1/500 (float: 1/5) of the length by which the motion closes it. For
+   KERN_HANGS it checks that the motion moves blocks without a load, that no
+   contact with another block presses one of them against gravity, and that the
+   forces hold the others without them. KERN_NOT_SHOWN proves nothing:
+   KERN_INFINITY. Work memory: 5 B reals. */
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
                                      kern_raising raising,
                                      const kern_proof *proof);
@@ -1728,8 +1736,8 @@ extern "C" {
 /* Products of a step of Newton's method for one contact: its row, its law and
    its block of the matrix. */
 #define KERN_CONTACT_PRODUCTS KERN_R(100)
-/* Products of the Cholesky factor for one row, divided by the square of its
-   number of blocks. Half of all pairs of blocks take 27 products each. */
+/* Multiplications of the Cholesky factor for one row, divided by the square of
+   its number of 3 x 3 blocks. Half of all pairs take 27 each. */
 #define KERN_PAIR_PRODUCTS KERN_R(14)
 
 /* ---- model ---- */
@@ -1874,9 +1882,9 @@ extern "C" {
    times the work, and with 1 they take 900 times. */
 #define KERN_SIDE_SHARE KERN_R(0.1)
 /* Norm of the forces, as a multiple of the cluster's loads, above which the
-   cluster counts as infeasible. With a larger norm clusters grow later and
-   Newton's method takes more steps: without this bound kern_plan_try() costs 4
-   % more. */
+   cluster counts as infeasible. With a larger bound clusters grow later and
+   Newton's method takes more steps: without a bound kern_plan_try() costs 4 %
+   more. */
 #define KERN_CLUSTER_NORM KERN_R(100)
 /* Closing speed, as a share of the largest speed, below which a contact counts
    as parting. */
@@ -1891,8 +1899,8 @@ extern "C" {
    With smaller clusters some measures of 100 blocks take four times the
    work. */
 #define KERN_CLUSTER_MOST 20
-/* A cluster may have one more group for each KERN_CLUSTER_MORE groups of the
-   structure. */
+/* The largest number of groups in a cluster grows by one for each
+   KERN_CLUSTER_MORE groups of the structure. */
 #define KERN_CLUSTER_MORE 32
 /* Largest work of a pass for each group and contact [units]. With 30, measures
    of bricks take 1.4 times as long. */
@@ -1911,8 +1919,8 @@ extern "C" {
 #define KERN_BRACKET_ROUNDS 100
 /* Most verdicts of kern_least_load_of(): it takes one for each mechanism. */
 #define KERN_LEAST_ROUNDS 100
-/* Most kinks of a power that Newton's method passes. A kink is where a kern
-   closes. */
+/* Most places where a kern closes that Newton's method for the critical value
+   passes. */
 #define KERN_BENDS 8
 /* Most falling parts that a search follows before it solves the whole. */
 #define KERN_PARTS 8
@@ -1995,9 +2003,9 @@ extern "C" {
 /* Number of refinements of a basic solution. Each one gains most of the digits
    of a number. */
 #define KERN_REFINES 3
-/* Least pivot of a column that is factored after the own columns of all groups,
-   as a share of its largest entry. With a smaller pivot it depends on the
-   columns before it. */
+/* Least pivot of a column that is factored after all own columns (>>lp), as a
+   share of its largest entry. Below it the column depends linearly on earlier
+   columns. */
 #define KERN_LATE_PIVOT KERN_PICK(1e-4, 1e-2)
 /* Least pivot of a column in its own group, where its entries are about 1. With
    0.01 the inverse grows from course to course, and a call may take more than
@@ -2168,7 +2176,7 @@ static kern_vec kern_vec_mid(kern_vec a, kern_vec b)
     return kern_vec_step(a, KERN_R(0.5), kern_vec_sub(b, a));
 }
 
-/* Returns the magnitude of the larger coordinate. */
+/* Returns the larger magnitude of the two coordinates. */
 static kern_real kern_vec_largest(kern_vec a)
 {
     return kern_max(kern_abs(a.x), kern_abs(a.y));
@@ -5564,7 +5572,7 @@ static int kern_graph_degree(const kern_graph *graph, int g)
     return n;
 }
 
-/* Lists the groups that contacts connect to `first` by breadth-first search.
+/* Lists by breadth-first search the groups that contacts connect to `first`.
    Writes them to p->group from index n down. Of the new neighbours of a group
    those with fewer contacts come first. Returns the index below the last group
    written. */
@@ -5593,9 +5601,9 @@ static int kern_norm_layers(kern_part *p, int first, int n)
     return n;
 }
 
-/* Makes a part of the groups that are not marked. To make rows of the factor
-   short, lists them in breadth-first layers from a group at an end of the
-   structure, from the last index down (reverse Cuthill-McKee). */
+/* Makes a part of the groups that are not marked. Lists the groups in
+   breadth-first layers from an end of the structure, last index first (reverse
+   Cuthill-McKee), which keeps rows of the factor short. */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
@@ -5686,8 +5694,8 @@ static void kern_pass_write(kern_model *m, int i, int carrier, kern_force f,
 }
 
 /* Solves h x = b for a symmetric 3 x 3 matrix h, of which it reads the lower
-   half. If a pivot is rounding, its unknown becomes 0. Returns 1 if no pivot is
-   small. */
+   half. The unknown of a pivot as small as rounding becomes 0. Returns 1 if no
+   pivot is small. */
 static int kern_pass_three(const kern_real h[9], const kern_real b[3],
                            kern_real x[3])
 {
@@ -6203,7 +6211,7 @@ static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
     return share;
 }
 
-/* Raises products x z below gap / rays to that value. */
+/* Raises each product x z to at least gap / rays. */
 static void kern_ipm_centre(kern_ipm *ipm, kern_real gap)
 {
     const int rays = 2 * ipm->part->contacts;
@@ -6900,8 +6908,8 @@ static kern_real kern_half_tangent(kern_real t)
 
 /* ---- the value of a mechanism ---- */
 
-/* Returns an array for the change of the forces of a basis between the place
-   where it fell and the predicted value. The array uses the memory of
+/* Returns an array for the change of a basis's forces from the place where the
+   part fell to the predicted value. The array uses the memory of
    answer.force, which only the verdict KERN_STANDS writes. */
 static kern_real *kern_path_change(const kern_model *m)
 {
@@ -10228,7 +10236,7 @@ KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
     return found;
 }
 
-/* Writes the vertices that stay to out[0..room) and their indices to kept.
+/* Writes to out[0..room) the vertices that stay, and their indices to kept.
    Returns the number of these vertices, KERN_NO_SPACE, or KERN_NO_AREA if all
    vertices are at one place. Vertices that stay but come after `end` wait at
    the end of `kept`, the next one first. There is room for them, since all of
@@ -11333,7 +11341,7 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     if (i < 0 || i >= s->blocks)
         return KERN_BAD_BLOCK;
 
-    /* its contacts go, with their forces; later blocks move up by one */
+    /* Contacts of block i go with their forces; later indices fall by one. */
     for (k = 0; k < s->contacts; k++) {
         kern_contact *c = &plan->contact[k];
         if (c->a == i || c->b == i)
@@ -11519,7 +11527,7 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
         known.force[i] = from->task.known.force[i];
     }
 
-    /* So do blocks and contacts; work memory stays its own. */
+    /* Blocks and contacts go there too; `to` keeps its work memory. */
     to->task.s = *s;
     to->task.s.block = to->block;
     to->task.s.contact = to->contact;
@@ -12053,7 +12061,7 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
 }
 
 /* ---- Settling, certainty ---------------------------------------- >>settle */
-/* What was measured is near a structure at rest. It comes to rest by steps of a
+/* A measured structure is near one at rest. It comes to rest by steps of a
    little fall. In each step every contact in turn is held within its cone
    (projected Gauss-Seidel, over-relaxed), from below and from above by turns.
    So the order of the input means nothing, nor does a mirrored or turned frame:
