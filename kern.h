@@ -1145,8 +1145,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    hides a gap about the middle, until the gap closes. It passes if the energy
    that it keeps at the impact does not lift its centre over the end that lacked
    support. Contacts steeper than 60 degrees are no beds. A block is held if it
-   carries another one together with a third, however light that is, and on the
-   side where it leans on a neighbour. A tower of squat blocks may topple as one
+   carries another one together with a third, and on the side where it leans on
+   a neighbour, if the other one has at least half of its mass. A tower of squat blocks may topple as one
    block although it certainly stands. So may a block with its centre beside the
    middle of a single stretch if the nearer end lacks support by 6 to 10 e.
    The order of blocks and contacts does not matter, except for contacts of
@@ -12413,7 +12413,7 @@ typedef struct kern_bed {
     kern_real way[2];    /* across to the end of the bed [m]               */
     kern_real length[2]; /* of the contact at that end [m]                 */
     kern_real gap[2];    /* there, at least 0 [m]                          */
-    kern_real held[2];   /* 1: another block holds this one on that side   */
+    kern_real held[2];   /* mass that holds the block on that side [kg]    */
     kern_real high;      /* of the centre above the bed [m]                */
 } kern_bed;
 
@@ -12434,9 +12434,15 @@ static int kern_bed_topples(const kern_bed *b, int k, kern_real from,
          > left * left * (own + from * from) * (own + to * to);
 }
 
-/* Finds the beds of all blocks, and what holds blocks. A block is held if it
-   carries another one together with a third, and on the side where it leans on
-   a neighbour. carrier[i] receives a block that carries block i, or i. */
+/* Increases *held to the mass of block `by`. */
+static void kern_bed_hold(kern_real *held, const kern_block *by)
+{
+    *held = kern_max(*held, by->fixed ? KERN_INFINITY : by->mass);
+}
+
+/* Finds the beds of all blocks, and what holds blocks. A block is held by
+   another one that it carries together with a third, and on the side where it
+   leans on a neighbour. carrier[i] receives a block that carries block i, or i. */
 static void kern_bed_find(kern_bed *bed, int *carrier, const kern_structure *s)
 {
     const kern_vec down = kern_vec_unit(s->gravity);
@@ -12453,12 +12459,14 @@ static void kern_bed_find(kern_bed *bed, int *carrier, const kern_structure *s)
         kern_bed *b = bed + on;
         k = kern_vec_cross(down, c->n) > 0;
         if (kern_abs(press) < KERN_ROCK_STEEP) {
-            bed[c->a].held[k] = bed[c->b].held[!k] = 1;
+            kern_bed_hold(bed[c->a].held + k, s->block + c->b);
+            kern_bed_hold(bed[c->b].held + !k, s->block + c->a);
             continue;
         }
         if (carrier[on] != on && carrier[on] != under)
-            for (k = 0; k < 2; k++)
-                bed[carrier[on]].held[k] = bed[under].held[k] = 1;
+            for (k = 0; k < 4; k++)
+                kern_bed_hold(bed[k & 1 ? under : carrier[on]].held + k / 2,
+                              s->block + on);
         carrier[on] = under;
 
         /* the bed ends where its contact points are farthest */
@@ -12493,8 +12501,8 @@ static int kern_certain_rocks(const kern_task *task, kern_real extra)
         const int k = i % 2;
         const kern_real from = b->way[!k], to = b->way[k];
         const int hides = 2 * b->length[k] > from + to;
-        if (!s->block[i / 2].fixed && from * to > 0 && !(b->held[k] > 0)
-            && !(hides && to < from)
+        if (!s->block[i / 2].fixed && from * to > 0
+            && 2 * b->held[k] < s->block[i / 2].mass && !(hides && to < from)
             && kern_bed_topples(b, k, hides ? KERN_R(0) : from,
                                 hides ? KERN_ROCK_LACK * extra
                                       : b->gap[k] + extra / 2))
