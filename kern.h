@@ -1146,9 +1146,10 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    that it keeps at the impact does not lift its centre over the end that lacked
    support. Contacts steeper than 60 degrees are no beds. A block is held if it
    carries another one together with a third, and on the side where it leans on
-   a neighbour, if the other one has at least half of its mass. A tower of squat blocks may topple as one
-   block although it certainly stands. So may a block with its centre beside the
-   middle of a single stretch if the nearer end lacks support by 6 to 10 e.
+   a neighbour, if the other one has at least half of its mass. A tower of squat
+   blocks may topple as one block although it certainly stands. So may a block
+   with its centre beside the middle of a single stretch if the nearer end lacks
+   support by 6 to 10 e.
    The order of blocks and contacts does not matter, except for contacts of
    exactly the same height and place. A mirrored or turned frame does not matter
    either. A cut of the ground matters only if the sides of the cut are new
