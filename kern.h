@@ -12443,7 +12443,8 @@ static void kern_bed_hold(kern_real *held, const kern_block *by)
 
 /* Finds the beds of all blocks, and what holds blocks. A block is held by
    another one that it carries together with a third, and on the side where it
-   leans on a neighbour. carrier[i] receives a block that carries block i, or i. */
+   leans on a neighbour. carrier[i] receives a block that carries block i, or
+   i. */
 static void kern_bed_find(kern_bed *bed, int *carrier, const kern_structure *s)
 {
     const kern_vec down = kern_vec_unit(s->gravity);
