@@ -1136,22 +1136,28 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
               stretches at least 5 e long, or that far inside their edge, with
               kerns shorter by 3.5 e and friction angles smaller by 3 theta.
               Second, no block topples by its own speed if one end of its bed
-              lacks support by 1.25 g, where g is the gap of the options plus
-              1.75 theta sizes. Third, the structure comes to rest with every
-              third stretch, each third in turn, open by g, and no contact that
-              presses becomes shorter by half. Fourth, it stands on the
-              stretches that are closed then. `settles` is 1.5 times the longest
-              motion of these settlings and of those of `low`, at least 4.5 e
-              and at most 0.45 mean sizes. If a test fails, `settles` is
+              lacks support by its gap and g / 2, where g is the gap of the
+              options plus 1.75 theta sizes. A stretch as long as half of the
+              bed may hide a gap: if it begins at the end that is farther from
+              the centre, that end lacks 1.25 g. Third, the structure comes to
+              rest with every third stretch, each third in turn, open by g, and
+              no contact that presses becomes shorter by half. Fourth, it stands
+              on the stretches that are closed then. `settles` is 1.5 times the
+              longest motion of these settlings and of those of `low`, at least
+              4.5 e and at most 0.45 mean sizes. If a test fails, `settles` is
               KERN_INFINITY.
    KERN_STANDS: out->low is above 0 and out->settles is finite. KERN_FALLS is
    never returned if forces on the contacts of the task hold the structure.
-   Limits: settling has no inertia. The second test is that of a single block,
-   with its centre at the height h above the middle of a bed of width 2 c: it
-   passes if  1.25 g h (1 + k) <= c^2  with  k = (1 - 1.5 c^2 / (c^2 + h^2))^2
-   (Housner 1963). A tower of squat blocks may topple as one block although it
-   certainly stands. So may a block whose centre is near one end of its bed if
-   that end lacks support by 2 to 8 e.
+   Limits: settling has no inertia. The second test is that of a single block
+   (Housner 1963). It turns about the other end of its bed, or where the stretch
+   hides a gap about the middle, until the gap closes. It passes if the energy
+   that it keeps at the impact does not lift its centre over the end that lacked
+   support. Contacts steeper than 60 degrees are no beds. A block is held if it
+   carries another one together with a third, and on the side where it leans on
+   a neighbour, if the other one has at least half of its mass. A tower of squat
+   blocks may topple as one block although it certainly stands. So may a block
+   with its centre beside the middle of a single stretch if the nearer end lacks
+   support by 6 to 10 e.
    The order of blocks and contacts does not matter, except for contacts of
    exactly the same height and place. A mirrored or turned frame does not matter
    either. A cut of the ground matters only if the sides of the cut are new
@@ -9763,8 +9769,11 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_DOUBT_PARTS 3
 #define KERN_DOUBT_TELLS KERN_R(1.5)
 #define KERN_DOUBT_MOST KERN_R(0.45)
-/* Factor of safety of the gap under one end of a bed, if a block rocks. */
+/* kern_certain(), blocks that rock. LACK: factor of safety of a gap that a
+   contact hides. STEEP: contacts that press a block up by a smaller share are
+   sides, not beds. */
 #define KERN_ROCK_LACK KERN_R(1.25)
+#define KERN_ROCK_STEEP KERN_R(0.5)
 /* Least depth of the middle of an overlap inside both blocks, as a share of the
    overlap. Where both blocks are thick the depth is half of the overlap. */
 #define KERN_THIN KERN_R(0.25)
@@ -12200,6 +12209,12 @@ static kern_real kern_repose_depth(const kern_structure *s, kern_vec p, int b)
     return deepest;
 }
 
+/* Returns the gap between the outlines at contact c, below 0 in an overlap. */
+static kern_real kern_repose_gap(const kern_structure *s, const kern_contact *c)
+{
+    return -kern_repose_depth(s, c->p, c->a) - kern_repose_depth(s, c->p, c->b);
+}
+
 /* Sets all gaps to the share `keep` of those between the outlines. Every
    `parts`-th stretch from below, beginning with number `part`, is open by
    `extra` more. */
@@ -12211,9 +12226,7 @@ static void kern_repose_open(const kern_repose *r, int part, int parts,
     for (k = 0; k < s->contacts; k++) {
         const int first = r->order[k], points = r->stretch[first];
         for (i = first; i < first + points; i++) {
-            const kern_contact *c = s->contact + i;
-            const kern_real gap = -kern_repose_depth(s, c->p, c->a)
-                                - kern_repose_depth(s, c->p, c->b);
+            const kern_real gap = kern_repose_gap(s, s->contact + i);
             r->gap[i] = n % parts == part ? kern_max(gap, keep * gap) + extra
                                           : keep * gap;
         }
@@ -12403,49 +12416,111 @@ static kern_status kern_certain_check(const kern_task *task, kern_real margin,
     if (!(task->options.pose_error > 0 && margin >= 0))
         return KERN_BAD_OPTION;
     return task->s.contacts > room
-                || task->work->reals < 9 * room + 5 * task->s.blocks
-                || task->work->indices < 2 * room
+                || task->work->reals < 9 * (room + task->s.blocks)
+                || task->work->indices < 2 * room + task->s.blocks
              ? KERN_NO_SPACE
              : KERN_OK;
 }
 
-/* Returns 1 if a block may topple by its own speed. If one end of its bed lacks
-   support by `lack`, it tips until the gap closes and goes on over that end
-   (Housner's rocking block). Let its centre be at the height h above the middle
-   of a bed 2 c wide. If its outline is a rectangle on that bed, it keeps the
-   share k = (1 - 1.5 c^2 / (c^2 + h^2))^2 of its energy. It stays, to first
-   order, if  lack h (1 + k) <= c^2.  If its centre is nearer to one end, c is
-   the distance from the other end. A block with its centre beyond its bed is
-   held by others, as the verdict tells. The work memory is long enough. */
-static int kern_certain_rocks(const kern_task *task, kern_real lack)
-{
-    const kern_structure *s = &task->s;
-    const kern_vec down = kern_vec_unit(s->gravity);
-    kern_real *bed;
-    kern_take take;
-    int i;
-    kern_take_open(&take, task->work);
-    bed = kern_take_reals(&take, 3 * s->blocks);
-    kern_zero(bed, 3 * s->blocks);
+/* The bed of a block. Of what lies to either side of its centre: */
+typedef struct kern_bed {
+    kern_real way[2];    /* across to the end of the bed [m]               */
+    kern_real length[2]; /* of the contact at that end [m]                 */
+    kern_real gap[2];    /* there, at least 0 [m]                          */
+    kern_real held[2];   /* mass that holds the block on that side [kg]    */
+    kern_real high;      /* of the centre above the bed [m]                */
+} kern_bed;
 
-    /* Finds the bed of each block: from its centre to the contact points that
-       press it up, the squares of the ways to either side, and the way down. */
+/* Returns 1 if a block topples over the end of its bed on side k (Housner's
+   rocking block). It turns about a point that lies `from` beyond its centre,
+   until a gap `lack` at that end closes. To first order the turn frees the
+   energy `fall` of the unit mass. At the impact the angular momentum about the
+   point of impact stays. The moment of inertia is about that of a rectangle. */
+static int kern_bed_topples(const kern_bed *b, int k, kern_real from,
+                            kern_real lack)
+{
+    const kern_real to = b->way[k], turn = lack / (from + to);
+    const kern_real fall = turn * (from + b->high * turn / 2);
+    const kern_real own = (from * from + to * to + 4 * b->high * b->high) / 3;
+    const kern_real kept = kern_max(own - from * to, KERN_R(0));
+    const kern_real left = kern_max(to - b->high * turn, KERN_R(0));
+    return 2 * b->high * fall * kept * kept
+         > left * left * (own + from * from) * (own + to * to);
+}
+
+/* Increases *held to the mass of block `by`. */
+static void kern_bed_hold(kern_real *held, const kern_block *by)
+{
+    *held = kern_max(*held, by->fixed ? KERN_INFINITY : by->mass);
+}
+
+/* Finds the beds of all blocks, and what holds blocks. A block is held by
+   another one that it carries together with a third, and on the side where it
+   leans on a neighbour. carrier[i] receives a block that carries block i, or
+   i. */
+static void kern_bed_find(kern_bed *bed, int *carrier, const kern_structure *s)
+{
+    const kern_vec down = kern_vec_unit(s->gravity);
+    int i, k;
+    kern_zero(bed, 9 * s->blocks);
+    for (i = 0; i < s->blocks; i++)
+        carrier[i] = i;
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
-        const int pressed = kern_vec_dot(c->n, down) < 0 ? c->b : c->a;
-        const kern_vec arm = kern_vec_sub(c->p, s->block[pressed].centre);
+        const kern_real press = kern_vec_dot(c->n, down);
+        const int on = press < 0 ? c->b : c->a, under = c->a + c->b - on;
+        const kern_vec arm = kern_vec_sub(c->p, s->block[on].centre);
         const kern_real side = kern_vec_cross(down, arm);
-        kern_real *to = bed + 3 * pressed;
-        to[side > 0] = kern_max(to[side > 0], side * side);
-        to[2] = kern_max(to[2], kern_vec_dot(down, arm));
-    }
+        kern_bed *b = bed + on;
+        k = kern_vec_cross(down, c->n) > 0;
+        if (kern_abs(press) < KERN_ROCK_STEEP) {
+            kern_bed_hold(bed[c->a].held + k, s->block + c->b);
+            kern_bed_hold(bed[c->b].held + !k, s->block + c->a);
+            continue;
+        }
+        if (carrier[on] != on && carrier[on] != under)
+            for (k = 0; k < 4; k++)
+                kern_bed_hold(bed[k & 1 ? under : carrier[on]].held + k / 2,
+                              s->block + on);
+        carrier[on] = under;
 
-    /* Compares the energy that a block keeps with the rise of its centre. */
-    for (i = 0; i < s->blocks; i++, bed += 3) {
-        const kern_real lean = kern_max(bed[0], bed[1]), high = bed[2];
-        const kern_real kept = (high * high - lean / 2) / (high * high + lean);
-        if (!s->block[i].fixed && bed[0] * bed[1] > 0
-            && lack * high * (1 + kept * kept) > lean)
+        /* the bed ends where its contact points are farthest */
+        b->high = kern_max(b->high, kern_vec_dot(down, arm));
+        k = side > 0;
+        if (kern_abs(side) > b->way[k]) {
+            b->way[k] = kern_abs(side);
+            b->length[k] = 2 * kern_abs(c->travel);
+            b->gap[k] = kern_max(kern_repose_gap(s, c), KERN_R(0));
+        }
+    }
+}
+
+/* Returns 1 if a block may topple by its own speed over an end of its bed. That
+   end lacks support by its gap and `extra` / 2, and the block turns about the
+   other end. A contact as long as half of the bed may hide a gap. So if one
+   begins at the farther end, that end lacks KERN_ROCK_LACK times `extra`, and
+   the block turns about the middle. A block with its centre beyond its bed is
+   held by others, as the verdict tells. The work memory is long enough. */
+static int kern_certain_rocks(const kern_task *task, kern_real extra)
+{
+    const kern_structure *s = &task->s;
+    kern_bed *bed;
+    int *carrier, i;
+    kern_take take;
+    kern_take_open(&take, task->work);
+    carrier = kern_take_ints(&take, s->blocks);
+    bed = (kern_bed *)(void *)kern_take_reals(&take, 9 * s->blocks);
+    kern_bed_find(bed, carrier, s);
+    for (i = 0; i < 2 * s->blocks; i++) {
+        const kern_bed *b = bed + i / 2;
+        const int k = i % 2;
+        const kern_real from = b->way[!k], to = b->way[k];
+        const int hides = 2 * b->length[k] > from + to;
+        if (!s->block[i / 2].fixed && from * to > 0
+            && 2 * b->held[k] < s->block[i / 2].mass && !(hides && to < from)
+            && kern_bed_topples(b, k, hides ? KERN_R(0) : from,
+                                hides ? KERN_ROCK_LACK * extra
+                                      : b->gap[k] + extra / 2))
             return 1;
     }
     return 0;
@@ -12472,7 +12547,7 @@ KERN_SHARED static kern_status kern_certain_rest(
     if (s->contacts < 0)
         return (kern_status)s->contacts;
     if (sure) {
-        if (kern_certain_rocks(task, KERN_ROCK_LACK * extra))
+        if (kern_certain_rocks(task, extra))
             *way = KERN_INFINITY;
         kern_contacts_err(contact, s->contacts, KERN_ERRORS * o->pose_error,
                           KERN_ERROR_CONE * o->pose_turn);
