@@ -33,7 +33,7 @@ ROWS = (
     (r"a noise of %s %% of the stone size the margin is above its lower bound in "
      r"%s %% of settled structures; of the verdicts %s %% of `stands` and %s %% of"
      % (N, N, N, N), TRUST,
-     r"(?s)mean size \| 0\.2 % \| ([\d.]+) %.*?stands, and is certain \| 71 % \| "
+     r"(?s)mean size \| 0\.2 % \| ([\d.]+) %.*?stands, and is certain \| 68 % \| "
      r"([\d.]+) %.*?falls, and is certain \| 99 % \| ([\d.]+) %.*?above the "
      r"lower end \| 94 % \| ([\d.]+) %"),
     (r"%s of the load at which .*? in the median of %s brick walls; from %s to "
