@@ -1159,9 +1159,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    with its centre beside the middle of a single stretch if the nearer end lacks
    support by 6 to 10 e. Loads on a block do not count in that test. Normals and
    friction stay as they were measured, so a stone may slide off a support that
-   tilts by a few e. Of a block that tips, a corner that misses an edge by a few
-   e counts as if it met it. `low` is too high for a bed with a step of 1 to 4
-   e. tests/TRUST.md has shares for all of these.
+   tilts by a few e. `low` is too high for a bed with a step of 1 to 4 e.
+   tests/TRUST.md has shares for all of these.
    The order of blocks and contacts does not matter, except for contacts of
    exactly the same height and place. A mirrored or turned frame does not matter
    either. A cut of the ground matters only if the sides of the cut are new
