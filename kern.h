@@ -314,8 +314,8 @@
    Whether a stone stays where it is released. kern_stays() returns the chance.
    Suppose that a planner releases a stone if the chance is at least a
    threshold. Of 969 placements 835 are clear: they stay, or they move, in all
-   of six noisy runs of a simulator. The table has shares of these, each half by
-   the law that was fitted to the other half:
+   of six noisy runs of a simulator. The table gives shares of these. Each half
+   uses the law that was fitted to the other half:
 
        threshold                       0.3    0.5    0.7    0.9
        630 that stay: released         0.96   0.95   0.93   0.83
@@ -702,7 +702,7 @@ typedef struct kern_margin {
     kern_real fails;   /* smallest at which it provably falls; or `most`   */
     kern_real most;    /* d_max: every kern is closed [m]; relative: 1     */
     kern_real epsilon; /* step of Algorithm 1 that was used [m]            */
-    int level;         /* of Algorithm 1; -1: one verdict is undecided     */
+    int level;         /* of Algorithm 1; -1: a verdict is missing         */
     int saturated;     /* nonzero: it stands even with every kern closed   */
 } kern_margin;
 
@@ -12449,7 +12449,7 @@ static int kern_bed_topples(const kern_bed *b, int k, kern_real from,
          > left * left * (own + from * from) * (own + to * to);
 }
 
-/* Increases *held to the mass of block `by`. */
+/* Raises *held to the mass of block `by`, or to infinity if it is fixed. */
 static void kern_bed_hold(kern_real *held, const kern_block *by)
 {
     *held = kern_max(*held, by->fixed ? KERN_INFINITY : by->mass);
