@@ -12139,6 +12139,8 @@ static void kern_repose_fall(const kern_repose *r)
     const kern_real pull = kern_vec_length(s->gravity);
     const kern_real time = pull > 0 ? r->free_fall / pull : KERN_R(0);
     int i, k;
+
+    /* Moves the blocks by what their weights and loads do in one step. */
     for (i = 0; i < s->blocks; i++) {
         const kern_block *b = s->block + i;
         kern_real *inverse_mass = r->inverse_mass + 2 * i;
@@ -12150,6 +12152,8 @@ static void kern_repose_fall(const kern_repose *r)
         kern_add(&r->motion[i], time * inverse_mass[0], &b->load, 2);
         r->motion[i].spin += time * inverse_mass[1] * b->load.torque;
     }
+
+    /* Finds the arms and the compliance of each contact point. */
     for (i = 0; i < s->contacts; i++)
         for (k = 0; k < 2; k++) {
             const int b = k ? s->contact[i].b : s->contact[i].a;
@@ -12423,13 +12427,14 @@ static kern_status kern_certain_check(const kern_task *task, kern_real margin,
              : KERN_OK;
 }
 
-/* The bed of a block. Of what lies to either side of its centre: */
+/* The bed of a block. The arrays have the numbers of both sides of its
+   centre. */
 typedef struct kern_bed {
-    kern_real way[2];    /* across to the end of the bed [m]               */
-    kern_real length[2]; /* of the contact at that end [m]                 */
-    kern_real gap[2];    /* there, at least 0 [m]                          */
+    kern_real way[2];    /* from the centre across to the bed's end [m]    */
+    kern_real length[2]; /* length of the contact at that end [m]          */
+    kern_real gap[2];    /* measured gap at that end, at least 0 [m]       */
     kern_real held[2];   /* mass that holds the block on that side [kg]    */
-    kern_real high;      /* of the centre above the bed [m]                */
+    kern_real high;      /* height of the centre above the bed [m]         */
 } kern_bed;
 
 /* Returns 1 if a block topples over the end of its bed on side k (Housner's
@@ -12473,19 +12478,23 @@ static void kern_bed_find(kern_bed *bed, int *carrier, const kern_structure *s)
         const kern_vec arm = kern_vec_sub(c->p, s->block[on].centre);
         const kern_real side = kern_vec_cross(down, arm);
         kern_bed *b = bed + on;
+
+        /* A steep contact is a side: its blocks hold each other. */
         k = kern_vec_cross(down, c->n) > 0;
         if (kern_abs(press) < KERN_ROCK_STEEP) {
             kern_bed_hold(bed[c->a].held + k, s->block + c->b);
             kern_bed_hold(bed[c->b].held + !k, s->block + c->a);
             continue;
         }
+
+        /* Blocks that carry a third one together are held by it. */
         if (carrier[on] != on && carrier[on] != under)
             for (k = 0; k < 4; k++)
                 kern_bed_hold(bed[k & 1 ? under : carrier[on]].held + k / 2,
                               s->block + on);
         carrier[on] = under;
 
-        /* the bed ends where its contact points are farthest */
+        /* The bed ends where its contact points are farthest. */
         b->high = kern_max(b->high, kern_vec_dot(down, arm));
         k = side > 0;
         if (kern_abs(side) > b->way[k]) {
@@ -12512,6 +12521,8 @@ static int kern_certain_rocks(const kern_task *task, kern_real extra)
     carrier = kern_take_ints(&take, s->blocks);
     bed = (kern_bed *)(void *)kern_take_reals(&take, 9 * s->blocks);
     kern_bed_find(bed, carrier, s);
+
+    /* Asks both ends of each bed, unless the block is held there. */
     for (i = 0; i < 2 * s->blocks; i++) {
         const kern_bed *b = bed + i / 2;
         const int k = i % 2;
