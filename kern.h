@@ -8925,9 +8925,9 @@ typedef struct kern_raise {
     kern_end end;            /* why the last search ended                     */
     int unknowns;            /* length of the array that holds u and, after
                                 it, the prices                                */
-    kern_real *shown;        /* that array at the last load with a proof      */
-    kern_real *shown_before; /* that array at the load with a proof before the
-                                last one                                      */
+    kern_real *shown;        /* u and prices at the last load with a proof    */
+    kern_real *shown_before; /* u and prices at the load with a proof before
+                                the last one                                  */
     kern_real *last_price;   /* two per contact: the price that the last round
                                 computed, and its change in that round        */
     kern_real *saved;        /* u at the start of Newton's method             */
@@ -8937,16 +8937,15 @@ typedef struct kern_raise {
                                 to one side or the other                      */
 } kern_raise;
 
-/* Where a search starts: KERN_BEGIN_UNLOADED: at u = 0. KERN_BEGIN_HERE: at the
-   present u and prices. */
+/* Starting point of a search. KERN_BEGIN_UNLOADED: u = 0. KERN_BEGIN_HERE: the
+   present u. Both begin with the present prices. */
 typedef enum kern_begin { KERN_BEGIN_UNLOADED, KERN_BEGIN_HERE } kern_begin;
 
 /* State of a search, with the numbers that decide whether it is lost. */
 typedef struct kern_settling {
-    kern_real tolerance;   /* largest residual of equilibrium                */
-    int warm;              /* nonzero: the search starts at the present u and
-                            prices                                         */
-    int round;             /* number of rounds that are complete             */
+    kern_real tolerance;   /* largest residual of equilibrium              */
+    int warm;              /* nonzero: the search starts at the present u  */
+    int round;             /* number of rounds that are complete           */
     int units;             /* value of work->units before the search       */
     kern_real drift;       /* largest displacement of a group in the first
                               round                                        */
@@ -8967,9 +8966,9 @@ static void kern_raise_mark(kern_model *m, int i)
     const int *ends = m->graph.ends, groups = m->graph.groups;
     int *local = m->graph.local, g, e, distance, n = 1;
 
-    /* Gives each group its distance from the block in contacts, plus 1. The
-       number 0 means that the group has not been reached. The ground counts as
-       reached, so that no path leads through it. */
+    /* Stores for each group its distance from block i, counted in contacts,
+       plus 1. The number 0 means that the group has not been reached. The
+       ground counts as reached, so that no path leads through it. */
     for (g = 0; g < groups; g++)
         local[g] = 0;
     local[groups] = local[m->graph.group[i]] = 1;
@@ -8982,7 +8981,8 @@ static void kern_raise_mark(kern_model *m, int i)
                     n++;
                 }
 
-    /* Replaces these numbers by marks. */
+    /* Replaces the distances by marks: KERN_OUT for groups that were reached, n
+       for all others. */
     for (g = 0; g < groups; g++)
         local[g] = local[g] > 0 ? KERN_OUT : n;
     local[groups] = n;
@@ -9002,16 +9002,16 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
         return 0;
 
     /* Sets the stiffness along t. In a proof a contact that sticks may slide
-       only by the share KERN_STICKS of its approach, so the stiffness is larger
+       only by the share KERN_STICKS of its approach, so dual.shear is larger
        than 1 / KERN_STICKS. kern_stays() needs no proof and uses a smaller
        stiffness. */
-    p->y = p->dual.step; /* holds a motion: no linear program is open */
+    p->y = p->dual.step; /* y holds a motion: no program uses it */
     p->dual.shear = r->placed < 0 ? KERN_R(1.1) / KERN_STICKS
                                   : KERN_STAYS_STIFF;
 
-    /* Takes the arrays. Newton's matrix is not symmetric, so its upper half has
-       memory of its own. The prices follow u in one array, so that one copy
-       copies both. */
+    /* Takes memory for the arrays of a search. Newton's matrix is not
+       symmetric, so its upper half has memory of its own. The prices follow u
+       in one array, so that one copy copies both. */
     for (g = 0; g < p->groups; g++)
         entries += 9 * (g - p->dual.matrix.first_column[g] + 1);
     r->columns = p->dual.matrix;
@@ -9045,8 +9045,9 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
 /* ---- a round of prices ---- */
 
 /* Returns the distance by which contact k slides beyond its elastic shear. The
-   result is negative if the contact sticks. `approach` is wn without the price;
-   if it is negative, the contact does not press and has no elastic shear. */
+   result is negative if the contact sticks. `approach` is the approach of the
+   contact, from which no price is subtracted. A contact with a negative
+   approach does not press and has no elastic shear. */
 static kern_real kern_raise_slip(const kern_part *p, int k, kern_real approach)
 {
     return kern_abs(p->dual.approach[2 * k + 1])
@@ -9054,15 +9055,17 @@ static kern_real kern_raise_slip(const kern_part *p, int k, kern_real approach)
 }
 
 /* Writes the forces at u. Computes the next price of each contact and writes
-   it, and its change, to dual.change. Returns 1 if the forces may be a proof:
-   they balance the loads (`found`), every loaded contact approaches, and none
-   slides as far as a stone that falls into a jam (KERN_SLIDE_MOST).
-   The next price is F(p), with two exceptions. A price that falls does so
-   slowly, since otherwise the prices of joints that lean on each other would
-   alternate. If the forces balance the loads, the price of a contact whose
-   blocks part does not fall. If the force of that contact still presses, its
-   price rises by twice the amount that would make the force 0, since otherwise
-   a joint that no longer presses would stay loaded. */
+   the price and its change to dual.change. Returns 1 if the forces may be a
+   proof. They then balance the loads (`found`), every loaded contact
+   approaches, and the longest slide is at most KERN_SLIDE_MOST times the
+   largest approach. A stone that falls into a jam slides farther.
+   The next price of a contact is F(p) of >>raised, with two exceptions. A price
+   that falls is lowered slowly, since otherwise the prices of joints that lean
+   on each other would alternate from round to round. If the forces balance the
+   loads, a contact whose blocks move apart keeps at least its price. If such a
+   contact still has a force, its price rises by twice the amount that would
+   make the force 0, since otherwise a joint that no longer presses would stay
+   loaded. */
 static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
 {
     kern_part *p = r->part;
@@ -9086,8 +9089,9 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
             approach_max = kern_max(approach_max, approach);
         }
 
-        /* Raises the price of a contact that parts, or keeps it. A price that
-           falls changes by the share KERN_PRICE_FALL of the difference. */
+        /* Keeps or raises the price of a contact whose blocks move apart. A
+           price that falls changes by the share KERN_PRICE_FALL of the
+           difference to its new value. */
         if (found && !(approach > 0))
             target = kern_max(target, price)
                    + 2 * kern_max(wn + kern_max(target, price), 0);
@@ -9100,12 +9104,12 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
 }
 
 /* Sets the prices for the next round from those that the last two rounds
-   computed. Subtracts from the latest prices the share `portion` of their
-   difference from the earlier ones. If F is linear, this share makes the next
-   change of prices least (Anderson's method). If the change of prices has kept
-   its direction and grown, a slide has only begun: the prices are then
-   extrapolated forward by KERN_FORWARD times that difference. Returns the sum
-   of the squares of the latest changes. */
+   computed. Subtracts from the latest prices the share `portion` of the
+   difference between the latest and the earlier ones. If F of >>raised is
+   linear, this share makes the next change of prices least (Anderson's method).
+   If the change of prices has kept its direction and grown, a slide has only
+   begun: the prices are then extrapolated forward by KERN_FORWARD times the
+   difference. Returns the sum of the squares of the latest changes. */
 static kern_real kern_raise_extrapolate(kern_raise *r, int round)
 {
     const kern_part *p = r->part;
@@ -9156,8 +9160,9 @@ static int kern_raise_changes(kern_raise *r)
 /* ---- Newton's method ---- */
 
 /* Subtracts from dual.grad the wrenches that contact k exerts by Coulomb's law.
-   Adds their derivatives with respect to u to Newton's matrix: to its rows
-   (dual.matrix) and its columns (r->columns). Returns the normal force. */
+   Adds the derivatives of these wrenches with respect to u to Newton's matrix:
+   to its rows (dual.matrix) and its columns (r->columns). Returns the normal
+   force. */
 static kern_real kern_raise_contact(kern_raise *r, int k)
 {
     static const kern_real approach[2] = {1, 0}, shear[2] = {0, 1};
@@ -9205,7 +9210,7 @@ static kern_real kern_raise_linearise(kern_raise *r)
     return largest;
 }
 
-/* Runs Newton's method on the equations (law) and (balance) of this chapter,
+/* Runs Newton's method on the equations (law) and (balance) of >>raised,
    beginning at the present u. Takes whole steps, at most KERN_NEWTON_ROUNDS of
    them, as long as the residual of (balance) falls. If the loads are balanced,
    sets the prices that belong to u and returns 1. Otherwise restores u and
@@ -9226,8 +9231,8 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
         const kern_real largest = kern_raise_linearise(r);
         const kern_real residual = kern_dot(p->dual.grad, p->dual.grad, n);
 
-        /* Ends if the loads are balanced. The slips then give the prices, which
-           satisfy (fixed point). */
+        /* Ends if the loads are balanced. The prices that satisfy (fixed point)
+           of >>raised then follow from the slips. */
         if (kern_largest(p->dual.grad, n)
             <= tolerance + 4 * KERN_EPS * largest) {
             for (k = 0; k < p->contacts; k++) {
@@ -9239,8 +9244,8 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
             return 1;
         }
 
-        /* Takes a whole step, unless the last step did not reduce the
-           residual. */
+        /* Takes a whole step. Ends if the last step did not reduce the
+           residual, or if the limit of work is reached. */
         if (!(residual < last)
             || !kern_model_spend(p->m, 3 * p->dual.step_units))
             break;
@@ -9309,8 +9314,8 @@ static int kern_raise_stalls(const kern_raise *r, kern_settling *settling,
     return settling->stalled++ > KERN_PATIENCE + r->part->groups / 2;
 }
 
-/* Returns 1 if the forces and u are a proof, which it then writes to r->proof.
-   For kern_stays() it always returns 1, since that function needs no proof. */
+/* Returns 1 if the forces and u are a proof, and then writes this proof to
+   r->proof. For kern_stays(), which needs no proof, always returns 1. */
 static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 {
     kern_part *p = r->part;
@@ -9344,8 +9349,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
     kern_real change;
     int pressed;
 
-    /* Ends the search if its work is used up, or if the forces or u have grown
-       too far. */
+    /* Ends the search if a limit of work is reached, or if the forces or u have
+       grown too far. */
     if (found == KERN_LIMIT || !kern_model_spend(p->m, 1 + p->contacts / 10)
         || p->m->task->work->units - settling->units
                > KERN_SEARCH_COSTS * p->dual.step_units)
@@ -9354,8 +9359,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
         return KERN_END_LOST;
 
     /* Tries Newton's method if few contacts have changed between sticking,
-       sliding and open since the last round. If it balances the loads, the
-       search ends, with or without a proof. */
+       sliding and open since the last round. If the method balances the loads,
+       the search ends, with or without a proof. */
     if (kern_raise_changes(r) <= KERN_FEW_CHANGES
         && kern_raise_newton(r, settling->tolerance))
         return kern_raise_price(r, settling->tolerance, 1)
@@ -9373,9 +9378,9 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                                                   : KERN_END_NONE;
 }
 
-/* Searches for prices that satisfy (fixed point) under the loads of q. Returns
-   1 if the search finds a proof. Sets r->end to the reason why the search
-   ended. */
+/* Searches for prices that satisfy (fixed point) of >>raised under the loads of
+   q. Returns 1 if the search finds a proof. Sets r->end to the reason why the
+   search ended. */
 static int kern_raise_settle(kern_raise *r, const kern_query *q,
                              kern_begin begin)
 {
@@ -9398,12 +9403,13 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q,
 
 /* Returns the reserve: the largest share in the list below for which the
    structure stays raised under a push to either side. The push is this share of
-   gravity. At the same time the kerns are shrunk further, by this share of the
-   mean size (relative: by this share). A push stands for errors of angle, and a
-   shrinkage for errors of place as a share of the size. If kerns are not
-   nested, the structure must also stay raised under the push alone. Shares
-   above `limit` are not tried; a `limit` of 0 means all shares. Each search
-   starts at the u and the prices of the last share with a proof. */
+   gravity, and the kerns are shrunk further by this share of the mean size
+   (options.relative: by this share of their travel). A push stands for errors
+   of angle, and a shrinkage for errors of place as a share of the size. If
+   kerns are not nested, the structure must also stay raised under the push
+   without the shrinkage. Shares above `limit` are not tried; a `limit` of 0
+   means that all shares are tried. Each search starts at the u and the prices
+   of the last share with a proof. */
 KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
                                                 const kern_query *query,
                                                 kern_real limit)
@@ -9425,8 +9431,8 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     for (q.side = 1; q.side >= -1; q.side -= 2) {
         kern_copy(r->shown, r->shown_before, r->unknowns);
 
-        /* Bisects the list, beginning with the largest share that is still
-           possible. */
+        /* Bisects the list. Tries the largest share that is still possible
+           first. */
         for (middle = low, high = low + 1, low = 0; high - low > 1;
              middle = (low + high) / 2) {
             int k, shown = 1;
@@ -9448,10 +9454,11 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     return KERN_R(share[low]) / 10000;
 }
 
-/* Begins a query. Sets *out to KERN_HANGS, with a proof in the model's answer,
-   if nothing holds some of the blocks up and the other blocks stand without
-   them. Otherwise sets *out to KERN_NOT_SHOWN, and opens all groups as one part
-   for a search. Returns KERN_STANDS, or the status with which the call ends. */
+/* Begins a search for raised forces. Sets *out to KERN_HANGS, with a proof in
+   the model's answer, if nothing holds some of the blocks up and the other
+   blocks stand without them. Otherwise sets *out to KERN_NOT_SHOWN, and opens
+   all groups as one part for the search. Returns KERN_STANDS, or the status
+   with which the call ends. */
 static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
                                     kern_raising *out)
 {
@@ -9463,8 +9470,8 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     r->part = &c->part;
     *out = KERN_NOT_SHOWN;
     value = kern_take_last(&m->rest, m->s->blocks);
-    kern_take_last(&m->common, m->s->blocks); /* m->rest and m->common end at
-                                                 the same address       */
+    kern_take_last(&m->common, m->s->blocks); /* m->common has the same end as
+                                                 m->rest                */
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
 
@@ -9503,13 +9510,14 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
 }
 
 /* Raises a load in steps from 0 to `limit`. *share is the field of q that holds
-   the factor of this load. The u and the prices of each step are extrapolated
-   from the last two steps. A step that fails is repeated with a smaller
-   increase of the load. The search ends when the increase would be too small a
-   share of the largest factor with a proof (KERN_LOAD_NARROW). A `limit` of
-   KERN_FACTOR_MOST or more means that no limit is known: the first goal is then
-   a factor of 1, and each goal that is reached is doubled. Returns the largest
-   factor with a proof, or -1 if there is none even at a factor of 0. */
+   the factor of this load. The search at each step starts at a u and prices
+   that are extrapolated from the last two steps. A step that fails is repeated
+   with a smaller increase of the load. The steps end when the increase would be
+   too small a share of the largest factor with a proof (KERN_LOAD_NARROW). A
+   `limit` of KERN_FACTOR_MOST or more means that no limit is known: the first
+   goal is then a factor of 1, and each goal that is reached is doubled. Returns
+   the largest factor with a proof, or -1 if there is none even at a factor of
+   0. */
 static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                                   kern_real *share, kern_real limit)
 {
@@ -9544,7 +9552,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
         /* Searches for a proof at the new load. If there is none, the next
            increase is smaller. */
         shown = kern_raise_settle(r, q, KERN_BEGIN_HERE)
-             || (!(proven > 0) /* u is known only at 0 */
+             || (!(proven > 0) /* u is known only for a factor of 0 */
                  && kern_raise_settle(r, q, KERN_BEGIN_UNLOADED));
         if (shown) {
             taken = *share - proven;
@@ -9625,8 +9633,8 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         kern_proof_write(&c.m, proof, KERN_FALLS);
     task->work->end = raising == KERN_NOT_SHOWN ? r.end : KERN_END_SHOWN;
 
-    /* Finds the largest push that the structure bears in addition to its
-       load. */
+    /* Finds the reserve: the largest push that the structure bears in addition
+       to its load. */
     if (raising == KERN_RAISED && reserve)
         share = kern_raise_reserve(
             &r, &c.path.q, sag ? KERN_STAYS_MOST : task->options.reserve);
@@ -9722,12 +9730,12 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* ==== Part VI: Geometry and planning ===================================== */
 
 /* ---- Tolerances of the geometry ----------------------------------- >>tol */
-/* A tolerance of length is a share of a length in the input, which its comment
-   names: a gap, the size of a block or a coordinate. */
+/* A tolerance of length is a share of a length in the input (a gap, the size of
+   a block or a coordinate), unless its comment names another unit. */
 
-/* Most runs of an outline (kern_outline). Each run has at least KERN_RUNS / 2
-   edges. With more runs an outline takes more stack, and with fewer runs a
-   search takes more time. */
+/* Largest number of runs into which an outline is divided (kern_outline). Each
+   run but the last has at least KERN_RUNS / 2 edges. With more runs an outline
+   takes more stack, and with fewer runs a search takes more time. */
 #define KERN_RUNS 16
 /* Default of options.gap, as a share of the size of a pair's smaller free
    block. */
@@ -9748,13 +9756,14 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
    rounding could make contacts between blocks that only meet at their corners,
    such as diagonal neighbours. */
 #define KERN_FOOT_INSET KERN_R(1e-6)
-/* Least component of a unit normal along gravity. If the component is smaller,
-   the contact counts as vertical and carries neither block (options.lone). */
+/* Least component along gravity of the unit normal of a contact that carries a
+   block (options.lone). A contact with a smaller component counts as vertical
+   and carries neither of its blocks. */
 #define KERN_LEVEL_LEAST KERN_R(1e-6)
 /* Default of options.angle [rad]. */
 #define KERN_ANGLE KERN_R(0.0174533)
-/* Least denominator in the formula for the friction of a widened cone. It keeps
-   this friction finite. */
+/* Least denominator in the formula for the friction of a widened cone, so that
+   this friction is finite. */
 #define KERN_CONE_LEAST KERN_R(0.0174533)
 /* kern_near(): least gap, as a share of the mean size, and least angle [rad] of
    its options, which also find contacts that a slight rocking motion would
@@ -9769,12 +9778,12 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* Measured structures: gap, in units of KERN_ERRORS times e, where e is the
    standard error of place. The gap between a corner and an edge has a variance
    of 2 e^2 from the places of two stones and 3/8 e^2 from their vertices. So
-   its standard error is 1.5 e. */
+   the standard error of the gap is 1.5 e. */
 #define KERN_ERROR_GAP KERN_R(1.5)
 /* Measured structures: angle, in units of KERN_ERRORS times theta, where theta
    is the standard error of angle. The angle between two edges of 0.7 sizes has
    a variance of 2 theta^2 from the angles of two stones and 2 theta^2 from the
-   ends of the edges. So its standard error is 2 theta. */
+   ends of the edges. So the standard error of this angle is 2 theta. */
 #define KERN_ERROR_ANGLE KERN_R(2)
 /* Measured structures: deepest overlap, in standard errors of place. */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
@@ -9845,8 +9854,9 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
    by the factor 1 + 1 / KERN_STRIDES. The depth that the search finds may be
    too small by one stride. Shorter strides take more time. */
 #define KERN_STRIDES 32
-/* Most triangles whose centroids are tried as inner points of a block, for each
-   distance between the indices of their vertices. */
+/* Search for overlaps: most triangles in one pass whose centroids are tried as
+   inner points of a block. In each pass the indices of a triangle's vertices
+   have another distance. */
 #define KERN_TRIANGLES 32
 /* Number of steps of a search for contacts that count as one unit of work. A
    step takes at most 80 instructions. */
@@ -9858,19 +9868,21 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
    squared distances differ by less than this share. On a grid of pixels many
    vertices are equally far except for rounding. */
 #define KERN_EQUALLY_FAR KERN_PICK(1e-6, 1e-5)
-/* Simplified outlines: most times that the tolerance is halved because edges of
-   the result cross. After the last halving the tolerance is 0. */
+/* Simplified outlines: number of tolerances that are tried before the tolerance
+   0. Each is half of the one before, and is tried because edges of the last
+   result cross. */
 #define KERN_HALVINGS 8
 
 /* ---- coming to rest ---- */
 
-/* MOTIONS: most motions of a stone on its way to rest. Only stones that roll
-   take more. TOUCHES: most touches that are stored at a time. */
+/* MOTIONS: largest number of motions of a stone on its way to rest. Only stones
+   that roll take more motions. TOUCHES: largest number of touches that are
+   stored at a time. */
 #define KERN_REST_MOTIONS 64
 #define KERN_REST_TOUCHES 24
 /* TOUCH: largest distance between two outlines that counts as a touch, as a
    share of the stone's size. END: length by which an edge is extended at each
-   end, as a share of that distance. */
+   end, as a share of the largest distance of a touch. */
 #define KERN_REST_TOUCH KERN_PICK(1e-7, 1e-4)
 #define KERN_REST_END KERN_R(0.01)
 /* Sine of the largest angle that counts as 0, between a motion and one of
@@ -9880,15 +9892,16 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* Tangent of half the largest turn of one motion. With smaller turns the stone
    comes to rest at better places, and each motion meets fewer edges. */
 #define KERN_REST_TURN KERN_R(0.25)
-/* Least friction for a turn while the stone slides at two touches. At the start
-   of such a turn both touches open at the angle of friction. Without friction
-   they would not open, and rounding could block the turn. With less friction
+/* Least friction for a turn while the stone slides at two touches. When such a
+   turn begins, both touches open at the angle of friction. Without friction the
+   touches would not open, and rounding could block the turn. With less friction
    than this value the stone creeps, since each turn soon closes a touch
    again. */
 #define KERN_REST_SLIP KERN_R(0.01)
 /* kern_place_compare(). STAYS: least chance of staying that counts as equal to
-   1. SAME: largest difference of margins that count as equal, as a share.
-   SPLIT: factor that rounds a number to 13 bits (Dekker's split). */
+   1. SAME: largest difference between a margin and the margin without the stone
+   that counts as 0, as a share of the latter. SPLIT: factor that rounds a
+   number to 13 bits (Dekker's split). */
 #define KERN_PLACE_STAYS KERN_R(0.9)
 #define KERN_PLACE_SAME KERN_PICK(1e-4, 1e-3)
 #define KERN_PLACE_SPLIT KERN_PICK(1099511627777.0, 2049)
@@ -9952,8 +9965,9 @@ static kern_real kern_box_largest(const kern_box *box)
    run. */
 typedef struct kern_outline {
     const kern_block *block;
-    int straight, reflex; /* nonzero: the outline hardly turns at some vertex;
-                             some vertex is reflex or a spike              */
+    int straight, reflex; /* straight: nonzero if the outline hardly turns at
+                             some vertex. reflex: nonzero if some vertex is
+                             reflex or a spike                             */
     int run_vertices;     /* number of vertices of a run                   */
     int visits;           /* number of vertices and runs that were read, but
                              are not charged yet                           */
@@ -10007,7 +10021,7 @@ typedef struct kern_edge {
     int start, end;   /* indices of the corners, counter-clockwise        */
     kern_vec p, q, d; /* places of start and end; unit direction          */
     kern_real length;
-    kern_box box; /* box of an edge; not set for a chord */
+    kern_box box; /* box around the edge; kern_edge_set() does not set it */
 } kern_edge;
 
 /* Sets *e to the edge from vertex `corner` to vertex `next`, which follows in
@@ -10088,8 +10102,8 @@ static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
     u = kern_vec_sub(vertex[0], p);
     for (start = 0; start < n; start = end) {
         /* Skips a run that is farther away than the nearest edge so far. The
-           two ends of such a run suffice to count its crossings of the level of
-           p. */
+           two ends of such a run decide whether it crosses the level of p an
+           odd number of times. */
         const kern_box *box = &o->box[start / o->run_vertices];
         const kern_real x = kern_min(kern_max(p.x, box->low.x), box->high.x);
         const kern_real y = kern_min(kern_max(p.y, box->low.y), box->high.y);
@@ -10170,7 +10184,7 @@ static inline kern_real kern_polygon_area(kern_block *block)
 {
     const kern_vec o = block->vertex[0];
     kern_vec u = kern_vec_make(KERN_R(0), KERN_R(0));
-    kern_vec moment = u; /* about vertex 0 */
+    kern_vec moment = u; /* first moment of area about vertex 0 */
     kern_real spread = KERN_R(0);
     int i;
     block->area = KERN_R(0);
@@ -10200,8 +10214,8 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     area_min = 2 * KERN_ROUNDING * kern_box_largest(&block->box)
              * kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
     area_min = kern_max(area_min, 1 / (KERN_FAR * KERN_FAR));
-    /* With a smaller spread all vertices are on one line, and the polygon has
-       no area. */
+    /* If `spread` is not above area_min, all vertices are on one line, and the
+       polygon has no area. */
     fault->index = spread > area_min ? kern_polygon_crossing(block) : -1;
     return fault->index >= 0                ? KERN_CROSSING
          : kern_abs(block->area) > area_min ? KERN_OK
@@ -10317,9 +10331,10 @@ KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
 /* Writes to out[0..room) the vertices that stay in the simplified outline, and
    their indices to `kept`. Returns the number of these vertices, KERN_NO_SPACE,
    or KERN_NO_AREA if all vertices are at one place.
-   A vertex that is found to stay before its turn comes is stored at the end of
-   `kept`, the next one in front. Each stored vertex is written later, so `room`
-   is too small if the two ends of `kept` meet. */
+   Some vertices are found to stay before the vertices in front of them are
+   finished. Their indices wait at the end of `kept`, and the one that is needed
+   next is the first of these. Since each of them is written later, `room` is
+   too small if the written and the waiting indices meet. */
 static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
                                kern_vec *out, int *kept, int room)
 {
@@ -10334,8 +10349,8 @@ static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
         const int split = kern_outline_farthest(block, corner, end, v[corner],
                                                 v[end], tolerance);
 
-        /* Divides an edge that would leave out a vertex too far away: this
-           vertex stays, and becomes `end`. */
+        /* Divides the edge from `corner` to `end` if it would leave out a
+           vertex that is too far away. This vertex stays, and becomes `end`. */
         if (split >= 0) {
             kept[--waiting] = split;
             continue;
@@ -10355,7 +10370,8 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
                                    kern_real tolerance, kern_vec *out,
                                    int *kept, int room)
 {
-    kern_block raw = kern_ground_of(vertex, vertices); /* may cross itself */
+    /* The outline as it is given may cross itself. */
+    kern_block raw = kern_ground_of(vertex, vertices);
     kern_block made;
     kern_status status = kern_vertices_check(vertex, vertices);
     int tries, count;
@@ -10408,7 +10424,7 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
    line. */
 typedef struct kern_pair {
     int a, b;              /* indices of the blocks, a < b                  */
-    kern_real gap;         /* widest gap [m], without errors of angle       */
+    kern_real gap;         /* widest gap [m] without errors of angle        */
     kern_real swing;       /* gap that errors of angle cause, per distance
                               from the centre of a block [1]                */
     kern_real overlap_max; /* deepest overlap that is a contact [m]         */
@@ -10428,12 +10444,12 @@ typedef struct kern_pair {
     int room, count;         /* length of `out`; number of contacts found,
                                 of which only the first `room` are stored */
     int first_contact;       /* index of the first contact of this pair   */
-    kern_outline outline[2]; /* a and b                                  */
+    kern_outline outline[2]; /* outlines of blocks a and b                */
 } kern_pair;
 
 /* Charges the steps that a search is about to take, and the vertices that it
-   has read since the last call. Returns 0 if the work exceeds the limit. It
-   then returns 0 in all later calls, so that every loop of the search ends. */
+   has read since the last call. Returns 0 if the work exceeds the limit. All
+   later calls then return 0, too, so that every loop of the search ends. */
 static int kern_pair_spend(kern_pair *pair, int steps)
 {
     pair->steps += steps + pair->outline[0].visits + pair->outline[1].visits;
@@ -10483,8 +10499,8 @@ static kern_real kern_edge_crossing(const kern_edge *e, const kern_edge *f)
    or b (side = 1) inside the other block. Two edges that cross, as those of
    thin blocks, also raise *deepest: to the shortest motion after which they no
    longer cross. The true depth may be larger by one stride. Stops when *deepest
-   is above `limit`. Strides grow from step to step, since at a gap close to
-   rounding equal strides would be too many. */
+   is above `limit`. Strides grow from step to step, since equal strides would
+   be too many if the gap is close to rounding. */
 static void kern_overlap_boundary(kern_pair *pair, int side, kern_real limit,
                                   kern_real *deepest)
 {
@@ -10526,9 +10542,10 @@ static void kern_overlap_boundary(kern_pair *pair, int side, kern_real limit,
 /* Raises *deepest to the depth of inner points of block a (side = 0) or b (side
    = 1) inside the other block. The points are centroids of triangles of
    vertices, at first of vertices far apart. A point whose depth inside its own
-   block is more than twice *deepest ends the search. Since the boundary of the
-   other block is nowhere deeper than *deepest, it passes that point at a
-   distance, and all points around have the same result. */
+   block is more than twice *deepest ends the search. The boundary of the other
+   block is nowhere deeper than *deepest, so it passes no closer to that point
+   than *deepest, and the points around are all inside the other block or all
+   outside. */
 static void kern_overlap_middles(kern_pair *pair, int side, kern_real *deepest)
 {
     kern_outline *a = &pair->outline[side], *b = &pair->outline[!side];
@@ -10552,10 +10569,11 @@ static void kern_overlap_middles(kern_pair *pair, int side, kern_real *deepest)
         }
 }
 
-/* Returns the length of the shortest motion that separates two convex blocks:
-   the least distance, over all edges of both blocks, by which the other block
-   reaches inside the line of an edge. If the line of some edge separates the
-   blocks, convex or not, the result is at most pair->overlap_max / 2. */
+/* Returns the length of the shortest motion that separates two convex blocks.
+   It is the least distance, over all edges of both blocks, by which the other
+   block reaches over the line of an edge to its inner side. If the line of some
+   edge separates the blocks, convex or not, the result is at most
+   pair->overlap_max / 2. */
 static kern_real kern_overlap_parting(kern_pair *pair)
 {
     const kern_real limit = pair->overlap_max / 2;
@@ -10581,11 +10599,12 @@ static kern_real kern_overlap_parting(kern_pair *pair)
 }
 
 /* Returns the depth of the pair's overlap, or 0 if the overlap is shallow
-   enough for a contact. May stop at any depth above `limit`. The result may be
-   too small by one stride. If two convex blocks are so thin that no point is
-   too deep, the result is the length of the shortest motion that separates
-   them. Inner points are needed for two equal blocks at one place, since
-   neither boundary is inside the other block. */
+   enough for a contact. The search may stop at a depth above `limit`, and the
+   result is then this depth. The result may be too small by one stride. If two
+   convex blocks are so thin that no point is too deep, the result is the length
+   of the shortest motion that separates them. Inner points are needed for two
+   equal blocks at one place, since neither boundary is inside the other
+   block. */
 KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
                                                 kern_real limit)
 {
@@ -10599,8 +10618,8 @@ KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
     if (parting <= gap / 2 || !kern_pair_spend(pair, 0))
         return KERN_R(0);
 
-    /* Finds the depth of points. If none is too deep, takes the motion that
-       separates convex blocks. */
+    /* Finds how deep points of each block lie inside the other. If no point is
+       too deep, takes the motion that separates convex blocks. */
     for (i = 0; i < 2 && !(deepest > limit); i++)
         kern_overlap_boundary(pair, i, limit, &deepest);
     for (i = 0; i < 2 && !(deepest > gap); i++)
@@ -10649,8 +10668,8 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
 
 /* ---- lines and points ---- */
 
-/* Returns the widest gap that counts as a contact at p. Errors of angle widen
-   it in proportion to the distances of p from the centres of the blocks. */
+/* Returns the widest gap that counts as a contact at p. With errors of angle
+   the gap is wider, the farther p is from the centres of the blocks. */
 static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 {
     const kern_vec u = kern_vec_sub(p, pair->outline[0].block->centre);
@@ -10663,10 +10682,10 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 }
 
 /* Returns 1 if the middle p of an overlap lies inside each of the two blocks,
-   at a depth of at least KERN_THIN times the overlap, give or take `slack`. p
-   does not where one block has passed through a thin part of the other. `gap`
-   is minus the overlap. Always returns 1 if `gap` is not negative, or if the
-   options allow no overlap deeper than the gap. */
+   at a depth of at least KERN_THIN times the overlap, give or take `slack`. The
+   middle lies outside if one block has passed through a thin part of the other.
+   `gap` is minus the overlap. Always returns 1 if `gap` is not negative, or if
+   the options allow no overlap deeper than the gap. */
 static int kern_pair_inside(kern_pair *pair, kern_vec p, kern_real gap,
                             kern_real slack)
 {
@@ -10679,13 +10698,14 @@ static int kern_pair_inside(kern_pair *pair, kern_vec p, kern_real gap,
 
 /* Adds the line contact of two edges, one of each block, if they are
    antiparallel and close to each other. Let t and n be the mean tangent and the
-   mean normal of the edges, and s the coordinate along t. Over s both edges are
-   straight lines of opposite slopes, so the gap between them changes at twice
-   this slope. */
+   mean normal of the edges, and s the coordinate along t. Plotted over s, the
+   two edges have opposite slopes, so the gap between them changes at twice this
+   slope. */
 static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 {
     const kern_edge *e = edge, *f = edge + 1;
-    const kern_vec r = kern_vec_sub(f->q, e->p); /* short, against rounding */
+    /* Places are relative to the start of e, so that rounding is small. */
+    const kern_vec r = kern_vec_sub(f->q, e->p);
     kern_real start, cosine, slope, low, high, gap, gap_max, length_min;
     kern_vec t, n, p;
     if (!kern_pair_opposed(pair, e, f))
@@ -10694,8 +10714,8 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     /* Finds the range of s that both edges cover. The start of e is at s =
        0. */
     t = kern_vec_unit(kern_vec_sub(e->d, f->d));
-    n = kern_vec_scale(kern_vec_turn(t), -1); /* outward */
-    cosine = kern_vec_dot(e->d, t);           /* of f: -cosine */
+    n = kern_vec_scale(kern_vec_turn(t), -1); /* points out of block a */
+    cosine = kern_vec_dot(e->d, t);           /* -cosine for f */
     slope = kern_vec_dot(e->d, n) / cosine;
     start = kern_vec_dot(r, t);
     low = kern_max(KERN_R(0), start);
@@ -10712,7 +10732,8 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 
     /* Adds the contact midway between the edges if it is long enough. The least
        length is smaller for short edges, so that two short edges that match
-       make a contact, too. */
+       make a contact, too. An overlap counts only up to the length of the
+       contact. */
     length_min = kern_min(pair->length_min, kern_max(e->length, f->length) / 2);
     if (!(high - low
           > kern_max(length_min, kern_max(pair->inset, pair->sure_inset))))
@@ -10727,8 +10748,8 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
    of the other block at p. The foot of p on the line of e must be inside e. If
    e ends within the gap of the foot in a reflex corner, the foot may also lie
    beyond this end by up to the gap. The two edges of the corner at p, which
-   have the directions `prev_d` and `next_d`, must then lead away from the other
-   edge of the reflex corner. */
+   have the directions `prev_d` and `next_d` away from p, must then lead away
+   from the other edge of the reflex corner. */
 static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int side,
                            kern_vec p, kern_vec prev_d, kern_vec next_d)
 {
@@ -10754,10 +10775,10 @@ static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int side,
 }
 
 /* Adds the point contact of an edge e of block a (side = 0) or b (side = 1)
-   with a corner of the other block. The corner is the start of f, the edge of
-   the other block. The caller has checked that f leads away from e. The corner
-   must be convex and within the gap of e, its foot must be on e, and its edge
-   before f must lead away from e, too. */
+   with a corner of the other block, if they touch. The corner is the start of
+   f, which is an edge of the other block. The caller has checked that f leads
+   away from e. The corner must be convex and within the gap of e, its foot must
+   be on e, and the edge before f must lead away from e, too. */
 static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int side)
 {
     const kern_edge *e = &edge[side], *f = &edge[!side];
@@ -10848,7 +10869,8 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
             && kern_max(offset, hollow) <= pair->gap)
             continue;
 
-        /* Keeps a contact that belongs to another face. */
+        /* Keeps a contact that does not join, since it belongs to another
+           face. */
         if (!(cosine > 0) || sine > pair->sine
             || kern_max(offset + c->travel * sine - pair->gap,
                         hollow - half - pair->hollow)
@@ -10870,8 +10892,8 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
         sum = kern_vec_step(sum, c->line ? 2 * c->travel : pair->gap, c->n);
     }
 
-    /* Replaces the lead by the face. A face that is too short to be a line is a
-       point. */
+    /* Replaces the lead by the face. A face that is too short to be a line
+       becomes a point. */
     pair->count = rest;
     contact[i].p = kern_vec_mid(low, high);
     contact[i].n = kern_vec_unit(sum);
@@ -10880,7 +10902,7 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
     contact[i].travel = contact[i].line ? half : KERN_R(0);
 }
 
-/* Merges the contacts from pair->first_contact on to faces. A contact that
+/* Merges the contacts from pair->first_contact on into faces. A contact that
    joins a stretch may close the hollow between the stretch and other contacts.
    So each stretch is merged again until no more contacts join it. */
 static void kern_pair_faces(kern_pair *pair)
@@ -10980,8 +11002,8 @@ static void kern_point_travels(kern_contact *contact, int contacts,
 /* ---- the search ---- */
 
 typedef enum kern_search_kind {
-    KERN_SEARCH_CONTACTS,
-    KERN_SEARCH_OVERLAPS,
+    KERN_SEARCH_CONTACTS,  /* for kern_contacts() and kern_touch()          */
+    KERN_SEARCH_OVERLAPS,  /* pairs that overlap too deeply                 */
     KERN_SEARCH_EDGES,     /* contacts of edges and corners, not merged     */
     KERN_SEARCH_STRETCHES, /* faces that end at hollows wider than the gap  */
     KERN_SEARCH_SURE       /* stretches made only of lines at least
@@ -10997,7 +11019,8 @@ typedef struct kern_search {
     kern_real resolution;  /* rounding of places [m]; no tolerance is
                               smaller                                    */
     kern_real reach;       /* widest gap of any pair [m]                 */
-    kern_search_kind kind; /* what the search finds and pair.count counts */
+    kern_search_kind kind; /* what the search finds, and so what
+                              pair.count counts                          */
     kern_overlap *overlap;
     kern_pair pair;
 } kern_search;
@@ -11010,8 +11033,8 @@ static kern_real kern_box_half(const kern_block *block)
 
 /* Returns the widest gap that counts as a contact if the smaller free block of
    the pair has this size: options->gap, or KERN_GAP_SHARE of the size if
-   options->gap is 0. For measured options it is the sum of the two. The result
-   is at least s->resolution. */
+   options->gap is 0. For measured options the widest gap is the sum of these
+   two. The result is at least s->resolution. */
 static kern_real kern_search_gap(const kern_search *s, kern_real size)
 {
     const kern_options *o = s->pair.options;
@@ -11058,7 +11081,8 @@ static int kern_block_is_stale(const kern_block *block)
 /* Returns 1 if two blocks need no search: they are farther apart than any gap,
    both are fixed, or a has no vertices. Two blocks that share one array of
    vertices always need a search, unless both are fixed: the vertices of the
-   first were overwritten, and the search finds that it is stale. */
+   first were overwritten, and the search finds that the first block is
+   stale. */
 static int kern_search_is_apart(const kern_search *s, const kern_block *a,
                                 const kern_block *b)
 {
@@ -11069,7 +11093,8 @@ static int kern_search_is_apart(const kern_search *s, const kern_block *a,
 }
 
 /* Finds the contacts of blocks i and j. In a search for overlaps, finds their
-   overlap instead. Returns KERN_OK or the fault. */
+   overlap instead. Returns KERN_OK, or a negative status that names the
+   fault. */
 KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
     kern_pair *pair = &s->pair;
@@ -11077,7 +11102,7 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     kern_real depth;
     KERN_ASSERT(i >= 0 && i < j && j < s->blocks);
 
-    if (kern_search_is_apart(s, a, b)) /* as most pairs are */
+    if (kern_search_is_apart(s, a, b)) /* true for most pairs */
         return KERN_OK;
     if (i < s->first_block && kern_block_is_stale(a)) {
         s->fault->block = i;
@@ -11107,7 +11132,7 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
         return KERN_OK;
     }
 
-    /* Finds the contacts of edges, merges them to faces, and sets the travels
+    /* Finds the contacts of edges, merges them into faces, and sets the travels
        of points. */
     pair->a = i;
     pair->b = j;
@@ -11202,8 +11227,8 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
         if (!block->vertices)
             continue;
 
-        /* Checks box and area. For a new block, compares them with its
-           vertices. */
+        /* Checks the box and the area of the block. For a new block, compares
+           them with its vertices. */
         if (status == KERN_OK)
             status = !kern_is_finite(block->area)
                           || !kern_boxes_meet(box, box, 0) /* true if low is
@@ -11222,7 +11247,7 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
         /* Finds the largest coordinate, the largest arm and the largest area of
            a free block. */
         largest = kern_max(largest, kern_box_largest(box));
-        if (s->pair.swing > 0) /* otherwise not used */
+        if (s->pair.swing > 0) /* `arm` is used only then */
             arm = kern_max(arm, 4 * kern_box_half(block));
         if (!block->fixed)
             area = kern_max(area, kern_abs(block->area));
@@ -11369,8 +11394,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
        square might overflow. */
     normal = kern_vec_unit(kern_vec_scale(out->n, 1 / longest));
 
-    /* Makes a line if p and q differ by more than rounding. Checks that it is
-       along the tangent, within the angle of the options. */
+    /* Makes a line if p and q differ by more than rounding. Checks that this
+       line is along the tangent, within the angle of the options. */
     d = kern_vec_sub(q, out->p);
     length = kern_vec_length(d);
     line = length
@@ -11382,7 +11407,7 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
         return (int)KERN_BAD_LINE;
 
     /* Writes one or two contact points. The travel of each end of a line leads
-       to its middle. */
+       to the middle of the line. */
     out->n = normal;
     out->line = line;
     if (line) {
@@ -11472,8 +11497,8 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     if (i < 0 || i >= s->blocks)
         return KERN_BAD_BLOCK;
 
-    /* Removes the contacts of block i and their forces. Later indices decrease
-       by one. */
+    /* Removes the contacts of block i and their forces. The indices of later
+       blocks decrease by one. */
     for (k = 0; k < s->contacts; k++) {
         kern_contact *c = &plan->contact[k];
         if (c->a == i || c->b == i)
@@ -11500,7 +11525,7 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
 /* Writes the present structure of the plan to *original, and then adds the
    block, unless it is NULL. If the block cannot be added, stores the negative
    status as the number of contacts. The query that follows then returns this
-   status, and writes what it writes for this status. Returns KERN_OK or
+   status, with the results that belong to it. Returns KERN_OK or
    KERN_BAD_POINTER. */
 KERN_SHARED static kern_status kern_plan_open(kern_plan *plan,
                                               const kern_block *block,
@@ -11539,10 +11564,11 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                  kern_measure_anew(&plan->task, &plan->task.known, out, proof));
 }
 
-/* Returns the verdict at a margin. If kerns are not nested, tries it first
-   without the points that travel: a structure that stands without them stands
-   at every smaller margin, too. Sets *may_fall to 1 if the structure may fall
-   at a smaller margin although it stands at this one, and to 0 otherwise. */
+/* Returns the verdict at a margin. If kerns are not nested, first evaluates the
+   structure without the points that travel: if it stands without them, it
+   stands at every smaller margin, too. Sets *may_fall to 1 if the structure may
+   fall at a smaller margin although it stands at this one, and to 0
+   otherwise. */
 static kern_status kern_plan_verdict(kern_call *c, kern_real margin,
                                      int *may_fall)
 {
@@ -11587,8 +11613,8 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
     c.path.known = known;
     kern_model_know(&c.m, known);
 
-    /* Tries the known motion first, if the margin is not below the place at
-       which it moved the structure. */
+    /* Tries the known motion first, unless the margin is below the place at
+       which this motion proved a fall. */
     status = KERN_FALLS;
     if (!(known->fails > 0 && margin >= known->fails
           && kern_known_falls(&c.m, &c.path.q, known)))
@@ -11684,10 +11710,10 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
    A motion is a turn about a touch, a slide along an edge that is too steep for
    friction, or a turn while the stone slides at two touches. Of the motions
    that no touch blocks, the stone takes the one that lowers its centre most
-   steeply, until there is no such motion. A motion ends where a vertex of one
-   outline meets an edge of the other, which happens on a straight line or an
-   arc, so the stone overlaps no block. Each motion lowers the centre, so no
-   pose occurs twice. */
+   steeply. The stone is at rest when every motion that would lower its centre
+   is blocked. A motion ends where a vertex of one outline meets an edge of the
+   other, which happens on a straight line or an arc, so the stone overlaps no
+   block. Each motion lowers the centre, so no pose occurs twice. */
 
 /* A point where the stone touches a block. */
 typedef struct kern_footing {
@@ -11696,7 +11722,7 @@ typedef struct kern_footing {
     kern_vec corner_n; /* where two convex corners meet: normal of the other
                           edge there; otherwise n                        */
     kern_vec way;      /* unit direction of a slide down the edge        */
-    kern_real run;     /* length of that slide, to the end of the edge   */
+    kern_real run;     /* length of the slide, to the end of the edge    */
 } kern_footing;
 
 /* Kinds of a course (kern_course). */
@@ -11716,7 +11742,8 @@ typedef struct kern_course {
     kern_real extent;    /* slide: length; turn: tangent of half its angle */
     kern_real steepness; /* sine of the angle below the horizontal at which
                             the stone's centre begins to move              */
-    kern_real low, high; /* slide: range that the stone covers across it   */
+    kern_real low, high; /* slide: range of the stone perpendicular to the
+                            slide, without `graze` at both ends            */
 } kern_course;
 
 /* State of a stone's descent (kern_rest()). */
@@ -11747,7 +11774,7 @@ static kern_vec kern_vec_turned(kern_vec a, kern_vec q)
 }
 
 /* Places the stone with its centre at `centre`, turned as r->pose->turn says.
-   Sets its vertices and its box. */
+   Sets the vertices and the box of the stone in this pose. */
 static void kern_descent_put(kern_descent *r, kern_vec centre)
 {
     kern_block *b = &r->pose->block;
@@ -11816,8 +11843,8 @@ static int kern_edge_holds(const kern_edge *e, kern_real s, kern_real tolerance)
 /* Shortens the slide c if point p meets edge e from outside: the slide then
    ends there. Edges that only graze the two flanks of the stone do not stop it,
    so that it fits into a gap of its own width. If p is at an end of e when the
-   slide begins, this function does not shorten it: kern_descent_prefer() has
-   already decided whether that touch blocks the slide. */
+   slide begins, this function does not shorten the slide: kern_descent_prefer()
+   has already decided whether that touch blocks it. */
 static void kern_descent_slide(const kern_descent *r, kern_course *c,
                                const kern_edge *e, kern_vec p)
 {
@@ -11836,9 +11863,9 @@ static void kern_descent_slide(const kern_descent *r, kern_course *c,
 }
 
 /* Shortens the turn c if point p meets edge e from outside: the turn then ends
-   there. Names that end in _d are coordinates along e, and those that end in _n
-   are coordinates outward from e. If p is at an end of e when the turn begins
-   and does not move along e, this function does not shorten the turn:
+   there. Variables whose names end in _d are coordinates along e, and those in
+   _n are coordinates outward from e. If p is at an end of e when the turn
+   begins and does not move along e, this function does not shorten the turn:
    kern_descent_prefer() has already decided whether that touch blocks it. */
 static void kern_descent_arc(const kern_descent *r, kern_course *c,
                              const kern_edge *e, kern_vec p)
@@ -11968,8 +11995,8 @@ static void kern_descent_look(kern_descent *r, kern_course *c)
     kern_real end = c->extent;
     int i;
     kern_descent_sweep(r, c);
-    /* Begins with the last blocks. They are often the highest, and soon shorten
-       the course. */
+    /* Begins with the blocks of the highest index. They are often at the top,
+       and then soon shorten the course. */
     for (i = s->blocks - 1; i >= 0; i--) {
         const kern_block *b = &s->block[i];
         if (!b->vertices || !kern_boxes_meet(&r->swept, &b->box, KERN_R(0)))
@@ -12040,9 +12067,10 @@ static void kern_descent_prefer(const kern_descent *r, kern_course *best,
     *best = *c;
 }
 
-/* Tries a slide down the edge of footing f as *best. The slide ends a little
-   beyond the end of the edge, by 20 touch distances: kern_contacts() then finds
-   a point contact at that end. */
+/* Replaces *best by a slide down the edge of footing f if this slide is better
+   (kern_descent_prefer()). The slide ends a little beyond the end of the edge,
+   by 20 touch distances: kern_contacts() then finds a point contact at that
+   end. */
 static void kern_descent_slope(const kern_descent *r, const kern_footing *f,
                                kern_course *best)
 {
@@ -12054,9 +12082,9 @@ static void kern_descent_slope(const kern_descent *r, const kern_footing *f,
     kern_descent_prefer(r, best, &c, m);
 }
 
-/* Tries a turn about p as *best. The stone turns in the sense in which its
-   weight turns it, until its centre is lowest, but not farther than
-   KERN_REST_TURN. */
+/* Replaces *best by a turn about p if this turn is better
+   (kern_descent_prefer()). The stone turns in the sense in which its weight
+   turns it, until its centre is lowest, but not farther than KERN_REST_TURN. */
 static void kern_descent_tip(const kern_descent *r, kern_vec p,
                              kern_course *best)
 {
@@ -12075,9 +12103,9 @@ static void kern_descent_tip(const kern_descent *r, kern_vec p,
     kern_descent_prefer(r, best, &c, m);
 }
 
-/* Moves the stone by the best motion that its touches leave free. Without
-   touches it falls straight down. Returns 1 if the stone has moved or has more
-   touches than before. */
+/* Moves the stone by the best motion that its touches do not block. A stone
+   without touches falls straight down. Returns 1 if the stone has moved or has
+   more touches than before. */
 static int kern_descent_move(kern_descent *r)
 {
     const kern_real mu = r->task->options.mu;
@@ -12120,7 +12148,7 @@ static int kern_descent_move(kern_descent *r)
 
 /* Checks the blocks and the stone of kern_rest(), and places the stone above
    all blocks. Returns KERN_NO_REST if the descent can begin, KERN_NO_SUPPORT if
-   there are no blocks, or the fault. */
+   there are no blocks, and otherwise a status that names the fault. */
 static kern_status kern_descent_begin(kern_descent *r, kern_real x)
 {
     const kern_structure *s = &r->task->s;
@@ -12184,8 +12212,8 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
     r.pose = out;
     status = kern_descent_begin(&r, x);
 
-    /* Moves the stone from touch to touch, until it is at rest or below all
-       blocks. */
+    /* Moves the stone from touch to touch until it is at rest, is below all
+       blocks, or has made KERN_REST_MOTIONS motions. */
     while (status == KERN_NO_REST && out->motions < KERN_REST_MOTIONS)
         if (!kern_descent_move(&r))
             status = KERN_OK;
@@ -12213,7 +12241,7 @@ static kern_real kern_place_number(const kern_place *place, int i,
                                  -place->turn};
     const kern_real value = kern_max(number[i], -KERN_INFINITY);
     const kern_real scaled = KERN_PLACE_SPLIT * value;
-    const kern_real rounded = scaled - (scaled - value); /* NaN for infinity */
+    const kern_real rounded = scaled - (scaled - value); /* NaN if infinite */
     return i < 4 && kern_is_finite(rounded) ? rounded : value;
 }
 
