@@ -8884,76 +8884,91 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
 }
 
 /* ---- Raised ----------------------------------------------------- >>raised */
-/* Finds forces that a load raises on unstressed contacts with a finite
-   stiffness. The loads b cause a displacement u of the groups. Let wn be the
-   approach of a contact along n and wt its shear along t, w = A' u. Coulomb's
-   law with a stiffness k along n and c mu k along t (k = dual.stiffness, c =
-   dual.shear) is
+/* Finds the forces that a load raises on contacts that are unstressed at first
+   and have a finite stiffness. The loads b cause a displacement u of the
+   groups. By this displacement the two blocks of a contact approach each other
+   by wn along n and shear by wt along t: w = A' u. Coulomb's law with a
+   stiffness k along n and c mu k along t (k = dual.stiffness, c = dual.shear)
+   is
 
        f = k max(0, wn),   r = c mu k wt, cut off at -mu f and mu f      (law)
        A (f, r) = b                                                  (balance)
 
-   This law has no linear or convex program: in limit analysis, blocks that
-   slide also part. A price p on a contact removes the parting. For given prices
-   >>norm finds the u at which the forces of limit analysis, with wn - p instead
-   of wn, balance b. A contact that slides by s beyond its elastic shear then
-   parts by mu s, so (law) and (balance) hold where
+   The solutions of (law) and (balance) are not those of a linear or convex
+   program. Limit analysis leads to such a program, but there two blocks that
+   slide also part. A price p on each contact cancels this parting. For given
+   prices >>norm finds the u at which the forces of limit analysis, computed
+   from wn - p instead of wn, balance b. Where a contact slides by s beyond its
+   elastic shear, limit analysis parts its blocks by mu s. So (law) and
+   (balance) hold if the prices satisfy
 
        p = F(p) = max(0, mu s(p))                               (fixed point)
 
    (Acary, Cadoux, Lemarechal and Malick). Each round of a search finds the
-   forces that balance b for the present prices, and then new prices. Once few
-   contacts change between sticking, sliding and open, Newton's method on (law)
-   and (balance) finishes the search. Prices need not be exact, since the proof
-   checks only the forces and u (kern_prove_raised()).
+   forces that balance b for the present prices, and then computes new prices.
+   When few contacts change between sticking, sliding and open from one round to
+   the next, the search tries Newton's method on (law) and (balance). Prices
+   need not be exact, since the proof checks only the forces and u
+   (kern_prove_raised()).
 
-   A search is lost if u grows too far, or if prices no longer converge
-   (kern_settling). */
+   A search is lost (KERN_END_LOST) if the forces or u grow too far, if prices
+   no longer converge, or if Newton's method balances the loads by forces that
+   are no proof. */
 
 typedef struct kern_raise {
-    kern_part *part;         /* all groups, or those near block `placed`      */
-    int placed;              /* the block of kern_stays(), or KERN_OUT        */
-    const kern_proof *proof; /* arrays for the proof of each load step; or
-                                NULL                                          */
-    kern_end end;            /* reason why the last search ended              */
-    int unknowns;            /* length of u and prices in one array           */
-    kern_real *shown;        /* u and prices of the last load with a proof    */
-    kern_real *shown_before; /* u and prices of the load with a proof before
-                                it                                            */
-    kern_real *last_price;   /* two per contact: last F(p), and its change    */
+    kern_part *part;         /* all groups, or for kern_stays() those near
+                                block `placed`                                */
+    int placed;              /* index of the block of which kern_stays()
+                                computes the chance; otherwise KERN_OUT       */
+    const kern_proof *proof; /* the caller's arrays, which receive the proof of
+                                each step of the load; NULL: none             */
+    kern_end end;            /* why the last search ended                     */
+    int unknowns;            /* length of the array that holds u and, after
+                                it, the prices                                */
+    kern_real *shown;        /* u and prices at the last load with a proof    */
+    kern_real *shown_before; /* u and prices at the load with a proof before
+                                the last one                                  */
+    kern_real *last_price;   /* two per contact: the price that the last round
+                                computed, and its change in that round        */
     kern_real *saved;        /* u at the start of Newton's method             */
-    kern_skyline columns;    /* columns of Newton's matrix; dual.matrix: rows */
-    int *state;              /* per contact: 0 open, 1 sticks, 2 and 3 slides */
+    kern_skyline columns;    /* upper half of Newton's matrix, by columns;
+                                dual.matrix: its lower half, by rows          */
+    int *state;              /* per contact: 0 open, 1 sticking, 2 or 3 sliding
+                                to one side or the other                      */
 } kern_raise;
 
-/* Start of a search: at u = 0, or at the present u and prices. */
+/* Starting point of a search. KERN_BEGIN_UNLOADED: u = 0. KERN_BEGIN_HERE: the
+   present u. Both begin with the present prices. */
 typedef enum kern_begin { KERN_BEGIN_UNLOADED, KERN_BEGIN_HERE } kern_begin;
 
-/* State of a search, with the numbers that decide when it is lost. */
+/* State of a search, with the numbers that decide whether it is lost. */
 typedef struct kern_settling {
-    kern_real tolerance; /* largest residual of equilibrium                */
-    int warm;            /* nonzero: it starts at the present u and prices */
-    int round;
+    kern_real tolerance;   /* largest residual of equilibrium              */
+    int warm;              /* nonzero: the search starts at the present u  */
+    int round;             /* number of rounds that are complete           */
     int units;             /* value of work->units before the search       */
     kern_real drift;       /* largest displacement of a group in the first
                               round                                        */
-    kern_real drift_shown; /* largest displacement at the last load with a
-                              proof                                        */
-    kern_real change_min;  /* least change of prices in a round, squared   */
-    int stalled;           /* number of rounds since that change           */
+    kern_real drift_shown; /* largest displacement of a group at the last
+                              load with a proof                            */
+    kern_real change_min;  /* least sum of squares of the changes of all
+                              prices in one round, so far                  */
+    int stalled;           /* number of rounds since the one in which
+                              change_min was found                         */
 } kern_settling;
 
-/* Marks the groups that are held: all but the n groups within KERN_STAYS_NEAR
-   contacts of block i. Those n groups stay unmarked, so that kern_norm_open()
-   opens them. The mark is n, also for the ground. */
+/* Marks the groups that are held: all except the n groups that are at most
+   KERN_STAYS_NEAR contacts away from block i. These n groups keep KERN_OUT in
+   graph.local, so that kern_norm_open() opens them. The mark is n, which is the
+   index of all held groups and of the ground in the part. */
 static void kern_raise_mark(kern_model *m, int i)
 {
     const int *ends = m->graph.ends, groups = m->graph.groups;
     int *local = m->graph.local, g, e, distance, n = 1;
 
-    /* Numbers the groups by their distance from the block, beginning with 1.
-       The number 0 means that a group has not been reached. The ground counts
-       as reached, so that no path leads through it. */
+    /* Stores for each group its distance from block i, counted in contacts,
+       plus 1. The number 0 means that the group has not been reached. The
+       ground counts as reached, so that no path leads through it. */
     for (g = 0; g < groups; g++)
         local[g] = 0;
     local[groups] = local[m->graph.group[i]] = 1;
@@ -8966,16 +8981,17 @@ static void kern_raise_mark(kern_model *m, int i)
                     n++;
                 }
 
-    /* Replaces the numbers by marks. */
+    /* Replaces the distances by marks: KERN_OUT for groups that were reached, n
+       for all others. */
     for (g = 0; g < groups; g++)
         local[g] = local[g] > 0 ? KERN_OUT : n;
     local[groups] = n;
 }
 
 /* Opens the groups as one part, with prices of 0. Returns 0 if there is no
-   room. The stiffness of a contact point is 0.1 plus, at the end of a line, its
-   travel in mean sizes. Of several laws of stiffness this one came closest to a
-   simulator. */
+   room. The stiffness of a contact point is 0.1, plus at the end of a line its
+   travel in mean sizes. Of several such formulas that were tried, this one
+   agreed best with a simulator. */
 static int kern_raise_open(kern_raise *r, kern_model *m)
 {
     kern_part *p = r->part;
@@ -8985,15 +9001,17 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     if (!kern_norm_open(p, m))
         return 0;
 
-    /* Sets the stiffness along t. A proof requires that contacts stick within
-       KERN_STICKS, but kern_stays() needs no proof. */
-    p->y = p->dual.step; /* no program is open: y is the room for a motion */
+    /* Sets the stiffness along t. In a proof a contact that sticks may slide
+       only by the share KERN_STICKS of its approach, so dual.shear is larger
+       than 1 / KERN_STICKS. kern_stays() needs no proof and uses a smaller
+       stiffness. */
+    p->y = p->dual.step; /* y holds a motion: no program uses it */
     p->dual.shear = r->placed < 0 ? KERN_R(1.1) / KERN_STICKS
                                   : KERN_STAYS_STIFF;
 
-    /* Takes the arrays. Newton's matrix is not symmetric, so its upper half has
-       memory of its own. Prices follow u in one array, so that both are copied
-       at once. */
+    /* Takes memory for the arrays of a search. Newton's matrix is not
+       symmetric, so its upper half has memory of its own. The prices follow u
+       in one array, so that one copy copies both. */
     for (g = 0; g < p->groups; g++)
         entries += 9 * (g - p->dual.matrix.first_column[g] + 1);
     r->columns = p->dual.matrix;
@@ -9011,7 +9029,8 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     if (!kern_take_fits(&p->rest))
         return 0;
 
-    /* sets the prices to 0; the ends of longer lines are stiffer */
+    /* Sets the prices to 0. Sets the stiffness of each contact point, which at
+       an end of a line grows with the length of the line. */
     kern_zero(p->dual.price, p->contacts);
     for (k = 0; k < p->contacts; k++) {
         const kern_contact *c = m->s->contact + p->contact[k];
@@ -9025,22 +9044,28 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
 
 /* ---- a round of prices ---- */
 
-/* Returns the distance by which contact k slides beyond its elastic shear. If
-   the result is negative, the contact sticks or does not press. */
+/* Returns the distance by which contact k slides beyond its elastic shear. The
+   result is negative if the contact sticks. `approach` is the approach of the
+   contact, from which no price is subtracted. A contact with a negative
+   approach does not press and has no elastic shear. */
 static kern_real kern_raise_slip(const kern_part *p, int k, kern_real approach)
 {
     return kern_abs(p->dual.approach[2 * k + 1])
          - kern_max(approach, 0) / p->dual.shear;
 }
 
-/* Writes the forces at u. Writes for each contact the new price F(p) and its
-   change to dual.change. Returns 1 if the forces may be a proof: every loaded
-   contact approaches, and none slides as far as a stone that falls into a jam.
-   Prices fall slowly, since prices of joints that lean on each other would
-   alternate. `found` means that the forces balance the loads. A contact that
-   parts then keeps its price. A contact that should part but presses gets a
-   higher price, by twice the amount that would make its force 0: otherwise a
-   joint that has stopped pressing would stay loaded. */
+/* Writes the forces at u. Computes the next price of each contact and writes
+   the price and its change to dual.change. Returns 1 if the forces may be a
+   proof. They then balance the loads (`found`), every loaded contact
+   approaches, and the longest slide is at most KERN_SLIDE_MOST times the
+   largest approach. A stone that falls into a jam slides farther.
+   The next price of a contact is F(p) of >>raised, with two exceptions. A price
+   that falls is lowered slowly, since otherwise the prices of joints that lean
+   on each other would alternate from round to round. If the forces balance the
+   loads, a contact whose blocks move apart keeps at least its price. If such a
+   contact still has a force, its price rises by twice the amount that would
+   make the force 0, since otherwise a joint that no longer presses would stay
+   loaded. */
 static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
 {
     kern_part *p = r->part;
@@ -9056,16 +9081,17 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
                          * kern_max(slip, 0);
 
         /* Checks that a loaded contact approaches. Finds the longest slide and
-           the largest approach, to compare them. */
+           the largest approach of all loaded contacts, which are compared at
+           the end. */
         if (p->m->answer.force[p->contact[k]].normal > force_min) {
             pressed &= approach > 0;
             slip_max = kern_max(slip_max, slip);
             approach_max = kern_max(approach_max, approach);
         }
 
-        /* Computes the new price. A contact that parts keeps its price, or gets
-           a higher one if its force presses. A price that falls changes by the
-           share KERN_PRICE_FALL of the difference. */
+        /* Keeps or raises the price of a contact whose blocks move apart. A
+           price that falls changes by the share KERN_PRICE_FALL of the
+           difference to its new value. */
         if (found && !(approach > 0))
             target = kern_max(target, price)
                    + 2 * kern_max(wn + kern_max(target, price), 0);
@@ -9077,11 +9103,13 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
     return pressed && slip_max <= KERN_SLIDE_MOST * approach_max;
 }
 
-/* Computes new prices from the last two rounds. Subtracts the share `portion`
-   of the difference between these rounds, with which the change of prices is
-   least if F is linear (Anderson's method). If the change keeps its direction
-   and grows, a slide has only begun, and prices are extrapolated forward.
-   Returns the square of the change of prices. */
+/* Sets the prices for the next round from those that the last two rounds
+   computed. Subtracts from the latest prices the share `portion` of the
+   difference between the latest and the earlier ones. If F of >>raised is
+   linear, this share makes the next change of prices least (Anderson's method).
+   If the change of prices has kept its direction and grown, a slide has only
+   begun: the prices are then extrapolated forward by KERN_FORWARD times the
+   difference. Returns the sum of the squares of the latest changes. */
 static kern_real kern_raise_extrapolate(kern_raise *r, int round)
 {
     const kern_part *p = r->part;
@@ -9110,8 +9138,9 @@ static kern_real kern_raise_extrapolate(kern_raise *r, int round)
     return norm_now;
 }
 
-/* Returns the number of contacts that have changed their state since the last
-   call. The states are open, sticking, and sliding in either direction. */
+/* Returns the number of contacts whose state differs from that in the last
+   call, and stores the present states. A contact is open, sticks, or slides to
+   one side or the other. */
 static int kern_raise_changes(kern_raise *r)
 {
     const kern_part *p = r->part;
@@ -9130,9 +9159,10 @@ static int kern_raise_changes(kern_raise *r)
 
 /* ---- Newton's method ---- */
 
-/* Subtracts the wrenches of contact k by Coulomb's law from dual.grad. Adds
-   their derivatives by u to the rows (dual.matrix) and columns (r->columns) of
-   Newton's matrix. Returns the normal force. */
+/* Subtracts from dual.grad the wrenches that contact k exerts by Coulomb's law.
+   Adds the derivatives of these wrenches with respect to u to Newton's matrix:
+   to its rows (dual.matrix) and its columns (r->columns). Returns the normal
+   force. */
 static kern_real kern_raise_contact(kern_raise *r, int k)
 {
     static const kern_real approach[2] = {1, 0}, shear[2] = {0, 1};
@@ -9160,9 +9190,9 @@ static kern_real kern_raise_contact(kern_raise *r, int k)
     return stiffness * w[0];
 }
 
-/* Writes to dual.grad the loads b minus the wrenches of the contacts by
-   Coulomb's law, and Newton's matrix to dual.matrix and r->columns. Returns the
-   largest normal force. */
+/* Writes to dual.grad the loads b minus the wrenches that the contacts exert by
+   Coulomb's law. Writes Newton's matrix to dual.matrix and r->columns. Returns
+   the largest normal force. */
 static kern_real kern_raise_linearise(kern_raise *r)
 {
     kern_part *p = r->part;
@@ -9180,9 +9210,11 @@ static kern_real kern_raise_linearise(kern_raise *r)
     return largest;
 }
 
-/* Runs Newton's method on (law) and (balance) from u, in whole steps, as long
-   as the residual of (balance) falls. If the loads are balanced, sets prices by
-   the slips and returns 1. Otherwise restores u. */
+/* Runs Newton's method on the equations (law) and (balance) of >>raised,
+   beginning at the present u. Takes whole steps, at most KERN_NEWTON_ROUNDS of
+   them, as long as the residual of (balance) falls. If the loads are balanced,
+   sets the prices that belong to u and returns 1. Otherwise restores u and
+   returns 0. */
 static int kern_raise_newton(kern_raise *r, kern_real tolerance)
 {
     kern_part *p = r->part;
@@ -9190,7 +9222,8 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
     kern_real *approach = p->dual.approach, last = KERN_INFINITY;
     int k, round;
 
-    /* Removes the prices from the approaches, since Coulomb's law has none. */
+    /* Adds the prices to the approaches, from which they have been subtracted,
+       since Coulomb's law has no prices. */
     kern_copy(r->saved, p->dual.u, n + 3);
     for (k = 0; k < p->contacts; k++)
         approach[2 * k] += p->dual.price[k];
@@ -9198,8 +9231,8 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
         const kern_real largest = kern_raise_linearise(r);
         const kern_real residual = kern_dot(p->dual.grad, p->dual.grad, n);
 
-        /* Ends if the loads are balanced. The slips then give the prices of the
-           fixed point. */
+        /* Ends if the loads are balanced. The prices that satisfy (fixed point)
+           of >>raised then follow from the slips. */
         if (kern_largest(p->dual.grad, n)
             <= tolerance + 4 * KERN_EPS * largest) {
             for (k = 0; k < p->contacts; k++) {
@@ -9211,7 +9244,8 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
             return 1;
         }
 
-        /* Takes a whole step, unless the last one raised the residual. */
+        /* Takes a whole step. Ends if the last step did not reduce the
+           residual, or if the limit of work is reached. */
         if (!(residual < last)
             || !kern_model_spend(p->m, 3 * p->dual.step_units))
             break;
@@ -9224,7 +9258,7 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
         kern_add(approach, KERN_R(1), p->dual.change, 2 * p->contacts);
     }
 
-    /* no balance: restores u */
+    /* The loads are not balanced: restores u. */
     kern_copy(p->dual.u, r->saved, n + 3);
     kern_norm_approach(p, KERN_WAY_OF_U);
     return 0;
@@ -9232,9 +9266,9 @@ static int kern_raise_newton(kern_raise *r, kern_real tolerance)
 
 /* ---- a search ---- */
 
-/* Returns the largest displacement of a group from its place in `origin`, or
-   from its unloaded place if `origin` is NULL. A turn counts as turn times half
-   the size of its block. */
+/* Returns the largest displacement of a group between u and `origin`, or
+   between u and the unloaded structure if `origin` is NULL. A turn counts as
+   turn times half the size of the block. */
 static kern_real kern_raise_displacement(const kern_raise *r,
                                          const kern_real *u,
                                          const kern_real *origin)
@@ -9252,7 +9286,8 @@ static kern_real kern_raise_displacement(const kern_raise *r,
     return KERN_SQRT(reach);
 }
 
-/* Returns 1 if u has grown too far (KERN_RUNS_AWAY, KERN_JUMPS). */
+/* Returns 1 if u has grown too far, by the limits KERN_RUNS_AWAY and
+   KERN_JUMPS. */
 static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
 {
     const kern_real *u = r->part->dual.u, groups = KERN_R(r->part->groups);
@@ -9265,9 +9300,10 @@ static int kern_raise_runs_away(const kern_raise *r, kern_settling *settling)
                    > KERN_JUMPS * settling->drift_shown);
 }
 
-/* Returns 1 if prices no longer converge: their change has not become smaller
-   for many rounds. A slide at one end of a row takes one round for each group
-   to reach the other end. */
+/* Returns 1 if prices no longer converge: for many rounds their change has not
+   become smaller than its least value so far. In a row of more groups more
+   rounds are allowed, since a slide at one end of the row takes one round for
+   each group to reach the other end. */
 static int kern_raise_stalls(const kern_raise *r, kern_settling *settling,
                              kern_real change)
 {
@@ -9278,8 +9314,8 @@ static int kern_raise_stalls(const kern_raise *r, kern_settling *settling,
     return settling->stalled++ > KERN_PATIENCE + r->part->groups / 2;
 }
 
-/* Returns 1 if forces and u are a proof, and copies them to r->proof. Returns 1
-   without a proof for kern_stays(), which needs none. */
+/* Returns 1 if the forces and u are a proof, and then writes this proof to
+   r->proof. For kern_stays(), which needs no proof, always returns 1. */
 static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 {
     kern_part *p = r->part;
@@ -9299,7 +9335,7 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
     return 1;
 }
 
-/* Makes one round of a search. Returns the reason for which the search ends, or
+/* Runs one round of a search. Returns the reason why the search ends, or
    KERN_END_NONE if it continues. */
 static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                                  kern_settling *settling)
@@ -9313,7 +9349,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
     kern_real change;
     int pressed;
 
-    /* Ends the search if its work is used up, or if u has grown too far. */
+    /* Ends the search if a limit of work is reached, or if the forces or u have
+       grown too far. */
     if (found == KERN_LIMIT || !kern_model_spend(p->m, 1 + p->contacts / 10)
         || p->m->task->work->units - settling->units
                > KERN_SEARCH_COSTS * p->dual.step_units)
@@ -9321,8 +9358,9 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
     if (found == KERN_FALLS || kern_raise_runs_away(r, settling))
         return KERN_END_LOST;
 
-    /* Tries Newton's method, which may end the search at once, if few contacts
-       change between sticking, sliding and open. */
+    /* Tries Newton's method if few contacts have changed between sticking,
+       sliding and open since the last round. If the method balances the loads,
+       the search ends, with or without a proof. */
     if (kern_raise_changes(r) <= KERN_FEW_CHANGES
         && kern_raise_newton(r, settling->tolerance))
         return kern_raise_price(r, settling->tolerance, 1)
@@ -9330,7 +9368,8 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                  ? KERN_END_SHOWN
                  : KERN_END_LOST;
 
-    /* Computes new prices, extrapolated in the direction of their change. */
+    /* Computes the prices for the next round. Ends the search if the forces of
+       this round are a proof, or if prices no longer converge. */
     pressed = kern_raise_price(r, settling->tolerance, found == KERN_STANDS);
     change = kern_raise_extrapolate(r, settling->round);
     if (pressed && kern_raise_proves(r, q))
@@ -9339,8 +9378,9 @@ static kern_end kern_raise_round(kern_raise *r, const kern_query *q,
                                                   : KERN_END_NONE;
 }
 
-/* Searches for the fixed point under the loads of q. Returns 1 if the search
-   finds a proof. Sets r->end to the reason for which the search ended. */
+/* Searches for prices that satisfy (fixed point) of >>raised under the loads of
+   q. Returns 1 if the search finds a proof. Sets r->end to the reason why the
+   search ended. */
 static int kern_raise_settle(kern_raise *r, const kern_query *q,
                              kern_begin begin)
 {
@@ -9361,35 +9401,38 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q,
 
 /* ---- questions ---- */
 
-/* Returns the reserve: the largest share in a list for which the structure
-   stays raised under a push of this share of gravity to either side, with kerns
-   shrunk by this share of the mean size. A push stands for errors of angle, and
-   a shrinkage for errors of place as a share of the size. If kerns are not
-   nested, the structure must also stay raised under the push alone. Shares
-   above `limit` are not tried, unless `limit` is 0. Each search begins at the
-   last load with a proof. */
+/* Returns the reserve: the largest share in the list below for which the
+   structure stays raised under a push to either side. The push is this share of
+   gravity, and the kerns are shrunk further by this share of the mean size
+   (options.relative: by this share of their travel). A push stands for errors
+   of angle, and a shrinkage for errors of place as a share of the size. If
+   kerns are not nested, the structure must also stay raised under the push
+   without the shrinkage. Shares above `limit` are not tried; a `limit` of 0
+   means that all shares are tried. Each search starts at the u and the prices
+   of the last share with a proof. */
 KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
                                                 const kern_query *query,
                                                 kern_real limit)
 {
     static const short share[] = {
         0,  10, 20,  30,  40,  50,  55,  60,
-        70, 80, 100, 150, 200, 300, 500, 1000}; /* of 10,000 */
+        70, 80, 100, 150, 200, 300, 500, 1000}; /* in units of 1e-4 */
     kern_model *m = r->part->m;
     kern_real range[2];
     const int nested = kern_is_nested(m, range);
     kern_query q = *query;
     int low = (int)(sizeof share / sizeof share[0]) - 1, middle, high;
 
-    /* Finds the largest share to the right. Then tries only shares up to that
-       one to the left. */
+    /* Finds the largest share for a push to the right. Then tries only shares
+       up to that one for a push to the left. */
     while (limit > 0 && KERN_R(share[low]) / 10000 > limit)
         low--;
     kern_copy(r->shown_before, r->part->dual.u, r->unknowns);
     for (q.side = 1; q.side >= -1; q.side -= 2) {
         kern_copy(r->shown, r->shown_before, r->unknowns);
 
-        /* Bisects the list, beginning with its last share. */
+        /* Bisects the list. Tries the largest share that is still possible
+           first. */
         for (middle = low, high = low + 1, low = 0; high - low > 1;
              middle = (low + high) / 2) {
             int k, shown = 1;
@@ -9411,9 +9454,11 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     return KERN_R(share[low]) / 10000;
 }
 
-/* Begins a query. Sets *out to KERN_HANGS, with a proof, if nothing holds up
-   some of the blocks and the others stand without them. Otherwise sets *out to
-   KERN_NOT_SHOWN, and opens all groups as one part for a search. */
+/* Begins a search for raised forces. Sets *out to KERN_HANGS, with a proof in
+   the model's answer, if nothing holds some of the blocks up and the other
+   blocks stand without them. Otherwise sets *out to KERN_NOT_SHOWN, and opens
+   all groups as one part for the search. Returns KERN_STANDS, or the status
+   with which the call ends. */
 static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
                                     kern_raising *out)
 {
@@ -9425,13 +9470,13 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     r->part = &c->part;
     *out = KERN_NOT_SHOWN;
     value = kern_take_last(&m->rest, m->s->blocks);
-    kern_take_last(&m->common, m->s->blocks); /* both takes end at the same
-                                                 address                */
+    kern_take_last(&m->common, m->s->blocks); /* m->common has the same end as
+                                                 m->rest                */
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
 
-    /* Finds the blocks that may hang. A verdict is needed only if there are
-       any, or for kern_stays(). */
+    /* Finds the blocks that may hang. A verdict on the whole structure is
+       needed only if there are any, or for kern_stays(). */
     for (i = 0; i < m->s->blocks; i++)
         value[i] = KERN_R(1);
     hanging = kern_unsupported(m->s, value);
@@ -9440,8 +9485,8 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
         status = kern_model_evaluate(m, r->part, q);
     }
 
-    /* The blocks hang if the others stand without them. Writes their motion, a
-       free fall. */
+    /* The blocks that may hang do so if the other blocks stand without them.
+       Writes their motion, a free fall. */
     if (hanging > 0 && status == KERN_STANDS && kern_model_charge(m, 1)) {
         const kern_vec way = kern_vec_unit(m->s->gravity);
         q->fallen = value;
@@ -9457,18 +9502,22 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
 
-    /* opens the model of all groups again, without a linear program */
+    /* Opens the model of all groups again, without a linear program. */
     if (hanging > 0 || m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
     return kern_raise_open(r, m) ? KERN_STANDS : KERN_NO_SPACE;
 }
 
-/* Raises the load of q in steps, with *share as its factor from 0 to `limit`.
-   The u of each step is extrapolated from the last two. A step that fails is
-   repeated with a smaller one, down to a share of the largest load with a
-   proof. If `limit` is unknown, the end of the steps doubles. Returns the
-   largest factor with a proof, or a negative number if there is none. */
+/* Raises a load in steps from 0 to `limit`. *share is the field of q that holds
+   the factor of this load. The search at each step starts at a u and prices
+   that are extrapolated from the last two steps. A step that fails is repeated
+   with a smaller increase of the load. The steps end when the increase would be
+   too small a share of the largest factor with a proof (KERN_LOAD_NARROW). A
+   `limit` of KERN_FACTOR_MOST or more means that no limit is known: the first
+   goal is then a factor of 1, and each goal that is reached is doubled. Returns
+   the largest factor with a proof, or -1 if there is none even at a factor of
+   0. */
 static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                                   kern_real *share, kern_real limit)
 {
@@ -9478,7 +9527,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     kern_real step = end / KERN_LOAD_STEPS;
     int i, shown = 1;
 
-    /* finds u without the load */
+    /* Finds u and the prices at a factor of 0. */
     if (!kern_raise_settle(r, q, KERN_BEGIN_UNLOADED))
         return KERN_R(-1);
     kern_copy(r->shown, u, r->unknowns);
@@ -9486,7 +9535,8 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
            && step >= KERN_LOAD_NARROW * kern_max(proven, end / 100)) {
         *share = proven + KERN_R(1.01) * step < end ? proven + step : end;
 
-        /* extrapolates from the last two loads; prices are not negative */
+        /* Extrapolates u and the prices from the last two loads with a proof. A
+           price is never negative. */
         for (i = 0; i < r->unknowns; i++) {
             if (shown) {
                 r->shown_before[i] = r->shown[i];
@@ -9499,9 +9549,10 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                 u[i] = kern_max(u[i], 0);
         }
 
-        /* repeats a step that fails with a smaller one */
+        /* Searches for a proof at the new load. If there is none, the next
+           increase is smaller. */
         shown = kern_raise_settle(r, q, KERN_BEGIN_HERE)
-             || (!(proven > 0) /* only u at 0 is known */
+             || (!(proven > 0) /* u is known only for a factor of 0 */
                  && kern_raise_settle(r, q, KERN_BEGIN_UNLOADED));
         if (shown) {
             taken = *share - proven;
@@ -9509,7 +9560,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
         } else
             step /= KERN_LOAD_FINER;
 
-        /* doubles an end that was only a guess */
+        /* Doubles a goal that was only a guess, when it has been reached. */
         if (!(proven < end) && end < limit) {
             end = kern_min(2 * end, limit);
             step = end / KERN_LOAD_STEPS;
@@ -9518,10 +9569,12 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     return proven;
 }
 
-/* Sets *out to KERN_RAISED if the load raises forces, at once or as the loads
-   of the blocks grow from 0. If `sag` is not NULL, writes to it the
-   displacement of block r->placed for a stiffness of 1 and a mean weight of 1.
-   A turn counts as turn times half the size of the block. */
+/* Sets *out to KERN_RAISED if the load raises forces that hold the structure,
+   either when it acts at once or when the loads of the blocks grow from 0. If
+   `sag` is not NULL, writes to it the displacement of block r->placed for a
+   mean weight of 1 and the stiffnesses that kern_raise_open() sets. A turn
+   counts as turn times half the size of the block. Returns the verdict on the
+   structure. */
 static kern_status kern_raise_show(kern_raise *r, kern_call *c,
                                    kern_raising *out, kern_real *sag)
 {
@@ -9546,8 +9599,9 @@ static kern_status kern_raise_show(kern_raise *r, kern_call *c,
              : kern_model_evaluate(&c->m, r->part, &c->path.q);
 }
 
-/* Computes kern_raised(). If `sag` is not NULL, computes kern_stays(), in which
-   only the blocks near block i are free. */
+/* Computes the results of kern_raised(). If `sag` is not NULL, computes those
+   that kern_stays() needs: only the blocks near block i are then free, and *sag
+   is the displacement of block i. */
 static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
                                    kern_raising *out, kern_real *reserve,
                                    const kern_proof *proof, int i,
@@ -9566,8 +9620,8 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         && ((unsigned)i >= (unsigned)task->s.blocks || task->s.block[i].fixed))
         return KERN_BAD_BLOCK;
 
-    /* runs the search, and writes its proof: forces, and the motion if there is
-       one */
+    /* Runs the search and writes its proof: the forces, and the motion if there
+       is one. */
     r.placed = i;
     r.proof = NULL;
     r.end = KERN_END_NONE;
@@ -9579,7 +9633,8 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         kern_proof_write(&c.m, proof, KERN_FALLS);
     task->work->end = raising == KERN_NOT_SHOWN ? r.end : KERN_END_SHOWN;
 
-    /* finds the largest push on top of the load */
+    /* Finds the reserve: the largest push that the structure bears in addition
+       to its load. */
     if (raising == KERN_RAISED && reserve)
         share = kern_raise_reserve(
             &r, &c.path.q, sag ? KERN_STAYS_MOST : task->options.reserve);
@@ -9642,10 +9697,10 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
     kern_status status = kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
                                   side, factor ? &limit : NULL, proof);
 
-    /* Grows the load from 0 to the load factor, which is an upper bound. The
+    /* Raises the load from 0 to the load factor, which is an upper bound. The
        proof of the raised load overwrites that of the load factor in the
-       caller's arrays. The model is opened again, since the search left a part
-       open. Opening the model again cannot fail, since the memory is the
+       caller's arrays. The search for the load factor left a part open, so the
+       model is opened again. That cannot fail, since the work memory is the
        same. */
     if (status == KERN_STANDS) {
         kern_query *q = &c.path.q;
@@ -9658,7 +9713,7 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
         if (hung == KERN_HANGS)
             status = KERN_UNDECIDED;
         q->factor = limit = kern_min(limit, KERN_FACTOR_MOST);
-        kern_model_set(&c.m, q); /* the unit of force includes the largest load
+        kern_model_set(&c.m, q); /* sets the unit of force at the largest load
                                                                              */
         if (status == KERN_STANDS)
             proven = kern_raise_climb(&r, q, &q->factor, limit);
@@ -9675,65 +9730,72 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* ==== Part VI: Geometry and planning ===================================== */
 
 /* ---- Tolerances of the geometry ----------------------------------- >>tol */
-/* Lengths are shares of a length of the caller's, such as a gap, a block's size
-   or a coordinate. */
+/* A tolerance of length is a share of a length in the input (a gap, the size of
+   a block or a coordinate), unless its comment names another unit. */
 
-/* Most runs of an outline (kern_outline). Each run has at least KERN_RUNS / 2
-   edges. More runs take more stack, fewer runs more time. */
+/* Largest number of runs into which an outline is divided (kern_outline). Each
+   run but the last has at least KERN_RUNS / 2 edges. With more runs an outline
+   takes more stack, and with fewer runs a search takes more time. */
 #define KERN_RUNS 16
 /* Default of options.gap, as a share of the size of a pair's smaller free
    block. */
 #define KERN_GAP_SHARE KERN_R(1e-3)
-/* Length of the shortest line, as a share of the size of a pair's smaller free
-   block. */
+/* Least length of a line contact, as a share of the size of a pair's smaller
+   free block. */
 #define KERN_LINE_LEAST KERN_R(1e-3)
-/* Largest change of a block's area, as a share, that counts as rounding at
-   large coordinates. After a larger change the vertices have moved. */
+/* Largest change of a block's area, as a share of the area, that may be due to
+   rounding at large coordinates. After a larger change the block is stale: its
+   vertices have moved. */
 #define KERN_AREA_TOL KERN_R(1e-3)
-/* Least turn of a vertex that is a corner [rad]. A vertex that turns by half a
-   circle, give or take this angle, is a spike. With a much larger value round
-   stones would lose their shape. */
+/* Least turn of the outline at a vertex that counts as a corner [rad]. A vertex
+   at which the outline turns by half a circle, give or take this angle, is a
+   spike. With a much larger value round stones would lose their shape. */
 #define KERN_TURN_LEAST KERN_R(1e-6)
 /* Least distance of a corner's foot from the ends of the edge that it touches,
-   as a share of the size. So rounding makes no contacts between diagonal
-   neighbours. */
+   as a share of the size of a pair's smaller free block. Without this distance
+   rounding could make contacts between blocks that only meet at their corners,
+   such as diagonal neighbours. */
 #define KERN_FOOT_INSET KERN_R(1e-6)
-/* Least slope of a normal against gravity. A single point with a smaller slope
-   carries nothing. */
+/* Least component along gravity of the unit normal of a contact that carries a
+   block (options.lone). A contact with a smaller component counts as vertical
+   and carries neither of its blocks. */
 #define KERN_LEVEL_LEAST KERN_R(1e-6)
 /* Default of options.angle [rad]. */
 #define KERN_ANGLE KERN_R(0.0174533)
 /* Least denominator in the formula for the friction of a widened cone, so that
-   it stays finite. */
+   this friction is finite. */
 #define KERN_CONE_LEAST KERN_R(0.0174533)
-/* kern_near(): gap, as a share of the mean size, and angle [rad] of contacts
-   that a slight rocking motion closes. Gaps of 0.03 to 0.1 and angles of 0.1 to
-   0.2 predict shaking tests equally well. */
+/* kern_near(): least gap, as a share of the mean size, and least angle [rad] of
+   its options, which also find contacts that a slight rocking motion would
+   close. Gaps of 0.03 to 0.1 and angles of 0.1 to 0.2 predict the results of
+   shaking tests equally well. */
 #define KERN_NEAR_GAP KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
-/* Number of standard errors of place and angle within which a contact of a
-   measured structure is found. With 3.5, all of 30 contacts are found in 98 %
-   of the cases. */
+/* Measured structures: number of standard errors of place and of angle within
+   which contacts are found. With 3.5, a structure of 30 contacts has all of
+   them found in 98 % of the cases. */
 #define KERN_ERRORS KERN_R(3.5)
-/* Gap of measured structures, in errors of place times KERN_ERRORS. The gap
-   between a corner and an edge has a variance of 2 e^2 from the places of two
-   stones and 3/8 e^2 from their vertices. So its standard error is 1.5 e. */
+/* Measured structures: gap, in units of KERN_ERRORS times e, where e is the
+   standard error of place. The gap between a corner and an edge has a variance
+   of 2 e^2 from the places of two stones and 3/8 e^2 from their vertices. So
+   the standard error of the gap is 1.5 e. */
 #define KERN_ERROR_GAP KERN_R(1.5)
-/* Angle of measured structures, in errors of angle times KERN_ERRORS. The angle
-   between two edges of 0.7 sizes has a variance of 2 theta^2 from the angles of
-   two stones and 2 theta^2 from the ends of the edges. So its standard error is
-   2 theta. */
+/* Measured structures: angle, in units of KERN_ERRORS times theta, where theta
+   is the standard error of angle. The angle between two edges of 0.7 sizes has
+   a variance of 2 theta^2 from the angles of two stones and 2 theta^2 from the
+   ends of the edges. So the standard error of this angle is 2 theta. */
 #define KERN_ERROR_ANGLE KERN_R(2)
-/* Deepest overlap of measured structures, in errors of place. */
+/* Measured structures: deepest overlap, in standard errors of place. */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
-/* Measured structures: largest distance of a corner beyond the end of an edge
-   that it touches, in errors of place. */
+/* Measured structures: largest distance of a corner's foot beyond the end of
+   the edge that it touches, in standard errors of place. */
 #define KERN_ERROR_EDGE KERN_R(3.0)
-/* kern_certain(): least length of a line that counts as certain, and least
-   distance of a certain point from the ends of its edge, in errors of place. */
+/* kern_certain(): least length of a line contact that counts as certain, and
+   least distance of a certain point contact from the ends of its edge, both in
+   standard errors of place. */
 #define KERN_ERROR_SURE KERN_R(5.0)
-/* kern_certain(): angle by which it narrows or widens cones, in errors of
-   angle. */
+/* kern_certain(): angle by which it narrows or widens friction cones, in
+   standard errors of angle. */
 #define KERN_ERROR_CONE KERN_R(3.0)
 /* Settling. FALL: fall of an unsupported block in one step, in errors of place.
    STEPS: most steps. SWEEPS: most sweeps over all contacts in one step. STILL:
@@ -9775,70 +9837,79 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
    sides, not beds. */
 #define KERN_ROCK_LACK KERN_R(1.25)
 #define KERN_ROCK_STEEP KERN_R(0.5)
-/* Least depth of the middle of an overlap inside both blocks, as a share of the
-   overlap. Where both blocks are thick the depth is half of the overlap. */
+/* Least depth of the middle of an overlap inside each of the two blocks, as a
+   share of the overlap. The depth is half of the overlap where both blocks are
+   thick, and smaller where one block is thin. */
 #define KERN_THIN KERN_R(0.25)
 /* Largest angle that kern_measured_options() sets, as a share of
    KERN_ANGLE_MOST. */
 #define KERN_ANGLE_SHARE KERN_R(0.99)
-/* Sine of the largest angle between the normals of a line contact and of a
-   point that belongs to it: 10 degrees. At a corner normals differ by more. */
+/* Sine of 10 degrees. If a point lies on a line contact of the same pair and
+   their normals differ by a smaller angle, the point is removed, since the line
+   already covers it. At a corner the normals differ by more. */
 #define KERN_SAME_FACE KERN_R(0.17364817766693036)
-/* The search for overlaps moves along an edge in strides. The first stride is
-   the gap divided by STRIDES, and each is longer than the last by one
-   STRIDES-th. The depth that it finds may be too small by one stride. Shorter
-   strides take more time. */
+/* The search for overlaps moves along each edge in strides. The first stride is
+   the greatest depth found so far (at first the largest overlap that is
+   allowed) divided by KERN_STRIDES. Each stride is longer than the one before
+   by the factor 1 + 1 / KERN_STRIDES. The depth that the search finds may be
+   too small by one stride. Shorter strides take more time. */
 #define KERN_STRIDES 32
-/* Most triangles of one size that are tried to find an inner point of a
-   block. */
+/* Search for overlaps: most triangles in one pass whose centroids are tried as
+   inner points of a block. In each pass the indices of a triangle's vertices
+   have another distance. */
 #define KERN_TRIANGLES 32
-/* Steps of a search for contacts in one unit of work. A step is at most 80
-   instructions. */
+/* Number of steps of a search for contacts that count as one unit of work. A
+   step takes at most 80 instructions. */
 #define KERN_SEARCH_UNIT 24
-/* Steps of that search for two edges that are close to each other. */
+/* Number of steps that the search for contacts charges for each pair of edges
+   that are close to each other. */
 #define KERN_SEARCH_NEAR 8
-/* Two vertices count as equally far from an edge if their squared distances
-   differ by less than this share. On a grid of pixels many vertices are equally
-   far except for rounding. */
+/* Simplified outlines: two vertices count as equally far from an edge if their
+   squared distances differ by less than this share. On a grid of pixels many
+   vertices are equally far except for rounding. */
 #define KERN_EQUALLY_FAR KERN_PICK(1e-6, 1e-5)
-/* Most halvings of the tolerance of a simplified outline while its edges cross.
-   After them the tolerance is 0. */
+/* Simplified outlines: number of tolerances that are tried before the tolerance
+   0. Each is half of the one before, and is tried because edges of the last
+   result cross. */
 #define KERN_HALVINGS 8
 
 /* ---- coming to rest ---- */
 
-/* Most motions of a stone on its way to rest, and most touches that are stored
-   at a time. Only stones that roll take more than 64 motions. */
+/* MOTIONS: largest number of motions of a stone on its way to rest. Only stones
+   that roll take more motions. TOUCHES: largest number of touches that are
+   stored at a time. */
 #define KERN_REST_MOTIONS 64
 #define KERN_REST_TOUCHES 24
-/* Largest distance between outlines that touch, as a share of the stone's size.
-   Length by which an edge is extended at its ends, as a share of that
-   distance. */
+/* TOUCH: largest distance between two outlines that counts as a touch, as a
+   share of the stone's size. END: length by which an edge is extended at each
+   end, as a share of the largest distance of a touch. */
 #define KERN_REST_TOUCH KERN_PICK(1e-7, 1e-4)
 #define KERN_REST_END KERN_R(0.01)
-/* Sine of the largest angle that counts as 0: between a motion and an edge,
-   between a motion and a touch that it passes, and between a motion and the
+/* Sine of the largest angle that counts as 0, between a motion and one of
+   these: an edge that lies ahead, an edge that the stone touches, the
    horizontal. */
 #define KERN_REST_LEVEL KERN_PICK(1e-10, 1e-5)
 /* Tangent of half the largest turn of one motion. With smaller turns the stone
-   finds better places, and one motion meets fewer edges. */
+   comes to rest at better places, and each motion meets fewer edges. */
 #define KERN_REST_TURN KERN_R(0.25)
-/* Least friction for a turn on which the stone slides at two touches. With no
-   friction the stone would only graze both touches, and rounding could block
-   the turn. With little friction the stone creeps: a turn ends when both
-   touches are open by that share. */
+/* Least friction for a turn while the stone slides at two touches. When such a
+   turn begins, both touches open at the angle of friction. Without friction the
+   touches would not open, and rounding could block the turn. With less friction
+   than this value the stone creeps, since each turn soon closes a touch
+   again. */
 #define KERN_REST_SLIP KERN_R(0.01)
-/* kern_place_compare(): least chance that counts as staying; largest difference
-   of equal margins, as a share; and factor that rounds a number to 13 bits
-   (Dekker's split). */
+/* kern_place_compare(). STAYS: least chance of staying that counts as equal to
+   1. SAME: largest difference between a margin and the margin without the stone
+   that counts as 0, as a share of the latter. SPLIT: factor that rounds a
+   number to 13 bits (Dekker's split). */
 #define KERN_PLACE_STAYS KERN_R(0.9)
 #define KERN_PLACE_SAME KERN_PICK(1e-4, 1e-3)
 #define KERN_PLACE_SPLIT KERN_PICK(1099511627777.0, 2049)
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
-/* Vertices are in the caller's order. The order may be clockwise, and the area
-   is then negative. A vertex that turns by less than KERN_TURN_LEAST is no
-   corner. */
+/* The vertices of a polygon are in the caller's order. If this order is
+   clockwise, the area is negative. A vertex at which the outline turns by less
+   than KERN_TURN_LEAST is no corner. */
 
 /* Returns the vertex after i in the caller's order. */
 static int kern_polygon_next(const kern_block *block, int i)
@@ -9852,8 +9923,9 @@ static int kern_polygon_previous(const kern_block *block, int i)
     return (i > 0 ? i : block->vertices) - 1;
 }
 
-/* Returns the kind of vertex i: 1 convex, -1 reflex, 0 hardly turning, -2 a
-   spike or a repeated vertex. */
+/* Returns the kind of vertex i: 1 if it is convex, -1 if it is reflex, 0 if the
+   outline hardly turns there, and -2 if it is a spike or repeats its
+   neighbour. */
 static inline int kern_polygon_turn(const kern_block *block, int i)
 {
     const kern_vec *v = block->vertex;
@@ -9871,8 +9943,8 @@ static inline int kern_polygon_turn(const kern_block *block, int i)
     return (turn > 0) == (block->area >= 0) ? 1 : -1;
 }
 
-/* Returns 1 if two boxes are no farther apart than the gap. If the gap is
-   negative, they must overlap by its magnitude. */
+/* Returns 1 if two boxes are no farther apart than the gap, in x and in y. For
+   a negative gap, returns 1 if they overlap by at least its magnitude. */
 static int kern_boxes_meet(const kern_box *a, const kern_box *b, kern_real gap)
 {
     return b->low.y - gap <= a->high.y && a->low.y - gap <= b->high.y
@@ -9887,18 +9959,23 @@ static kern_real kern_box_largest(const kern_box *box)
 
 /* ---- outlines ---- */
 
-/* A block's outline, divided into runs of `run_vertices` vertices. Each run has
-   a box around the edges that start in it, from corner to corner. A short
-   outline is a single run. */
+/* A block's outline, divided into runs of `run_vertices` vertices. The box of a
+   run contains the edges that start at its vertices; an edge goes from one
+   corner to the next. An outline of at most KERN_RUNS vertices is a single
+   run. */
 typedef struct kern_outline {
     const kern_block *block;
-    int straight, reflex; /* nonzero: has straight, reflex vertices  */
-    int run_vertices;     /* number of vertices of a run             */
-    int visits;           /* vertices and runs read, not charged yet */
+    int straight, reflex; /* straight: nonzero if the outline hardly turns at
+                             some vertex. reflex: nonzero if some vertex is
+                             reflex or a spike                             */
+    int run_vertices;     /* number of vertices of a run                   */
+    int visits;           /* number of vertices and runs that were read, but
+                             are not charged yet                           */
     kern_box box[KERN_RUNS];
 } kern_outline;
 
-/* Returns the corner after vertex i. A closed outline always has corners. */
+/* Returns the first corner after vertex i in the caller's order. A closed
+   outline always has corners. */
 static int kern_outline_corner(const kern_outline *o, int i)
 {
     do
@@ -9907,8 +9984,8 @@ static int kern_outline_corner(const kern_outline *o, int i)
     return i;
 }
 
-/* Finds the kinds of vertices of a block's outline, and the boxes of its
-   runs. */
+/* Finds which kinds of vertices a block's outline has, and sets the boxes of
+   its runs. */
 static void kern_outline_set(kern_outline *o, const kern_block *block)
 {
     const int n = block->vertices;
@@ -9936,18 +10013,19 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
 
 /* ---- edges ---- */
 
-/* The segment from one corner to another, counter-clockwise: an edge or a
-   chord. */
+/* The segment from one corner of a block to another: an edge or a chord. It
+   runs counter-clockwise, so the block is on the left of an edge. */
 typedef struct kern_edge {
-    int corner;       /* index of first corner, caller's order */
-    int start, end;   /* indices of corners, counter-clockwise */
-    kern_vec p, q, d; /* places of start, end; unit direction  */
+    int corner;       /* index of the corner that is first in the caller's
+                         order                                            */
+    int start, end;   /* indices of the corners, counter-clockwise        */
+    kern_vec p, q, d; /* places of start and end; unit direction          */
     kern_real length;
-    kern_box box; /* box of an edge; not set for a chord */
+    kern_box box; /* box around the edge; kern_edge_set() does not set it */
 } kern_edge;
 
-/* Makes an edge from `corner` to `next`, which follows in the caller's
-   order. */
+/* Sets *e to the edge from vertex `corner` to vertex `next`, which follows in
+   the caller's order. */
 static inline void kern_edge_set(kern_edge *e, const kern_block *block,
                                  int corner, int next)
 {
@@ -9961,16 +10039,16 @@ static inline void kern_edge_set(kern_edge *e, const kern_block *block,
     e->d = kern_vec_scale(e->d, 1 / e->length);
 }
 
-/* Returns the distance along the line of e from the start of e to the foot of
-   p. */
+/* Returns the signed distance, along the line of e, from the start of e to the
+   foot of the perpendicular from p. */
 static kern_real kern_edge_foot(const kern_edge *e, kern_vec p)
 {
     return kern_vec_dot(kern_vec_sub(p, e->p), e->d);
 }
 
-/* Finds the next edge of the outline within the gap of the box, beginning after
-   vertex e->corner. Set e->corner to -1 for the first call. Returns 0 if there
-   is no such edge. */
+/* Finds the next edge of the outline whose own box is within the gap of `box`.
+   Begins after vertex e->corner; for the first call set e->corner to -1.
+   Returns 0 if there is no such edge. */
 static int kern_edge_next(kern_edge *e, kern_outline *o, const kern_box *box,
                           kern_real gap)
 {
@@ -9995,8 +10073,8 @@ static int kern_edge_next(kern_edge *e, kern_outline *o, const kern_box *box,
 
 /* ---- places ---- */
 
-/* Returns the squared distance of the origin from the edge u v, which may be a
-   point. */
+/* Returns the squared distance of the origin from the segment u v, which may be
+   a point. */
 static kern_real kern_edge_square(kern_vec u, kern_vec v)
 {
     const kern_vec d = kern_vec_sub(v, u);
@@ -10008,9 +10086,9 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
     return kern_vec_dot(r, r);
 }
 
-/* Returns the distance of p from the boundary, negative if p is outside. Writes
-   the first vertex of the nearest edge to *nearest. To save time, set *nearest
-   to a guess of that vertex. */
+/* Returns the distance of p from the boundary of the block, negative if p is
+   outside. Writes the first vertex of the nearest edge to *nearest. On entry
+   *nearest must be the index of any vertex; a good guess saves time. */
 static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
 {
     const kern_block *block = o->block;
@@ -10023,19 +10101,20 @@ static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
 
     u = kern_vec_sub(vertex[0], p);
     for (start = 0; start < n; start = end) {
-        /* skips a run farther away than the nearest edge so far: only its two
-           ends decide whether it crosses the level of p */
+        /* Skips a run that is farther away than the nearest edge so far. The
+           two ends of such a run decide whether it crosses the level of p an
+           odd number of times. */
         const kern_box *box = &o->box[start / o->run_vertices];
         const kern_real x = kern_min(kern_max(p.x, box->low.x), box->high.x);
         const kern_real y = kern_min(kern_max(p.y, box->low.y), box->high.y);
         const kern_vec way = kern_vec_sub(p, kern_vec_make(x, y));
-        const int skip = /* farther despite rounding */
+        const int skip = /* 0.999 allows for rounding */
             KERN_R(0.999) * kern_vec_dot(way, way) > closest;
         end = n - start > o->run_vertices ? start + o->run_vertices : n;
         o->visits += 1 + (skip ? 0 : end - start);
 
-        /* p is inside if edges to its right cross its level an odd number of
-           times */
+        /* p is inside if the outline to the right of p crosses the level of p
+           an odd number of times. */
         for (i = skip ? end - 1 : start; i < end; i++) {
             const kern_vec v = kern_vec_sub(vertex[kern_polygon_next(block, i)],
                                             p);
@@ -10055,8 +10134,8 @@ static kern_real kern_polygon_depth(kern_outline *o, kern_vec p, int *nearest)
     return inside ? closest : -closest;
 }
 
-/* Returns 1 if f lies on one side of the line of e. Does not use e->d, since
-   rounding changes its direction. */
+/* Returns 1 if f lies on one side of the line of e and does not touch this
+   line. Does not use e->d, since rounding changes its direction. */
 static int kern_one_side(const kern_edge *e, const kern_edge *f)
 {
     const kern_vec d = kern_vec_sub(e->q, e->p);
@@ -10067,10 +10146,11 @@ static int kern_one_side(const kern_edge *e, const kern_edge *f)
 
 /* ---- what a polygon must be ---- */
 
-/* Returns the first edge that turns back or touches an edge that is not its
-   neighbour, or -1 if there is none. A convex polygon, which turns only one way
-   and has one lowest vertex, needs no search. Edges whose boxes meet touch
-   unless one of them lies on one side of the line of the other. */
+/* Returns the first vertex of the first edge that turns back on its predecessor
+   or touches an edge that is not its neighbour. Returns -1 if there is no such
+   edge. Two edges whose boxes meet touch each other, unless one of them lies on
+   one side of the line of the other. An outline that turns only one way and has
+   only one local minimum of height is convex and needs no search. */
 static int kern_polygon_crossing(const kern_block *block)
 {
     const kern_vec *v = block->vertex;
@@ -10083,7 +10163,7 @@ static int kern_polygon_crossing(const kern_block *block)
     kern_outline_set(&o, block);
     if (!o.reflex && lowest < 2)
         return -1;
-    o.straight = 0; /* edges from vertex to vertex, which cost less */
+    o.straight = 0; /* edges then go from vertex to vertex: faster */
     e.corner = -1;
     while (kern_edge_next(&e, &o, &block->box, 0)) {
         int touch = kern_polygon_turn(block, e.corner) == -2;
@@ -10097,14 +10177,14 @@ static int kern_polygon_crossing(const kern_block *block)
     return -1;
 }
 
-/* Writes area, centre and box of a block. Sums over the triangles between
-   vertex 0 and the edges, so that no digits are lost far from the origin.
-   Returns the sum of the unsigned areas of the triangles. */
+/* Writes the area, centre and box of a block. Sums over the triangles between
+   vertex 0 and the edges, so that a polygon far from the origin loses no
+   digits. Returns the sum of the unsigned areas of the triangles. */
 static inline kern_real kern_polygon_area(kern_block *block)
 {
     const kern_vec o = block->vertex[0];
     kern_vec u = kern_vec_make(KERN_R(0), KERN_R(0));
-    kern_vec moment = u; /* about vertex 0 */
+    kern_vec moment = u; /* first moment of area about vertex 0 */
     kern_real spread = KERN_R(0);
     int i;
     block->area = KERN_R(0);
@@ -10122,8 +10202,8 @@ static inline kern_real kern_polygon_area(kern_block *block)
     return spread;
 }
 
-/* Writes area, centre and box of a block. Returns KERN_OK or the fault of the
-   polygon. */
+/* Writes the area, centre and box of a block. Returns KERN_OK, or a status that
+   names the fault of the polygon. */
 static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 {
     kern_real spread, area_min;
@@ -10134,15 +10214,16 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     area_min = 2 * KERN_ROUNDING * kern_box_largest(&block->box)
              * kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
     area_min = kern_max(area_min, 1 / (KERN_FAR * KERN_FAR));
-    /* with a smaller spread all vertices are on one line */
+    /* If `spread` is not above area_min, all vertices are on one line, and the
+       polygon has no area. */
     fault->index = spread > area_min ? kern_polygon_crossing(block) : -1;
     return fault->index >= 0                ? KERN_CROSSING
          : kern_abs(block->area) > area_min ? KERN_OK
                                             : KERN_NO_AREA;
 }
 
-/* Checks an array of n vertices, except for its contents. Returns KERN_OK or
-   its fault. */
+/* Checks the pointer and the length of an array of n vertices, but not its
+   contents. Returns KERN_OK, or a status that names the fault. */
 KERN_SHARED static kern_status kern_vertices_check(const kern_vec *v, int n)
 {
     return n < 0 || n > KERN_POINTS_MOST ? KERN_BAD_COUNT
@@ -10160,7 +10241,8 @@ static kern_block kern_ground_of(const kern_vec *vertex, int vertices)
     return made;
 }
 
-/* Marks the block so that every call refuses it if the polygon has a fault. */
+/* If the polygon has a fault, marks the block so that every other call refuses
+   it. */
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
                                       int vertices, kern_fault *fault)
 {
@@ -10217,11 +10299,11 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
 
 /* ---- simplified outlines ---- */
 
-/* Returns the vertex farthest from the segment p q, of those after `start` and
-   up to `end`, or -1 if none is farther away than the tolerance. If start
-   equals end, searches all vertices. Of vertices that are equally far it
-   returns the lowest, and of these the leftmost, so that the result does not
-   depend on where the outline begins. */
+/* Returns the vertex that is farthest from the segment p q, among the vertices
+   after `start` and up to `end`. Returns -1 if none is farther away than the
+   tolerance. If start equals end, searches all vertices. Of vertices that are
+   equally far it returns the lowest, and of these the leftmost, so that the
+   result does not depend on where the outline begins. */
 KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
                                              int end, kern_vec p, kern_vec q,
                                              kern_real tolerance)
@@ -10246,11 +10328,13 @@ KERN_SHARED static int kern_outline_farthest(const kern_block *block, int start,
     return found;
 }
 
-/* Writes to out[0..room) the vertices that stay, and their indices to kept.
-   Returns the number of these vertices, KERN_NO_SPACE, or KERN_NO_AREA if all
-   vertices are at one place. Vertices that stay but come after `end` wait at
-   the end of `kept`, the next one first. There is room for them, since all of
-   them will be written. */
+/* Writes to out[0..room) the vertices that stay in the simplified outline, and
+   their indices to `kept`. Returns the number of these vertices, KERN_NO_SPACE,
+   or KERN_NO_AREA if all vertices are at one place.
+   Some vertices are found to stay before the vertices in front of them are
+   finished. Their indices wait at the end of `kept`, and the one that is needed
+   next is the first of these. Since each of them is written later, `room` is
+   too small if the written and the waiting indices meet. */
 static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
                                kern_vec *out, int *kept, int room)
 {
@@ -10265,14 +10349,14 @@ static int kern_outline_reduce(const kern_block *block, kern_real tolerance,
         const int split = kern_outline_farthest(block, corner, end, v[corner],
                                                 v[end], tolerance);
 
-        /* an edge from `corner` to `end` would leave out a vertex that is too
-           far away */
+        /* Divides the edge from `corner` to `end` if it would leave out a
+           vertex that is too far away. This vertex stays, and becomes `end`. */
         if (split >= 0) {
             kept[--waiting] = split;
             continue;
         }
 
-        /* otherwise vertex `corner` stays, and the next edge begins at `end` */
+        /* Otherwise writes `corner`. The next edge begins at `end`. */
         kept[count] = corner;
         out[count++] = v[corner];
         if (waiting++ == room)
@@ -10286,7 +10370,8 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
                                    kern_real tolerance, kern_vec *out,
                                    int *kept, int room)
 {
-    kern_block raw = kern_ground_of(vertex, vertices); /* may cross itself */
+    /* The outline as it is given may cross itself. */
+    kern_block raw = kern_ground_of(vertex, vertices);
     kern_block made;
     kern_status status = kern_vertices_check(vertex, vertices);
     int tries, count;
@@ -10301,7 +10386,8 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
         || kern_box_largest(&raw.box) > KERN_FAR)
         return (int)KERN_BAD_NUMBER;
 
-    /* halves the tolerance while the edges cross or enclose no area */
+    /* Halves the tolerance as long as the simplified edges cross or enclose no
+       area. */
     for (tries = KERN_HALVINGS; tries >= 0; tries--, tolerance /= 2) {
         count = kern_outline_reduce(&raw, tries ? tolerance : KERN_R(0), out,
                                     kept, room);
@@ -10316,50 +10402,54 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
 
 /* ---- Contacts ------------------------------------------------- >>contact */
 /*      line               point              corner in a corner
-        ___________             \  b  /         | b
-       |     b     |             \   /          |____
-    ___o___________o___      _____\ /_____        a  |  two normals
-       |     a         |       a   o              ___|  at one place
+          ___________             \  b  /         | b
+         |     b     |             \   /          |____
+      ___o___________o___      _____\ /_____        a  |  two normals
+         |     a         |       a   o              ___|  at one place
 
-   kern_search_pair() takes these steps for each pair of blocks whose boxes are
-   within the gap, by >>rules:
-   1. Overlap: the search fails (kern_overlap_depth()).
+   For each pair of blocks whose boxes are within the gap, kern_search_pair()
+   takes these steps, by the rules in >>rules:
+   1. Overlap: a pair that overlaps too deeply ends the search for contacts
+      (kern_overlap_depth()).
    2. Edges make lines (kern_pair_line()) and points (kern_pair_point()).
    3. Faces: contacts on one line are merged (kern_pair_face()).
-   4. Travels: kern_point_travels().
-   At the end each line becomes two contact points. */
+   4. Travels of points are set (kern_point_travels()).
+   At the end of the search each line becomes two contact points. */
 
 /* ---- the pair ---- */
 
-/* Two blocks, their tolerances, and the contacts of all pairs so far in the
-   caller's array. In that array a line is still one contact, whose p is its
-   middle and whose travel is half its length. */
+/* Two blocks, their tolerances, and the caller's array with the contacts of all
+   pairs so far. During the search a line is a single contact in that array: its
+   p is the middle of the line, and its travel is half the length of the
+   line. */
 typedef struct kern_pair {
-    int a, b;              /* indices of the blocks, a before b             */
-    kern_real gap;         /* widest gap [m], without errors of angle       */
-    kern_real swing;       /* gap per distance from errors of angle [1]     */
+    int a, b;              /* indices of the blocks, a < b                  */
+    kern_real gap;         /* widest gap [m] without errors of angle        */
+    kern_real swing;       /* gap that errors of angle cause, per distance
+                              from the centre of a block [1]                */
     kern_real overlap_max; /* deepest overlap that is a contact [m]         */
-    kern_real reach;       /* bound of all gaps and overlaps [m]            */
+    kern_real reach;       /* upper bound of all gaps and overlaps [m]      */
     kern_real length_min;  /* least length of a line [m]                    */
-    kern_real inset;       /* least distance of a foot from an edge's ends
-                              [m]                                           */
-    kern_real sure_inset;  /* the same distance from errors of place, and
+    kern_real inset;       /* least distance of a corner's foot from the ends
+                              of an edge [m], against rounding              */
+    kern_real sure_inset;  /* added to inset for errors of place [m]; also a
                               least length of a line; below 0: the foot may
-                              be beyond the ends                            */
-    kern_real hollow;      /* widest hollow of a face [m]                   */
+                              be beyond an end                              */
+    kern_real hollow;      /* widest hollow inside a face [m]               */
     kern_real sine;        /* sine of options->angle                        */
     const kern_options *options;
     kern_work *work;
-    int steps; /* steps since the last unit of work */
+    int steps; /* number of steps since the last charged unit of work */
     kern_contact *out;
-    int room, count;         /* if count exceeds room, no more is stored */
-    int first_contact;       /* first contact of this pair               */
-    kern_outline outline[2]; /* a and b                                  */
+    int room, count;         /* length of `out`; number of contacts found,
+                                of which only the first `room` are stored */
+    int first_contact;       /* index of the first contact of this pair   */
+    kern_outline outline[2]; /* outlines of blocks a and b                */
 } kern_pair;
 
-/* Charges steps before a search takes them, and the vertices that it has read.
-   Returns 0 once the work exceeds the limit, and then every loop of the search
-   ends. */
+/* Charges the steps that a search is about to take, and the vertices that it
+   has read since the last call. Returns 0 if the work exceeds the limit. All
+   later calls then return 0, too, so that every loop of the search ends. */
 static int kern_pair_spend(kern_pair *pair, int steps)
 {
     pair->steps += steps + pair->outline[0].visits + pair->outline[1].visits;
@@ -10372,13 +10462,15 @@ static int kern_pair_spend(kern_pair *pair, int steps)
 }
 
 /* ---- overlap ---- */
-/* The search moves along the edges of one block. A step changes the depth
-   inside the other block by at most the length of the step, so each depth gives
-   a safe step. */
+/* The search moves along the edges of one block and computes the depth of
+   points inside the other block. Between two points this depth changes by at
+   most their distance. So the search can step over all points that cannot be
+   deeper than the deepest one so far. */
 
-/* Returns the largest distance of the vertices of b from the line of edge e, to
-   its left (side 1) or right (side -1). Stops at the first vertex farther away
-   than `limit`, and returns the distance of that vertex. */
+/* Returns the largest signed distance of the vertices of b from the line of
+   edge e. Distances are positive to the left of e (side = 1) or to the right
+   (side = -1). Stops at the first vertex that is farther away than `limit`, and
+   returns the distance of that vertex. */
 static kern_real kern_overlap_side(kern_pair *pair, const kern_edge *e,
                                    const kern_block *b, kern_real side,
                                    kern_real limit)
@@ -10393,8 +10485,9 @@ static kern_real kern_overlap_side(kern_pair *pair, const kern_edge *e,
     return reach;
 }
 
-/* Returns the distance of the nearer end of f from the line of e. Returns a
-   negative number if both ends are on the same side of that line. */
+/* Returns the distance of the nearer end of f from the line of e if f crosses
+   this line. Returns a negative number if both ends of f are on the same side
+   of the line. */
 static kern_real kern_edge_crossing(const kern_edge *e, const kern_edge *f)
 {
     const kern_real p = kern_vec_cross(e->d, kern_vec_sub(f->p, e->p));
@@ -10402,11 +10495,12 @@ static kern_real kern_edge_crossing(const kern_edge *e, const kern_edge *f)
     return kern_max(kern_min(p, -q), kern_min(-p, q));
 }
 
-/* Raises *deepest to the depth of the boundary of block a (side = 0) or b (1)
-   inside the other block. Where edges cross, as in thin blocks, raises *deepest
-   to the shortest motion after which they do not. The true depth may be larger
-   by a stride. Stops at a depth above `limit`. Strides grow from step to step,
-   since a gap close to rounding would take too many. */
+/* Raises *deepest to the greatest depth of the boundary of block a (side = 0)
+   or b (side = 1) inside the other block. Two edges that cross, as those of
+   thin blocks, also raise *deepest: to the shortest motion after which they no
+   longer cross. The true depth may be larger by one stride. Stops when *deepest
+   is above `limit`. Strides grow from step to step, since equal strides would
+   be too many if the gap is close to rounding. */
 static void kern_overlap_boundary(kern_pair *pair, int side, kern_real limit,
                                   kern_real *deepest)
 {
@@ -10427,8 +10521,8 @@ static void kern_overlap_boundary(kern_pair *pair, int side, kern_real limit,
             *deepest = kern_max(*deepest, depth);
             if (*deepest > limit)
                 return;
-            /* steps as far as the depth under the nearest edge stays below
-               *deepest */
+            /* Steps as far as the points stay within *deepest of the nearest
+               edge, so that none of them can be deeper. */
             kern_edge_set(&f, b->block, nearest,
                           kern_polygon_next(b->block, nearest));
             low = KERN_R(0);
@@ -10445,10 +10539,13 @@ static void kern_overlap_boundary(kern_pair *pair, int side, kern_real limit,
     }
 }
 
-/* Raises *deepest to the depth of inner points of block a (side = 0) or b (1)
-   inside the other block. The points are centroids of triangles of vertices,
-   first of vertices far apart. If no boundary is deep, one inner point is
-   enough: all points around it have the same result. */
+/* Raises *deepest to the depth of inner points of block a (side = 0) or b (side
+   = 1) inside the other block. The points are centroids of triangles of
+   vertices, at first of vertices far apart. A point whose depth inside its own
+   block is more than twice *deepest ends the search. The boundary of the other
+   block is nowhere deeper than *deepest, so it passes no closer to that point
+   than *deepest, and the points around are all inside the other block or all
+   outside. */
 static void kern_overlap_middles(kern_pair *pair, int side, kern_real *deepest)
 {
     kern_outline *a = &pair->outline[side], *b = &pair->outline[!side];
@@ -10472,10 +10569,11 @@ static void kern_overlap_middles(kern_pair *pair, int side, kern_real *deepest)
         }
 }
 
-/* Returns the shortest motion that separates a convex pair: the least distance
-   that one block reaches beyond an edge of the other. If the line of an edge
-   separates the pair, convex or not, the result is at most pair->overlap_max /
-   2. */
+/* Returns the length of the shortest motion that separates two convex blocks.
+   It is the least distance, over all edges of both blocks, by which the other
+   block reaches over the line of an edge to its inner side. If the line of some
+   edge separates the blocks, convex or not, the result is at most
+   pair->overlap_max / 2. */
 static kern_real kern_overlap_parting(kern_pair *pair)
 {
     const kern_real limit = pair->overlap_max / 2;
@@ -10500,11 +10598,13 @@ static kern_real kern_overlap_parting(kern_pair *pair)
     return parting;
 }
 
-/* Returns the depth of the pair's overlap, or 0 if it is no deeper than a
-   contact may be. May stop at any depth above `limit`. The result may be too
-   small by one stride. For convex blocks that are too thin to be so deep, the
-   result is the shortest motion that separates them. Two equal blocks at one
-   place have no boundary inside each other, but inner points. */
+/* Returns the depth of the pair's overlap, or 0 if the overlap is shallow
+   enough for a contact. The search may stop at a depth above `limit`, and the
+   result is then this depth. The result may be too small by one stride. If two
+   convex blocks are so thin that no point is too deep, the result is the length
+   of the shortest motion that separates them. Inner points are needed for two
+   equal blocks at one place, since neither boundary is inside the other
+   block. */
 KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
                                                 kern_real limit)
 {
@@ -10518,7 +10618,8 @@ KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
     if (parting <= gap / 2 || !kern_pair_spend(pair, 0))
         return KERN_R(0);
 
-    /* finds the depth of points, or the motion that separates convex blocks */
+    /* Finds how deep points of each block lie inside the other. If no point is
+       too deep, takes the motion that separates convex blocks. */
     for (i = 0; i < 2 && !(deepest > limit); i++)
         kern_overlap_boundary(pair, i, limit, &deepest);
     for (i = 0; i < 2 && !(deepest > gap); i++)
@@ -10531,14 +10632,17 @@ KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
 
 /* ---- lines ---- */
 
-/* Returns one end of a line: side is -1 or 1. */
+/* Returns the end of a line on the side of t (side = 1) or of -t (side =
+   -1). */
 static kern_vec kern_line_end(const kern_contact *line, kern_real side)
 {
     return kern_vec_step(line->p, side * line->travel, kern_vec_turn(line->n));
 }
 
-/* Inserts a contact after those that are at least as long. If there is no room,
-   only counts it. */
+/* Adds a contact of length 2 * half, or a point if half is 0, to the contacts
+   of the pair. These are in order of length: the contact is inserted after
+   those that are at least as long. If there is no room, only counts the
+   contact. */
 static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
                           kern_real half)
 {
@@ -10554,7 +10658,7 @@ static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
     pair->steps += (pair->count - i) / 4;
 }
 
-/* Returns 1 if two edges are antiparallel within the angle. */
+/* Returns 1 if two edges are antiparallel within options->angle. */
 static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
                              const kern_edge *f)
 {
@@ -10564,8 +10668,8 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
 
 /* ---- lines and points ---- */
 
-/* Returns the widest gap at p. The effect of errors of angle grows with the
-   distance from the blocks' centres. */
+/* Returns the widest gap that counts as a contact at p. With errors of angle
+   the gap is wider, the farther p is from the centres of the blocks. */
 static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 {
     const kern_vec u = kern_vec_sub(p, pair->outline[0].block->centre);
@@ -10577,9 +10681,11 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
                                * (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
 }
 
-/* Returns 1 if the middle p of an overlap is inside both blocks, give or take
-   `slack`. p is outside where one block has passed through a thin part of the
-   other. `gap` is negative for an overlap, otherwise the result is 1. */
+/* Returns 1 if the middle p of an overlap lies inside each of the two blocks,
+   at a depth of at least KERN_THIN times the overlap, give or take `slack`. The
+   middle lies outside if one block has passed through a thin part of the other.
+   `gap` is minus the overlap. Always returns 1 if `gap` is not negative, or if
+   the options allow no overlap deeper than the gap. */
 static int kern_pair_inside(kern_pair *pair, kern_vec p, kern_real gap,
                             kern_real slack)
 {
@@ -10590,51 +10696,60 @@ static int kern_pair_inside(kern_pair *pair, kern_vec p, kern_real gap,
                >= -KERN_THIN * gap - slack;
 }
 
-/* Adds the line contact of two edges, one of each block, where they are
-   antiparallel and close to each other. In the frame of their mean tangent t
-   and normal n both edges are heights over the coordinate s. e rises at the
-   slope at which f falls, so the gap changes at twice that slope. */
+/* Adds the line contact of two edges, one of each block, if they are
+   antiparallel and close to each other. Let t and n be the mean tangent and the
+   mean normal of the edges, and s the coordinate along t. Plotted over s, the
+   two edges have opposite slopes, so the gap between them changes at twice this
+   slope. */
 static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 {
     const kern_edge *e = edge, *f = edge + 1;
-    const kern_vec r = kern_vec_sub(f->q, e->p); /* small: less rounding */
+    /* Places are relative to the start of e, so that rounding is small. */
+    const kern_vec r = kern_vec_sub(f->q, e->p);
     kern_real start, cosine, slope, low, high, gap, gap_max, length_min;
     kern_vec t, n, p;
     if (!kern_pair_opposed(pair, e, f))
         return;
 
-    /* finds the range of s that both edges cover; s is 0 at the start of e */
+    /* Finds the range of s that both edges cover. The start of e is at s =
+       0. */
     t = kern_vec_unit(kern_vec_sub(e->d, f->d));
-    n = kern_vec_scale(kern_vec_turn(t), -1); /* outward */
-    cosine = kern_vec_dot(e->d, t);           /* that of f is the opposite */
+    n = kern_vec_scale(kern_vec_turn(t), -1); /* points out of block a */
+    cosine = kern_vec_dot(e->d, t);           /* -cosine for f */
     slope = kern_vec_dot(e->d, n) / cosine;
     start = kern_vec_dot(r, t);
     low = kern_max(KERN_R(0), start);
     high = kern_min(e->length * cosine, start + f->length * cosine);
 
-    /* clips the range to where the gap is small enough */
-    gap = kern_vec_dot(r, n) + slope * start; /* at s = 0 */
+    /* Clips the range to where the gap is small enough. Takes the widest gap at
+       the middle of the range, midway between the edges, so that it is the same
+       if the edges are exchanged. */
+    gap = kern_vec_dot(r, n) + slope * start; /* gap at s = 0 */
     p = kern_vec_step(kern_vec_step(e->p, (low + high) / 2, t), gap / 2, n);
-    gap_max = kern_pair_gap(pair, p); /* midway, the same from either edge */
+    gap_max = kern_pair_gap(pair, p);
     kern_clip(&low, &high, gap, -2 * slope,
               -kern_max(gap_max, pair->overlap_max), gap_max);
 
-    /* adds the contact midway between the edges; short edges that match are a
-       contact, too */
+    /* Adds the contact midway between the edges if it is long enough. The least
+       length is smaller for short edges, so that two short edges that match
+       make a contact, too. An overlap counts only up to the length of the
+       contact. */
     length_min = kern_min(pair->length_min, kern_max(e->length, f->length) / 2);
     if (!(high - low
           > kern_max(length_min, kern_max(pair->inset, pair->sure_inset))))
         return;
     p = kern_vec_step(kern_vec_step(e->p, (low + high) / 2, t), gap / 2, n);
-    gap = kern_max(gap - slope * (low + high), low - high); /* there */
+    gap = kern_max(gap - slope * (low + high), low - high); /* gap at p */
     if (kern_pair_inside(pair, p, gap, pair->length_min))
         kern_pair_put(pair, p, n, (high - low) / 2);
 }
 
-/* Returns 1 if the foot of the corner at p is inside edge e. Also returns 1 if
-   e ends there in a reflex corner, and the edges of the corner, along `prev_d`
-   and `next_d`, lead away from both edges of the reflex corner. e belongs to
-   block a (side = 0) or b (1). */
+/* Returns 1 if edge e of block a (side = 0) or b (side = 1) can hold a corner
+   of the other block at p. The foot of p on the line of e must be inside e. If
+   e ends within the gap of the foot in a reflex corner, the foot may also lie
+   beyond this end by up to the gap. The two edges of the corner at p, which
+   have the directions `prev_d` and `next_d` away from p, must then lead away
+   from the other edge of the reflex corner. */
 static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int side,
                            kern_vec p, kern_vec prev_d, kern_vec next_d)
 {
@@ -10659,10 +10774,11 @@ static int kern_pair_holds(const kern_pair *pair, const kern_edge *e, int side,
     return bears;
 }
 
-/* Adds the point contact of edge e with a corner of the other block. e is
-   edge[on], of block a (side = 0) or b (1). The corner is the start of the
-   other edge f, which leads away from e. The corner must be convex and within
-   the gap, its foot must be on e, and its other edge must lead away from e. */
+/* Adds the point contact of an edge e of block a (side = 0) or b (side = 1)
+   with a corner of the other block, if they touch. The corner is the start of
+   f, which is an edge of the other block. The caller has checked that f leads
+   away from e. The corner must be convex and within the gap of e, its foot must
+   be on e, and the edge before f must lead away from e, too. */
 static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int side)
 {
     const kern_edge *e = &edge[side], *f = &edge[!side];
@@ -10670,7 +10786,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int side)
     const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
     const kern_block *block = pair->outline[!side].block;
     kern_vec prev_d, p = f->p;
-    int corner; /* index of the corner before f */
+    int corner; /* index of the vertex before the start of f */
     if (high > gap_max || high < -kern_max(gap_max, pair->overlap_max))
         return;
     corner = block->area > 0 ? kern_polygon_previous(block, f->start)
@@ -10680,7 +10796,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int side)
         || kern_vec_cross(prev_d, e->d) < -pair->sine
         || !kern_pair_holds(pair, e, side, p, prev_d, f->d))
         return;
-    if (pair->overlap_max > pair->gap) /* midway, as for a line */
+    if (pair->overlap_max > pair->gap) /* midway between corner and edge */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
     if (kern_pair_inside(pair, p, high,
                          KERN_ERROR_EDGE * pair->options->pose_error))
@@ -10688,8 +10804,8 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int side)
                       kern_vec_scale(kern_vec_turn(e->d), side ? 1 : -1), 0);
 }
 
-/* Finds the lines and points of all pairs of edges that are close to each
-   other. */
+/* Adds the lines and points of all pairs of edges, one of each block, that are
+   close to each other. */
 static void kern_pair_edges(kern_pair *pair)
 {
     kern_outline *a = &pair->outline[0], *b = &pair->outline[1];
@@ -10711,29 +10827,32 @@ static void kern_pair_edges(kern_pair *pair)
 }
 
 /* ---- faces ---- */
-/* Contacts of a pair are in order of length, points last. The first contact
-   leads a face, and all contacts with its normal and on its line join the face.
-   A point is removed if its normal is about that of the face and it lies within
-   the gap of the contacts that have joined. The first of the remaining contacts
-   leads the next face. A stretch is a face without a hollow wider than the
-   gap. */
+/* The contacts of a pair are in order of length, points last. The first contact
+   is the lead of a face. All contacts that lie on the line of the lead and have
+   its normal, within the tolerances, join the face. A point is removed if its
+   normal differs by less than 10 degrees from that of a lead that is a line,
+   and if the point lies within the gap of the contacts that have joined. The
+   first of the remaining contacts is the lead of the next face. A stretch is a
+   face without a hollow that is wider than the gap. */
 
-/* Makes a face of contact i and all contacts that join it. */
+/* Merges contact i, the lead of a face, with all contacts that join this
+   face. */
 KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 {
     kern_contact *contact = pair->out;
     const kern_contact *const lead = &contact[i];
-    kern_vec low = lead->p, high = lead->p; /* outermost points of face     */
+    kern_vec low = lead->p, high = lead->p; /* outermost points of the face */
     kern_real low_place = KERN_R(0),
-              high_place = KERN_R(0);                   /* places of low, high
-                                                           along the face */
-    kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* of normals   */
+              high_place = KERN_R(0);                   /* places of low and
+                                                           high on the line */
+    kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* sum of normals */
     kern_real half;
     int k, rest = i + 1;
     KERN_ASSERT(i >= pair->first_contact && i < pair->count);
 
     for (k = i; k < pair->count; k++) { /* the lead itself comes first */
-        /* computes the place of the contact relative to the lead */
+        /* Computes the place and the angle of the contact relative to the lead,
+           and the hollow between it and the face. */
         const kern_contact *c = &contact[k];
         const kern_vec r = kern_vec_sub(c->p, lead->p);
         const kern_real cosine = kern_vec_dot(lead->n, c->n);
@@ -10745,12 +10864,13 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
                                                            : KERN_INFINITY;
         half = c->travel * cosine;
 
-        /* the line contact already covers this point */
+        /* Removes a point that the lead, which is a line, already covers. */
         if (lead->line && !c->line && cosine > 0 && sine < KERN_SAME_FACE
             && kern_max(offset, hollow) <= pair->gap)
             continue;
 
-        /* it belongs to another face */
+        /* Keeps a contact that does not join, since it belongs to another
+           face. */
         if (!(cosine > 0) || sine > pair->sine
             || kern_max(offset + c->travel * sine - pair->gap,
                         hollow - half - pair->hollow)
@@ -10759,7 +10879,8 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
             continue;
         }
 
-        /* it joins the face, whose ends are the outermost points */
+        /* Any other contact joins the face. The ends of the face are its
+           outermost points. */
         if (place - half < low_place) {
             low_place = place - half;
             low = kern_line_end(c, -1);
@@ -10771,7 +10892,8 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
         sum = kern_vec_step(sum, c->line ? 2 * c->travel : pair->gap, c->n);
     }
 
-    /* the lead becomes the face; a face that is too short is a point */
+    /* Replaces the lead by the face. A face that is too short to be a line
+       becomes a point. */
     pair->count = rest;
     contact[i].p = kern_vec_mid(low, high);
     contact[i].n = kern_vec_unit(sum);
@@ -10780,9 +10902,9 @@ KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
     contact[i].travel = contact[i].line ? half : KERN_R(0);
 }
 
-/* Makes faces of the contacts from the first one of the pair on. A contact that
-   joins a stretch may close the hollow to other contacts, so each stretch is
-   merged again until it does not change. */
+/* Merges the contacts from pair->first_contact on into faces. A contact that
+   joins a stretch may close the hollow between the stretch and other contacts.
+   So each stretch is merged again until no more contacts join it. */
 static void kern_pair_faces(kern_pair *pair)
 {
     int i, count;
@@ -10797,7 +10919,8 @@ static void kern_pair_faces(kern_pair *pair)
 /* ---- travels ---- */
 
 /* Returns the block that a contact carries if `gravity` is the direction of
-   gravity. Returns KERN_OUT if the normal is horizontal within rounding. */
+   gravity: the block that its normal force pushes up. Returns KERN_OUT if the
+   normal is horizontal within rounding. */
 KERN_SHARED static int kern_carried_block(const kern_contact *c,
                                           kern_vec gravity)
 {
@@ -10806,8 +10929,9 @@ KERN_SHARED static int kern_carried_block(const kern_contact *c,
     return push < -push_min ? c->b : push > push_min ? c->a : KERN_OUT;
 }
 
-/* Returns 1 if contacts c and d belong to one interface. If `gravity` is not
-   NULL, returns 1 if they carry the same block. */
+/* Returns 1 if contact d belongs to the group of contact c. If `gravity` is
+   NULL, the group is the interface: all single points between the same two
+   blocks. Otherwise the group is all contacts that carry the same block. */
 static int kern_same_group(const kern_contact *c, const kern_contact *d,
                            const kern_vec *gravity)
 {
@@ -10816,9 +10940,10 @@ static int kern_same_group(const kern_contact *c, const kern_contact *d,
                    : kern_same_interface(c, d);
 }
 
-/* Returns the middle of the two points that are farthest apart, among the
-   contacts in the same group as *member (kern_same_group()). Of pairs that are
-   equally far apart it takes the first by index. */
+/* Returns the middle of the two contact points that are farthest apart in the
+   group of *member (kern_same_group()). If several pairs are equally far apart,
+   the first pair by index counts. Charges the work to `pair`, unless it is
+   NULL. */
 static kern_vec kern_middle(const kern_contact *contact, int contacts,
                             const kern_contact *member, const kern_vec *gravity,
                             kern_pair *pair)
@@ -10842,10 +10967,12 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
     return middle;
 }
 
-/* Sets the travel of points: to the foot of the middle of their group. If
-   `gravity` is NULL, sets all points. Otherwise sets only points that are alone
-   in their interface and carry a block. Keeps the last middle, since successive
-   points usually share it. */
+/* Sets the travel of single points: the signed distance, along t of the point,
+   to the middle of its group (kern_middle()). If `gravity` is NULL, a group is
+   an interface, and all single points get a travel. Otherwise a group has all
+   contacts that carry the same block, and only points that are alone in their
+   interface and carry a block get a travel. Keeps the last middle, since
+   successive points usually share it. */
 static void kern_point_travels(kern_contact *contact, int contacts,
                                const kern_vec *gravity, kern_pair *pair)
 {
@@ -10867,7 +10994,7 @@ static void kern_point_travels(kern_contact *contact, int contacts,
             member = c;
             middle = kern_middle(contact, contacts, c, gravity, pair);
         }
-        c->travel = 0 /* turns -0 into 0 */
+        c->travel = 0 /* so that -0 becomes 0 */
                   + kern_vec_cross(c->n, kern_vec_sub(middle, c->p));
     }
 }
@@ -10875,34 +11002,39 @@ static void kern_point_travels(kern_contact *contact, int contacts,
 /* ---- the search ---- */
 
 typedef enum kern_search_kind {
-    KERN_SEARCH_CONTACTS,
-    KERN_SEARCH_OVERLAPS,
+    KERN_SEARCH_CONTACTS,  /* for kern_contacts() and kern_touch()          */
+    KERN_SEARCH_OVERLAPS,  /* pairs that overlap too deeply                 */
     KERN_SEARCH_EDGES,     /* contacts of edges and corners, not merged     */
-    KERN_SEARCH_STRETCHES, /* faces end at hollows wider than the gap       */
-    KERN_SEARCH_SURE       /* stretches of lines at least KERN_ERROR_SURE long,
-                              and of points as far inside their edge        */
+    KERN_SEARCH_STRETCHES, /* faces that end at hollows wider than the gap  */
+    KERN_SEARCH_SURE       /* stretches made only of lines at least
+                              KERN_ERROR_SURE long, and of points at least as
+                              far from the ends of their edge               */
 } kern_search_kind;
 
 typedef struct kern_search {
     const kern_block *block;
     int blocks;
-    int first_block; /* first block that is paired with earlier ones */
+    int first_block; /* first block that is paired with earlier blocks   */
     kern_fault *fault;
-    kern_real resolution;  /* places closer than this are the same [m]   */
+    kern_real resolution;  /* rounding of places [m]; no tolerance is
+                              smaller                                    */
     kern_real reach;       /* widest gap of any pair [m]                 */
-    kern_search_kind kind; /* decides whether pair.count counts overlaps */
+    kern_search_kind kind; /* what the search finds, and so what
+                              pair.count counts                          */
     kern_overlap *overlap;
     kern_pair pair;
 } kern_search;
 
-/* Returns half the diagonal of the block's box. */
+/* Returns half the length of the diagonal of the block's box. */
 static kern_real kern_box_half(const kern_block *block)
 {
     return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2;
 }
 
-/* Returns the widest gap for blocks of this size. For measured options it is
-   options->gap plus the gap for exact places. */
+/* Returns the widest gap that counts as a contact if the smaller free block of
+   the pair has this size: options->gap, or KERN_GAP_SHARE of the size if
+   options->gap is 0. For measured options the widest gap is the sum of these
+   two. The result is at least s->resolution. */
 static kern_real kern_search_gap(const kern_search *s, kern_real size)
 {
     const kern_options *o = s->pair.options;
@@ -10912,7 +11044,8 @@ static kern_real kern_search_gap(const kern_search *s, kern_real size)
     return kern_max(o->gap + exact, s->resolution);
 }
 
-/* Sets the tolerances of the pair, whose outlines must be set. */
+/* Sets the tolerances of the pair. The blocks of its two outlines must be
+   set. */
 static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
 {
     const kern_block *a = pair->outline[0].block, *b = pair->outline[1].block;
@@ -10933,8 +11066,8 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
     pair->hollow = s->kind == KERN_SEARCH_CONTACTS ? KERN_INFINITY : pair->gap;
 }
 
-/* Returns 1 if the box or the area of the vertices has changed since
-   kern_block_init(). */
+/* Returns 1 if the box or the area that the vertices now have differs from that
+   of kern_block_init(). */
 static int kern_block_is_stale(const kern_block *block)
 {
     kern_block fresh = *block;
@@ -10945,9 +11078,10 @@ static int kern_block_is_stale(const kern_block *block)
              <= KERN_AREA_TOL * kern_abs(block->area));
 }
 
-/* Returns 1 if two blocks cannot touch: they are far apart, both are fixed, or
-   the first has no vertices. Returns 0 for free blocks that share one array of
-   vertices, so that the first, whose vertices were overwritten, is found to be
+/* Returns 1 if two blocks need no search: they are farther apart than any gap,
+   both are fixed, or a has no vertices. Two blocks that share one array of
+   vertices always need a search, unless both are fixed: the vertices of the
+   first were overwritten, and the search finds that the first block is
    stale. */
 static int kern_search_is_apart(const kern_search *s, const kern_block *a,
                                 const kern_block *b)
@@ -10958,7 +11092,9 @@ static int kern_search_is_apart(const kern_search *s, const kern_block *a,
         || (a->fixed && b->fixed);
 }
 
-/* Finds the contacts of blocks i and j, or an overlap. */
+/* Finds the contacts of blocks i and j. In a search for overlaps, finds their
+   overlap instead. Returns KERN_OK, or a negative status that names the
+   fault. */
 KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
     kern_pair *pair = &s->pair;
@@ -10973,7 +11109,8 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
         return KERN_STALE;
     }
 
-    /* finds an overlap, which ends a search for contacts */
+    /* Finds an overlap. If it is too deep, a search of kern_contacts() or
+       kern_touch() ends. */
     kern_outline_set(&pair->outline[0], a);
     kern_pair_tolerances(pair, s);
     if (!kern_pair_spend(pair, 1))
@@ -10995,8 +11132,8 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
         return KERN_OK;
     }
 
-    /* finds contacts of edges, merges them to faces, and sets the travels of
-       points */
+    /* Finds the contacts of edges, merges them into faces, and sets the travels
+       of points. */
     pair->a = i;
     pair->b = j;
     pair->first_contact = pair->count;
@@ -11012,9 +11149,9 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
 }
 
 /* Makes one ground of all fixed blocks, so that cutting a fixed block in two
-   changes nothing. Contacts with any fixed block become contacts with the first
-   fixed block that has contacts. Stretches that continue each other are merged.
-   Sets the travels of points again. */
+   changes nothing. In every contact with a fixed block, this block becomes
+   block a and is replaced by the fixed block of the first such contact. Merges
+   stretches that continue each other, and sets the travels of points again. */
 static void kern_search_ground(kern_search *s)
 {
     kern_pair *pair = &s->pair;
@@ -11041,8 +11178,8 @@ static void kern_search_ground(kern_search *s)
     kern_point_travels(out, pair->count, NULL, pair);
 }
 
-/* Replaces every line by two points, from the last line to the first. Returns
-   the number of points, or KERN_NO_SPACE. */
+/* Replaces every line by two contact points, beginning with the last line.
+   Returns the number of contact points, or KERN_NO_SPACE. */
 static int kern_search_close(const kern_search *s)
 {
     kern_contact *out = s->pair.out;
@@ -11067,9 +11204,10 @@ static int kern_search_close(const kern_search *s)
     return points;
 }
 
-/* Checks every block, and sets the data on which the tolerances of all pairs
-   depend. The vertices of blocks before s->first_block are checked in
-   kern_search_pair(). */
+/* Checks every block. Sets the data from which the tolerances of all pairs are
+   computed. The vertices of blocks before s->first_block are not compared with
+   their box and area here, but in kern_search_pair(), for blocks that may
+   touch. */
 KERN_SHARED static kern_status kern_search_survey(kern_search *s)
 {
     kern_real largest = KERN_R(0); /* largest coordinate                 */
@@ -11089,11 +11227,12 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
         if (!block->vertices)
             continue;
 
-        /* checks that box and area are those of kern_block_init() */
+        /* Checks the box and the area of the block. For a new block, compares
+           them with its vertices. */
         if (status == KERN_OK)
             status = !kern_is_finite(block->area)
-                          || !kern_boxes_meet(box, box, 0) /* 0 if low is above
-                                                            high           */
+                          || !kern_boxes_meet(box, box, 0) /* true if low is
+                                                            above high     */
                           || kern_box_largest(box) > KERN_FAR
                        ? KERN_BAD_NUMBER
                    : !(kern_abs(block->area) > 0) ? KERN_NO_AREA
@@ -11105,22 +11244,24 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
             return status;
         }
 
-        /* finds the largest coordinate, arm and free block */
+        /* Finds the largest coordinate, the largest arm and the largest area of
+           a free block. */
         largest = kern_max(largest, kern_box_largest(box));
-        if (s->pair.swing > 0) /* saves square roots */
+        if (s->pair.swing > 0) /* `arm` is used only then */
             arm = kern_max(arm, 4 * kern_box_half(block));
         if (!block->fixed)
             area = kern_max(area, kern_abs(block->area));
     }
 
-    /* sets the least tolerance, which is rounding, and the widest gap */
+    /* Sets the least tolerance, which is the rounding of coordinates, and the
+       widest gap of any pair. */
     s->resolution = 2 * KERN_ROUNDING * largest;
     s->reach = kern_search_gap(s, KERN_SQRT(area)) + s->pair.swing * arm;
     return KERN_OK;
 }
 
 /* Checks the arguments of a search, except the contents of the blocks. Returns
-   KERN_LIMIT if the blocks are too many to read. */
+   KERN_LIMIT if reading the blocks would exceed the limit of work. */
 static kern_status kern_search_check(kern_search *s)
 {
     const kern_options *o = s->pair.options;
@@ -11136,9 +11277,9 @@ static kern_status kern_search_check(kern_search *s)
              : KERN_LIMIT;
 }
 
-/* Finds the contacts or overlaps of each block from index `first` on with the
-   blocks of lower index. Returns the number of contact points or overlaps, or a
-   negative status. */
+/* Finds the contacts or the overlaps of each block from index `first` on with
+   all blocks of lower index. Returns the number of contact points or overlaps,
+   or a negative status. */
 static int kern_search_run(const kern_block *block, int blocks,
                            const kern_options *options, void *out, int room,
                            kern_work *work, int first, kern_search_kind kind)
@@ -11149,14 +11290,14 @@ static int kern_search_run(const kern_block *block, int blocks,
     if (!work)
         return (int)KERN_BAD_POINTER;
 
-    /* sets the fields of the search that do not depend on a pair */
+    /* Sets the fields of the search that are the same for all pairs. */
     kern_work_begin(work);
     s.block = block;
     s.blocks = blocks;
     s.first_block = first;
     s.pair.options = options;
     s.pair.work = work;
-    s.pair.steps = KERN_SEARCH_UNIT - 1; /* so that the first step is charged */
+    s.pair.steps = KERN_SEARCH_UNIT - 1; /* the first step costs a unit */
     s.pair.outline[0].visits = s.pair.outline[1].visits = 0;
     s.fault = &work->fault;
     s.kind = kind;
@@ -11165,7 +11306,8 @@ static int kern_search_run(const kern_block *block, int blocks,
     s.pair.room = room;
     s.pair.count = 0;
 
-    /* searches every pair of a new block and an earlier one */
+    /* Searches every pair of a block from `first` on and a block of lower
+       index. */
     status = kern_search_check(&s);
     if (status == KERN_OK)
         status = kern_search_survey(&s);
@@ -11179,9 +11321,9 @@ static int kern_search_run(const kern_block *block, int blocks,
     if (status != KERN_OK)
         return (int)status;
 
-    /* Replaces each line by two points. Sets the travel of single points
-       (options.lone) last, since it depends on all contacts that carry the
-       block. */
+    /* Replaces each line by two contact points. With options.lone, sets the
+       travels of points that are alone in their interface. They are set last,
+       since they depend on all contacts that carry the same block. */
     if (kind >= KERN_SEARCH_STRETCHES)
         kern_search_ground(&s);
     room = kind == KERN_SEARCH_OVERLAPS ? s.pair.count : kern_search_close(&s);
@@ -11233,7 +11375,7 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     kern_real length, longest;
     int line;
 
-    /* checks the arguments */
+    /* Checks the arguments. */
     if (!options || !out)
         return (int)KERN_BAD_POINTER;
     out->travel = KERN_R(0);
@@ -11248,11 +11390,12 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     if (!(longest > 0) || !kern_is_finite(1 / longest))
         return (int)KERN_BAD_NORMAL;
 
-    /* scales the normal to about 1 first, since its square may overflow */
+    /* Scales the normal to a length of about 1 before it is squared, since its
+       square might overflow. */
     normal = kern_vec_unit(kern_vec_scale(out->n, 1 / longest));
 
-    /* p and q are a line if they differ by more than rounding; it must run
-       along t */
+    /* Makes a line if p and q differ by more than rounding. Checks that this
+       line is along the tangent, within the angle of the options. */
     d = kern_vec_sub(q, out->p);
     length = kern_vec_length(d);
     line = length
@@ -11263,8 +11406,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
                > kern_sine(options->angle) * length)
         return (int)KERN_BAD_LINE;
 
-    /* writes one or two contact points; each end of a line travels to its
-       middle */
+    /* Writes one or two contact points. The travel of each end of a line leads
+       to the middle of the line. */
     out->n = normal;
     out->line = line;
     if (line) {
@@ -11291,10 +11434,11 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
 }
 
 /* ---- Planning ---------------------------------------------------- >>plan */
-/* A plan knows the bracket of its last margin, with a mechanism at the upper
-   end. A stone that does not touch what moves there leaves the mechanism as it
-   is: the old motion proves the upper end again, and one verdict at the lower
-   end remains. Otherwise the known forces help. */
+/* A plan remembers the bracket of its last margin, and the mechanism that
+   proves the upper end. If a new stone does not touch the blocks that move in
+   this mechanism, the same motion proves the upper end for the new structure,
+   too. One verdict then proves the lower end. Otherwise the plan's known forces
+   make the verdicts faster. */
 
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
@@ -11306,7 +11450,7 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
     return plan;
 }
 
-/* Returns 1 if all that a plan needs was given. */
+/* Returns 1 if no pointer that a plan needs is NULL. */
 static int kern_plan_is_whole(const kern_plan *plan)
 {
     return plan && plan->block && plan->contact && plan->task.known.motion
@@ -11325,7 +11469,8 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
     if (s->blocks >= plan->block_room)
         return (int)KERN_NO_SPACE;
 
-    /* nothing counts before the contacts are found */
+    /* Writes the block and its contacts after those of the plan. The counts of
+       the plan do not include them yet. */
     plan->block[s->blocks] = *block;
     found = kern_touch(plan->block, s->blocks, &plan->task.options,
                        plan->contact + s->contacts,
@@ -11333,7 +11478,8 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
     if (found < 0)
         return found;
 
-    /* the block is at rest, its contacts carry nothing yet */
+    /* Includes the block in the plan. In the known results it is at rest and
+       its contacts carry nothing. */
     kern_zero(plan->task.known.motion + s->blocks++, 3);
     kern_zero(plan->task.known.force + s->contacts, 2 * found);
     s->contacts += found;
@@ -11351,7 +11497,8 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     if (i < 0 || i >= s->blocks)
         return KERN_BAD_BLOCK;
 
-    /* Contacts of block i go with their forces; later indices fall by one. */
+    /* Removes the contacts of block i and their forces. The indices of later
+       blocks decrease by one. */
     for (k = 0; k < s->contacts; k++) {
         kern_contact *c = &plan->contact[k];
         if (c->a == i || c->b == i)
@@ -11368,15 +11515,18 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     s->contacts = n;
     s->blocks--;
 
-    /* the motion of the others is a mechanism if its largest speed is 1 */
+    /* Scales the known motion of the remaining blocks: in a mechanism the
+       fastest block has the speed 1. */
     if (plan->task.known.fails > 0)
         kern_motion_scale(s, plan->task.known.motion);
     return KERN_OK;
 }
 
-/* Adds the block, if any, and writes the structure without it. Where it
-   cannot be added the status takes the place of the count of contacts: every
-   question returns it, and writes what it does then. */
+/* Writes the present structure of the plan to *original, and then adds the
+   block, unless it is NULL. If the block cannot be added, stores the negative
+   status as the number of contacts. The query that follows then returns this
+   status, with the results that belong to it. Returns KERN_OK or
+   KERN_BAD_POINTER. */
 KERN_SHARED static kern_status kern_plan_open(kern_plan *plan,
                                               const kern_block *block,
                                               kern_structure *original)
@@ -11391,7 +11541,8 @@ KERN_SHARED static kern_status kern_plan_open(kern_plan *plan,
     return KERN_OK;
 }
 
-/* Gives the plan back its structure. Returns the answer. */
+/* Restores the structure that the plan had before kern_plan_open(). Returns
+   `answer`. */
 static kern_status kern_plan_restore(kern_plan *plan,
                                      const kern_structure *original,
                                      kern_status answer)
@@ -11413,10 +11564,11 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                  kern_measure_anew(&plan->task, &plan->task.known, out, proof));
 }
 
-/* Returns the verdict at a margin, first without the points that travel if
-   kerns are not nested: what stands without them stands at every smaller
-   margin. *may_fall: 1 if it may fall at a smaller one though it stands
-   here. */
+/* Returns the verdict at a margin. If kerns are not nested, first evaluates the
+   structure without the points that travel: if it stands without them, it
+   stands at every smaller margin, too. Sets *may_fall to 1 if the structure may
+   fall at a smaller margin although it stands at this one, and to 0
+   otherwise. */
 static kern_status kern_plan_verdict(kern_call *c, kern_real margin,
                                      int *may_fall)
 {
@@ -11431,7 +11583,9 @@ static kern_status kern_plan_verdict(kern_call *c, kern_real margin,
     if (nested)
         return status;
 
-    /* neither proof is one of the whole: ask it */
+    /* Ends if forces hold the structure without the points that travel, or if
+       the motion is a proof with these points, too. Otherwise evaluates the
+       whole structure. */
     *may_fall = status != KERN_STANDS
              && !(status == KERN_FALLS
                   && kern_path_falls_whole(&c->m, &c->path, margin));
@@ -11441,8 +11595,9 @@ static kern_status kern_plan_verdict(kern_call *c, kern_real margin,
     return kern_model_evaluate(&c->m, &c->part, &c->path.q);
 }
 
-/* Returns the verdict at a margin; if kerns are not nested, KERN_FALLS too
-   where it falls at a smaller one. */
+/* Returns the verdict at a margin. If kerns are not nested, also returns
+   KERN_FALLS for a structure that stands at this margin but falls at a smaller
+   one. */
 static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
                                     const kern_proof *proof)
 {
@@ -11458,14 +11613,16 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
     c.path.known = known;
     kern_model_know(&c.m, known);
 
-    /* the motion that failed the structure before may fail it again */
+    /* Tries the known motion first, unless the margin is below the place at
+       which this motion proved a fall. */
     status = KERN_FALLS;
     if (!(known->fails > 0 && margin >= known->fails
           && kern_known_falls(&c.m, &c.path.q, known)))
         status = kern_plan_verdict(&c, margin, &may_fall);
     kern_proof_write(&c.m, proof, status);
 
-    /* it stands by points that travel: does it at every smaller margin? */
+    /* If the structure stands only with points that travel, computes its
+       margin, since it may fall at a smaller one. */
     if (status == KERN_STANDS && may_fall) {
         const kern_proof motion_only = {NULL, proof ? proof->motion : NULL};
         c.path.q.shrink = KERN_R(0);
@@ -11524,7 +11681,8 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
     if (s->blocks > to->block_room || s->contacts > to->contact_room)
         return KERN_NO_SPACE;
 
-    /* Known forces and motions go into the arrays of `to`. */
+    /* Copies blocks, contacts, known forces and known motions into the arrays
+       of `to`. */
     known = from->task.known;
     known.motion = to->task.known.motion;
     known.force = to->task.known.force;
@@ -11537,7 +11695,8 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
         known.force[i] = from->task.known.force[i];
     }
 
-    /* Blocks and contacts go there too; `to` keeps its work memory. */
+    /* Copies the rest of the task. `to` keeps its arrays and its work
+       memory. */
     to->task.s = *s;
     to->task.s.block = to->block;
     to->task.s.contact = to->contact;
@@ -11548,63 +11707,74 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from)
 
 /* ---- Coming to rest ---------------------------------------------- >>rest */
 /* A stone moves straight down to its first touch, and then from touch to touch.
-   A motion is a turn about a touch, a slide along an edge too steep for
+   A motion is a turn about a touch, a slide along an edge that is too steep for
    friction, or a turn while the stone slides at two touches. Of the motions
    that no touch blocks, the stone takes the one that lowers its centre most
-   steeply, until there is none. A motion ends where a vertex of one outline
-   meets an edge of the other, on a line or an arc, so nothing overlaps. Each
-   motion lowers the centre, so no pose occurs twice. */
+   steeply. The stone is at rest when every motion that would lower its centre
+   is blocked. A motion ends where a vertex of one outline meets an edge of the
+   other, which happens on a straight line or an arc, so the stone overlaps no
+   block. Each motion lowers the centre, so no pose occurs twice. */
 
 /* A point where the stone touches a block. */
 typedef struct kern_footing {
-    kern_vec p, n;     /* place of touch; unit normal into the stone     */
-    kern_vec corner_n; /* normal of another edge where two corners meet,
-                          otherwise n                                    */
+    kern_vec p, n;     /* place of the touch; unit normal of the edge, into
+                          the stone                                      */
+    kern_vec corner_n; /* where two convex corners meet: normal of the other
+                          edge there; otherwise n                        */
     kern_vec way;      /* unit direction of a slide down the edge        */
-    kern_real run;     /* length of that slide, to the end of the edge   */
+    kern_real run;     /* length of the slide, to the end of the edge    */
 } kern_footing;
 
-/* Kinds of a course: a search for touches, or a motion. */
+/* Kinds of a course (kern_course). */
 typedef enum kern_course_kind {
-    KERN_COURSE_TOUCHES, /* the stone stays; finds its touches            */
+    KERN_COURSE_TOUCHES, /* no motion: the touches of the stone are found */
     KERN_COURSE_SLIDE,
     KERN_COURSE_TURN
 } kern_course_kind;
 
-/* A motion of the stone, or its search for touches. */
+/* A motion of the stone from one pose to the next, or a search for its touches
+   in the present pose. */
 typedef struct kern_course {
     kern_course_kind kind;
-    kern_vec way;        /* slide: unit direction; turn: its centre        */
+    kern_vec way;        /* slide: unit direction; turn: the point about
+                            which the stone turns                          */
     kern_real sense;     /* turn: 1 counter-clockwise, -1 clockwise        */
     kern_real extent;    /* slide: length; turn: tangent of half its angle */
-    kern_real steepness; /* rate at which the centre first moves down      */
-    kern_real low, high; /* range that the stone covers across a slide     */
+    kern_real steepness; /* sine of the angle below the horizontal at which
+                            the stone's centre begins to move              */
+    kern_real low, high; /* slide: range of the stone perpendicular to the
+                            slide, without `graze` at both ends            */
 } kern_course;
 
-/* State of a descent. */
+/* State of a stone's descent (kern_rest()). */
 typedef struct kern_descent {
     const kern_task *task;
-    const kern_block *shape; /* the caller's stone                   */
-    kern_pose *pose;         /* present pose of the stone            */
-    kern_vec *vertex;        /* its present vertices                 */
-    kern_vec plumb;          /* unit direction of gravity            */
-    kern_real touch;         /* largest distance of a touch          */
-    kern_real graze;         /* extension of an edge at its ends     */
-    kern_real bottom;        /* place along `plumb` below all blocks */
-    kern_box swept;          /* box around its whole course          */
-    int side;                /* 1: edges of blocks; -1: of the stone */
+    const kern_block *shape; /* the caller's stone                       */
+    kern_pose *pose;         /* present pose of the stone                */
+    kern_vec *vertex;        /* present vertices of the stone            */
+    kern_vec plumb;          /* unit direction of gravity                */
+    kern_real touch;         /* largest distance that counts as a touch  */
+    kern_real graze;         /* length by which an edge is extended at each
+                                end                                      */
+    kern_real bottom;        /* coordinate along `plumb` of a level below all
+                                blocks                                   */
+    kern_box swept;          /* box around the whole course of the stone */
+    int side;                /* 1: vertices of the stone are tested against
+                                edges of a block; -1: the reverse        */
     kern_footing footing[KERN_REST_TOUCHES];
     int footings;
-    int earlier_footings; /* number of footings on the blocks visited before */
+    int earlier_footings; /* number of footings on the blocks before the
+                             present one                                  */
 } kern_descent;
 
-/* Returns a turned by the angle whose cosine and sine are q. */
+/* Returns a, turned by the angle whose cosine is q.x and whose sine is q.y. */
 static kern_vec kern_vec_turned(kern_vec a, kern_vec q)
 {
     return kern_vec_make(q.x * a.x - q.y * a.y, q.y * a.x + q.x * a.y);
 }
 
-/* Moves the stone's centre to `centre`, with the turn of its pose. */
+/* Places the stone with its centre at `centre`, turned as r->pose->turn says.
+   Sets the vertices and the box of the stone in this pose. */
 static void kern_descent_put(kern_descent *r, kern_vec centre)
 {
     kern_block *b = &r->pose->block;
@@ -11621,11 +11791,11 @@ static void kern_descent_put(kern_descent *r, kern_vec centre)
     }
 }
 
-/* Returns a box around the path of a point. If r->side is 1 the point is on the
-   stone. If it is -1 the point is on a block, and its path is relative to the
-   stone. An arc lies in a triangle: its corners are the start, the point where
-   the tangents at both ends intersect, and a point on the chord beyond the
-   end. */
+/* Returns a box around the path of a point p during a course. If r->side is 1,
+   p is a point of the stone. If r->side is -1, p is a point of a block, and its
+   path is relative to the stone. The path of a turn is an arc. The arc lies in
+   the triangle of its start, the point where the tangents at its two ends
+   intersect, and a point on the line of its chord beyond its end. */
 static kern_box kern_descent_way(const kern_descent *r, const kern_course *c,
                                  kern_vec p)
 {
@@ -11646,32 +11816,35 @@ static kern_box kern_descent_way(const kern_descent *r, const kern_course *c,
     return box;
 }
 
-/* Returns the distance of p from the line of e, positive on the outer side. */
+/* Returns the distance of p from the line of e, positive on the outer side of
+   e. */
 static kern_real kern_edge_height(const kern_edge *e, kern_vec p)
 {
     return kern_vec_cross(kern_vec_sub(p, e->p), e->d);
 }
 
-/* Returns the distance from the line of e, positive outside, of a point on the
-   line from p to q. p touches e. The point is no farther from p than e is long,
-   since q may be far away. */
+/* Returns how far the segment from p, which touches e, to q leads away from e:
+   the distance of one of its points from the line of e, positive outside. q may
+   be very far away, so the point that is taken is no farther from p than e is
+   long. */
 static kern_real kern_edge_leaves(const kern_edge *e, kern_vec p, kern_vec q)
 {
     return kern_edge_height(e, q) * e->length
          / (e->length + kern_vec_largest(kern_vec_sub(q, p)));
 }
 
-/* Returns 1 if a point at the distance s from the start of an edge is on the
-   edge, or at most `tolerance` past its ends. */
+/* Returns 1 if the point on the line of e at the distance s from its start is
+   on e, or at most `tolerance` beyond an end of e. */
 static int kern_edge_holds(const kern_edge *e, kern_real s, kern_real tolerance)
 {
     return s >= -tolerance && s <= e->length + tolerance;
 }
 
-/* Ends a slide where a point meets the edge from outside. The stone passes
-   edges that its flanks only graze, so that it fits into a gap of its own
-   width. If the point begins at an end of the edge, kern_descent_prefer() has
-   already decided whether it blocks the slide. */
+/* Shortens the slide c if point p meets edge e from outside: the slide then
+   ends there. Edges that only graze the two flanks of the stone do not stop it,
+   so that it fits into a gap of its own width. If p is at an end of e when the
+   slide begins, this function does not shorten the slide: kern_descent_prefer()
+   has already decided whether that touch blocks it. */
 static void kern_descent_slide(const kern_descent *r, kern_course *c,
                                const kern_edge *e, kern_vec p)
 {
@@ -11689,10 +11862,11 @@ static void kern_descent_slide(const kern_descent *r, kern_course *c,
         c->extent = kern_max(way, KERN_R(0));
 }
 
-/* Ends a turn where a point meets the edge from outside. Places have two
-   coordinates: along the edge and outward. If the point begins at an end of the
-   edge and does not move along it, kern_descent_prefer() has already decided
-   whether it blocks the turn. */
+/* Shortens the turn c if point p meets edge e from outside: the turn then ends
+   there. Variables whose names end in _d are coordinates along e, and those in
+   _n are coordinates outward from e. If p is at an end of e when the turn
+   begins and does not move along e, this function does not shorten the turn:
+   kern_descent_prefer() has already decided whether that touch blocks it. */
 static void kern_descent_arc(const kern_descent *r, kern_course *c,
                              const kern_edge *e, kern_vec p)
 {
@@ -11709,8 +11883,9 @@ static void kern_descent_arc(const kern_descent *r, kern_course *c,
     if (side < 2 * r->graze * centre_n || square < touch_square)
         return;
 
-    /* takes the place on the line at which the arc crosses it inward; a turn is
-       smaller than a right angle */
+    /* Computes where the arc crosses the line of e inward. q is the tangent of
+       half the angle of the turn up to there. A turn is smaller than a right
+       angle. */
     chord = sense * KERN_SQRT(kern_max(side, KERN_R(0)));
     cosine = arm_d * chord - arm_n * centre_n;
     q = sense * (arm_d * centre_n + arm_n * chord) / (square + cosine);
@@ -11723,11 +11898,11 @@ static void kern_descent_arc(const kern_descent *r, kern_course *c,
         c->extent = kern_max(q, KERN_R(0));
 }
 
-/* Stores a footing where vertex k of b touches edge e of a, if both edges of
-   the vertex lie on the outer side of e. Where two convex corners meet, two
-   edges pass this test. Then `corner_n` of each of the two footings is set to
-   the normal of the other edge. A motion is free if it is outward along one of
-   these two normals. */
+/* Stores a footing if vertex k of b touches edge e of a and both edges of this
+   vertex lie on the outer side of e. Where two convex corners meet, two edges
+   pass this test. The `corner_n` of each of the two footings is then the normal
+   of the other edge. Such a pair of footings blocks only a motion that presses
+   against both edges. */
 static void kern_descent_keep(kern_descent *r, const kern_edge *e,
                               const kern_block *a, const kern_block *b, int k)
 {
@@ -11757,7 +11932,8 @@ static void kern_descent_keep(kern_descent *r, const kern_edge *e,
             }
 }
 
-/* Tests each vertex of b against each edge of a, where a or b is the stone.
+/* Tests each vertex of b against each edge of a, where either a or b is the
+   stone. Shortens the motion of course c, or stores the touches of the stone.
    Returns early if the limit of work is reached. */
 static void kern_descent_pair(kern_descent *r, kern_course *c,
                               const kern_block *a, const kern_block *b)
@@ -11772,7 +11948,7 @@ static void kern_descent_pair(kern_descent *r, kern_course *c,
                         1 + a->vertices / KERN_UNIT))
             return;
 
-        /* ends the motion at an edge, or stores a touch */
+        /* Tests each edge of a whose box meets the path of the vertex. */
         for (i = 0; i < a->vertices; i++) {
             const int next = kern_polygon_next(a, i);
             kern_edge e;
@@ -11791,8 +11967,8 @@ static void kern_descent_pair(kern_descent *r, kern_course *c,
     }
 }
 
-/* Sets the box around the stone's whole course, and the range that it covers
-   across a slide. */
+/* Sets r->swept, the box around the whole course of the stone. Sets the range
+   that the stone covers across a slide. */
 static void kern_descent_sweep(kern_descent *r, kern_course *c)
 {
     int i;
@@ -11810,7 +11986,8 @@ static void kern_descent_sweep(kern_descent *r, kern_course *c)
     }
 }
 
-/* Finds the end of a motion, or the touches of the stone. */
+/* Finds where a motion ends, which shortens course c, or finds the touches of
+   the stone. */
 static void kern_descent_look(kern_descent *r, kern_course *c)
 {
     const kern_structure *s = &r->task->s;
@@ -11818,8 +11995,8 @@ static void kern_descent_look(kern_descent *r, kern_course *c)
     kern_real end = c->extent;
     int i;
     kern_descent_sweep(r, c);
-    /* begins with the last blocks, which are often the highest and shorten the
-       course */
+    /* Begins with the blocks of the highest index. They are often at the top,
+       and then soon shorten the course. */
     for (i = s->blocks - 1; i >= 0; i--) {
         const kern_block *b = &s->block[i];
         if (!b->vertices || !kern_boxes_meet(&r->swept, &b->box, KERN_R(0)))
@@ -11836,8 +12013,8 @@ static void kern_descent_look(kern_descent *r, kern_course *c)
     }
 }
 
-/* Moves the stone to the end of its course and finds its touches there. Returns
-   1 if the stone moved or has more touches than before. */
+/* Moves the stone to the end of course c and finds its touches there. Returns 1
+   if the stone has moved or has more touches than before. */
 static int kern_descent_go(kern_descent *r, kern_course *c)
 {
     const kern_vec centre = r->pose->block.centre;
@@ -11865,9 +12042,10 @@ static int kern_descent_go(kern_descent *r, kern_course *c)
     return moved || r->footings > footings;
 }
 
-/* Replaces *best by motion c if c presses no footing and is better: steeper; if
-   equally steep, a turn instead of a slide; if of the same kind, shorter. m is
-   the first velocity of the stone, and its centre has the speed 1. */
+/* Replaces *best by motion c if c is better and presses against no footing. The
+   steeper motion is better. Of equally steep motions a turn is better than a
+   slide, and of the same kind the shorter one is better. m is the velocity with
+   which c begins, scaled so that the centre of the stone has the speed 1. */
 static void kern_descent_prefer(const kern_descent *r, kern_course *best,
                                 kern_course *c, kern_motion m)
 {
@@ -11889,9 +12067,10 @@ static void kern_descent_prefer(const kern_descent *r, kern_course *best,
     *best = *c;
 }
 
-/* Tries a slide down the edge of a footing as *best. The slide ends where a
-   vertex runs off that edge, far enough for a point contact at the end of the
-   edge. */
+/* Replaces *best by a slide down the edge of footing f if this slide is better
+   (kern_descent_prefer()). The slide ends a little beyond the end of the edge,
+   by 20 touch distances: kern_contacts() then finds a point contact at that
+   end. */
 static void kern_descent_slope(const kern_descent *r, const kern_footing *f,
                                kern_course *best)
 {
@@ -11903,8 +12082,9 @@ static void kern_descent_slope(const kern_descent *r, const kern_footing *f,
     kern_descent_prefer(r, best, &c, m);
 }
 
-/* Tries a turn about p as *best. The weight turns the stone until its centre is
-   lowest. */
+/* Replaces *best by a turn about p if this turn is better
+   (kern_descent_prefer()). The stone turns in the sense in which its weight
+   turns it, until its centre is lowest, but not farther than KERN_REST_TURN. */
 static void kern_descent_tip(const kern_descent *r, kern_vec p,
                              kern_course *best)
 {
@@ -11923,8 +12103,9 @@ static void kern_descent_tip(const kern_descent *r, kern_vec p,
     kern_descent_prefer(r, best, &c, m);
 }
 
-/* Moves the stone to its next touch. Returns 1 if the stone moved or has more
-   touches than before. */
+/* Moves the stone by the best motion that its touches do not block. A stone
+   without touches falls straight down. Returns 1 if the stone has moved or has
+   more touches than before. */
 static int kern_descent_move(kern_descent *r)
 {
     const kern_real mu = r->task->options.mu;
@@ -11943,8 +12124,10 @@ static int kern_descent_move(kern_descent *r)
         if (lift * KERN_SQRT(1 + mu * mu) < 1 - KERN_REST_LEVEL)
             kern_descent_slope(r, f, &best);
 
-        /* tries a turn about the point where two contact forces on the edges of
-           their friction cones intersect: both touches then slide and open */
+        /* Tries turns during which the stone slides at two touches and both
+           open. The lines of two contact forces, each on an edge of its
+           friction cone, intersect in the point about which the stone then
+           turns. */
         for (k = 0; k < 4 * i; k++) {
             const kern_footing *g = &r->footing[k / 4];
             const kern_vec u = kern_vec_step(f->n, k & 1 ? slip : -slip,
@@ -11963,8 +12146,9 @@ static int kern_descent_move(kern_descent *r)
         && kern_descent_go(r, &best);
 }
 
-/* Checks the arguments of kern_rest(), and places the stone above all
-   blocks. */
+/* Checks the blocks and the stone of kern_rest(), and places the stone above
+   all blocks. Returns KERN_NO_REST if the descent can begin, KERN_NO_SUPPORT if
+   there are no blocks, and otherwise a status that names the fault. */
 static kern_status kern_descent_begin(kern_descent *r, kern_real x)
 {
     const kern_structure *s = &r->task->s;
@@ -11992,7 +12176,8 @@ static kern_status kern_descent_begin(kern_descent *r, kern_real x)
     if (status != KERN_OK)
         return status;
 
-    /* no coordinate of a block exceeds `resolution` / (2 KERN_ROUNDING) */
+    /* Sets the tolerances and the lowest level. No coordinate of a block
+       exceeds `resolution` / (2 KERN_ROUNDING). */
     r->plumb = kern_vec_scale(s->gravity, 1 / weight);
     r->touch = kern_max(KERN_REST_TOUCH * kern_block_size(r->shape),
                         search.resolution);
@@ -12027,7 +12212,8 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
     r.pose = out;
     status = kern_descent_begin(&r, x);
 
-    /* moves from touch to touch; a stone below all blocks has no support */
+    /* Moves the stone from touch to touch until it is at rest, is below all
+       blocks, or has made KERN_REST_MOTIONS motions. */
     while (status == KERN_NO_REST && out->motions < KERN_REST_MOTIONS)
         if (!kern_descent_move(&r))
             status = KERN_OK;
@@ -12038,8 +12224,9 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
 
 /* ---- which place is best ---- */
 
-/* Returns the i-th of the numbers that rank a place. A larger number is better,
-   and NaN becomes the worst. All but x and turn are rounded. */
+/* Returns the i-th of the numbers by which a place is ranked, so that a larger
+   number is better. Rounds all numbers except x and turn. NaN becomes the worst
+   number. */
 static kern_real kern_place_number(const kern_place *place, int i,
                                    kern_real alone)
 {
@@ -12054,7 +12241,7 @@ static kern_real kern_place_number(const kern_place *place, int i,
                                  -place->turn};
     const kern_real value = kern_max(number[i], -KERN_INFINITY);
     const kern_real scaled = KERN_PLACE_SPLIT * value;
-    const kern_real rounded = scaled - (scaled - value); /* NaN for infinity */
+    const kern_real rounded = scaled - (scaled - value); /* NaN if infinite */
     return i < 4 && kern_is_finite(rounded) ? rounded : value;
 }
 
@@ -12715,7 +12902,7 @@ KERN_API kern_options kern_defaults(void)
     kern_options o;
     o.mu = KERN_R(0.4);
     o.angle = KERN_ANGLE;
-    o.limit = 10000000; /* a second or two */
+    o.limit = 10000000; /* units: one second or two */
     o.relative = 0;
     o.gap = o.epsilon = o.overlap = o.pose_error = o.pose_turn = KERN_R(0);
     o.narrow = o.reserve = o.lone.x = o.lone.y = KERN_R(0);
@@ -12732,7 +12919,7 @@ KERN_API kern_options kern_measured_options(const kern_options *options,
                                             kern_real e, kern_real theta)
 {
     kern_options o = kern_options_of(options);
-    o.pose_error = e > 0 ? e : KERN_R(-1); /* refused by every call */
+    o.pose_error = e > 0 ? e : KERN_R(-1); /* -1: every call refuses it */
     o.pose_turn = theta;
     o.gap = KERN_ERROR_GAP * KERN_ERRORS * e;
     o.angle = kern_max(KERN_ANGLE, KERN_ERROR_ANGLE * KERN_ERRORS * theta);
