@@ -4768,11 +4768,14 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 /* ---- Contact law and skyline factor --------------------------- >>skyline */
 /* A contact law gives the normal force f and the tangential force r of a
    contact as functions of its approach, which is wn along n and wt along t. The
-   law is piecewise linear. On each piece f = nn wn + nt wt and r = nt wn + tt
-   wt. With such laws the equations of equilibrium A x = b become a linear
-   system for the motion of the groups. Its matrix is symmetric and has one row
-   of 3 x 3 blocks for each group. The matrix is factored in the order of the
-   groups (skyline Cholesky). >>norm, >>ipm and >>raised build this matrix from
+   law is piecewise linear. On each piece
+
+       f = nn wn + nt wt,   r = nt wn + tt wt.
+
+   With such laws the equations of equilibrium A x = b become a linear system
+   for the motion of the groups. The matrix of this system is symmetric and has
+   one row of 3 x 3 blocks for each group. It is factored in the order of the
+   groups (skyline Cholesky). >>norm, >>ipm and >>raised build the matrix from
    different laws. Newton's method in >>raised also has a matrix that is not
    symmetric (kern_skyline_outer()). */
 
@@ -4795,7 +4798,8 @@ typedef struct kern_law {
 /* Returns the law of a contact at the approach (wn, wt). The contact has the
    stiffness `stiffness` along n, and the stiffness mu * shear * stiffness along
    t until it slides. With stiffness = 2 and shear = mu this is the law of two
-   rays: each edge of the friction cone has the stiffness 1 and cannot pull. */
+   independent forces along the edges of the friction cone (rays), each of which
+   has the stiffness 1 and cannot pull. */
 static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
                                       kern_real stiffness, kern_real shear)
 {
@@ -4856,10 +4860,10 @@ static void kern_skyline_clear(kern_skyline *a)
         kern_zero(a->entry + a->offset[g], 9 * (g - a->first_column[g] + 1));
 }
 
-/* Adds the stiffness of a contact, nn, nt and tt of its law, to the matrix: to
-   the diagonal blocks of the two groups at the contact, and to the block that
-   couples these groups, which is in the row of the later group. A held block
-   has the number a->groups and no row. */
+/* Adds the stiffness nn, nt and tt of a contact's law to the matrix. This
+   changes the diagonal blocks of the two groups at the contact, and the block
+   in the row of the later group that couples the two. A held block has the
+   number a->groups and no row. */
 static void kern_skyline_law(kern_skyline *a, const int ends[2],
                              const kern_row row[2], const kern_law *s)
 {
@@ -4909,10 +4913,11 @@ static void kern_skyline_shift(kern_skyline *a, kern_real share)
     }
 }
 
-/* Subtracts a b' from the 3 x 3 block c. Here a is the three rows that contain
-   c, and b is three other rows. The product sums over n columns that both have
-   in common. Successive rows of a and c are wide_a numbers apart, and those of
-   b wide_b numbers. */
+/* Subtracts the product a b' from the 3 x 3 block c, which lies in the same
+   three rows as a. `b` points to three other rows. Both begin at the same
+   column, and the product takes n columns of each. Successive rows of a and c
+   are wide_a numbers apart, and successive rows of b are wide_b numbers
+   apart. */
 static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
                                 const kern_real *b, int wide_b, int n)
 {
@@ -4961,8 +4966,8 @@ static void kern_skyline_factor(kern_skyline *a)
         const kern_real diagonal[3] = {d[0], d[width + 1], d[2 * width + 2]};
 
         /* Computes the blocks of row g from the first block to the diagonal
-           block. From block h subtracts the products of the earlier columns
-           that the rows g and h have in common. */
+           block. From block h subtracts the product of rows g and h over the
+           earlier columns that both rows have. */
         for (h = a->first_column[g]; h <= g; h++) {
             const int from = a->first_column[g] > a->first_column[h]
                                ? a->first_column[g]
@@ -5109,13 +5114,16 @@ static void kern_skyline_split_solve(const kern_skyline *lower,
 
 /* Laws that the contacts of a part may have (>>skyline). */
 typedef enum kern_law_kind {
-    KERN_LAW_RAYS, /* two rays of stiffness 1 that cannot pull           */
-    KERN_LAW_STIFF /* finite stiffness along n and t, and a price (>>raised) */
+    /* Two forces along the edges of the friction cone (rays), each of which has
+       the stiffness 1 and cannot pull. */
+    KERN_LAW_RAYS,
+    /* A stiffness along n and one along t, and a price (>>raised). */
+    KERN_LAW_STIFF
 } kern_law_kind;
 
-/* Starting point of Newton's method. KERN_START_COLD: u = 0. One more round
-   comes first, in which all contacts are assumed to press. KERN_START_WARM: the
-   present u. */
+/* Starting point of Newton's method. KERN_START_COLD: the method begins at
+   u = 0 with one additional round, in which all contacts are assumed to press.
+   KERN_START_WARM: the method begins at the present u. */
 typedef enum kern_start { KERN_START_COLD, KERN_START_WARM } kern_start;
 
 /* Data of Newton's method for the minimum-norm forces of a part. The method
@@ -5125,8 +5133,9 @@ typedef struct kern_dual {
     kern_law_kind law;   /* law of the contacts                      */
     kern_skyline matrix; /* matrix of Newton's method                */
 
-    /* The unknowns, the step of Newton's method and the gradient of the dual:
-       each has three numbers per group, then three of 0 for held blocks. */
+    /* The unknowns, the step of Newton's method and the gradient of the dual.
+       Each has three numbers per group, and then three zeros for held
+       blocks. */
     kern_real *u, *step, *grad;
     kern_real *load; /* three per group: the wrench that supports must exert */
 
@@ -5142,8 +5151,8 @@ typedef struct kern_dual {
     kern_real shear; /* stiffness along t, divided by mu times that along n  */
 } kern_dual;
 
-/* Eq. (5) of a part as a linear program (>>verdict). The interior point stores
-   no columns and uses only rhs, rate and shrink. */
+/* Eq. (5) of a part as a linear program (>>verdict). The interior-point method
+   stores no columns and uses only rhs, rate and shrink. */
 typedef struct kern_equations {
     kern_real *arc;   /* columns: eight numbers per contact              */
     kern_real *rhs;   /* right-hand side: three loads per group          */
@@ -5485,9 +5494,9 @@ static void kern_part_add(kern_part *p, int k, const kern_law *s)
     kern_skyline_law(&p->dual.matrix, p->ends + 2 * k, row, s);
 }
 
-/* Writes the matrix of Newton's method: the sum of the laws of the contacts
-   that press at u, or for a cold start of all contacts. Shifts the diagonal of
-   the matrix. */
+/* Writes the matrix of Newton's method. It sums the stiffness of the contacts
+   that press at u, or for a cold start the stiffness of all contacts. Shifts
+   the diagonal of the matrix. */
 static void kern_norm_matrix(kern_part *p, kern_start start)
 {
     const int cold = start == KERN_START_COLD;
@@ -5501,7 +5510,7 @@ static void kern_norm_matrix(kern_part *p, kern_start start)
             s = kern_part_law(p, k, 1, 0);
         if (cold
             && p->dual.law
-                   == KERN_LAW_STIFF) /* tt then does not depend on mu */
+                   == KERN_LAW_STIFF) /* here tt must not depend on mu */
             s.tt = p->dual.shear * s.nn;
         if (s.nn > 0)
             kern_part_add(p, k, &s);
@@ -5509,8 +5518,9 @@ static void kern_norm_matrix(kern_part *p, kern_start start)
     kern_skyline_shift(a, KERN_DUAL_SHIFT);
 }
 
-/* Returns the derivative of the dual along the step of Newton's method, at u +
-   share * step. `push` is the contribution of the loads to this derivative. */
+/* Returns the derivative of the dual along the step of Newton's method, at the
+   place u + share * step. `push` is the contribution of the loads to this
+   derivative. */
 static kern_real kern_norm_slope(const kern_part *p, kern_real push,
                                  kern_real share)
 {
@@ -5527,10 +5537,10 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
 
 /* Returns the share of the step of Newton's method at which the dual is
    largest. Finds the zero of the derivative along the step by regula falsi,
-   since the dual is concave. The search ends where the derivative is at most an
-   eighth of that at the beginning of the step (KERN_SHARE_TOL), or with stiff
-   contacts a thousandth (KERN_SHARE_TOL_PRICED). With stiff contacts the work
-   of each place is charged. */
+   since the dual is concave. The search ends where the derivative has become at
+   most an eighth of its first value (KERN_SHARE_TOL), or with stiff contacts a
+   thousandth (KERN_SHARE_TOL_PRICED). With stiff contacts the work of each
+   place is charged. */
 KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_dual *d = &p->dual;
@@ -5786,11 +5796,11 @@ typedef struct kern_ray {
     kern_real wrench[3]; /* wrench on the group if x is 1                   */
     kern_real x;         /* magnitude of the force, in units of
                             kern_pass_unit(); below 0: there is no force    */
-    int pressing;        /* nonzero: the ray counts in the sums             */
+    int pressing;        /* nonzero: kern_ray_sum() counts the ray          */
 } kern_ray;
 
-/* Writes the two rays of the contact whose row is given. The force of each ray
-   is that at the approach `way`, expressed in units of size `unit`. */
+/* Writes the two rays of the contact whose row is given. The force x of each
+   ray is its force at the approach `way`, divided by `unit`. */
 static inline void kern_ray_pair(kern_ray *ray, const kern_row *row,
                                  kern_real mu, const kern_real way[2],
                                  kern_real unit)
@@ -6022,7 +6032,7 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
 
 /* Returns 1 if no force from above can hold a part that cannot be balanced.
    This is so if its motion u separates it from all groups that rest on it, and
-   the loads of the part do work in this motion. */
+   the loads of the part do positive work in this motion. */
 static int kern_pass_parts(kern_part *p)
 {
     const kern_real limit = KERN_PARTS_TOL
@@ -6045,10 +6055,10 @@ static int kern_pass_parts(kern_part *p)
     return power > 0;
 }
 
-/* Opens the cluster whose last group is `last` as a part. If its minimum-norm
-   forces are found, writes them and returns KERN_STANDS. Returns KERN_FALLS if
-   no forces balance the part, with all other blocks held, and its motion
-   separates it from all groups that rest on it. */
+/* Opens the cluster whose last group is `last` as a part. If the minimum-norm
+   forces of this part are found, writes them and returns KERN_STANDS. Returns
+   KERN_FALLS if no forces balance the part while all other blocks are held, and
+   the motion of the part separates it from all groups that rest on it. */
 KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
                                               int last)
 {
@@ -6066,10 +6076,10 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
         || p->dual.step_units > m->cluster.budget_end - m->task->work->units)
         return KERN_NO_SPACE;
 
-    /* Sums the loads of the groups and the forces of the contacts above them in
-       dual.load. Sums the magnitudes of these loads and sums in `load`.
-       `lightest` is the smallest load of a group, which determines the largest
-       residual. */
+    /* Sums in dual.load the loads of the groups and the forces of the contacts
+       above them. `load` is the sum of the magnitudes of the loads and of the
+       numbers in dual.load. `lightest` is the smallest load of a group, which
+       determines the largest residual. */
     for (n = 0; n < p->groups; n++) {
         lightest = kern_min(lightest, m->load_size[p->group[n]]);
         load += m->load_size[p->group[n]];
@@ -6082,9 +6092,9 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.load[n]);
 
-    /* Finds the minimum-norm forces. If their norm exceeds its bound, no forces
-       are taken to exist. Even then the part falls only if its motion separates
-       it from all groups that rest on it. */
+    /* Finds the minimum-norm forces. If their norm exceeds its bound, the part
+       counts as one that no forces balance. Even then it falls only if its
+       motion separates it from all groups that rest on it. */
     status = kern_norm_find(p, KERN_PASS_TOL * lightest,
                             KERN_CLUSTER_NORM * load, KERN_START_COLD,
                             KERN_NORM_ROUNDS);
@@ -6120,8 +6130,8 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
 }
 
 /* Makes the next pass begin with the known forces of a similar structure, if
-   there are any. If the kerns are at least as large as they were for these
-   forces, the pass begins with only the last block open. */
+   there are any. If the kerns are at least as large as those for which these
+   forces were found, the pass begins with only the last block open. */
 static void kern_known_begin(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
@@ -6138,9 +6148,9 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
 
 /* Begins a pass with the present forces of the answer. Makes each group a
    cluster of its own and opens all of them, or only the one group that known
-   forces may not balance (`unbalanced`). A cluster may grow to groups / share +
-   1 groups. If there are more than KERN_SMALL groups, its largest size depends
-   only on their number. */
+   forces may not balance (`unbalanced`). A cluster may have at most
+   groups / share + 1 groups. If there are more than KERN_SMALL groups, the
+   limit depends only on their number. */
 static void kern_pass_begin(kern_model *m, int share)
 {
     kern_clusters *c = &m->cluster;
@@ -6213,8 +6223,8 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
    starts from the x, y, z and s of the last query. */
 
 typedef struct kern_ipm {
-    kern_part *part;       /* all groups; its x, y and eq.rhs are x, y, b */
-    kern_real s;           /* minus the share of g that remains           */
+    kern_part *part;       /* all groups; its x, y, eq.rhs are x, y, b   */
+    kern_real s;           /* minus the share of g that remains          */
     kern_real duality_gap; /* sum of x z: distance of s from its maximum */
     kern_real *z;          /* per ray: its opening speed                 */
     kern_real *dx;         /* per ray: step of x; dual.change: step of z */
@@ -6300,8 +6310,8 @@ static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
     return share;
 }
 
-/* Raises the smaller of x and z of each ray until their product is at least gap
-   / rays. Computes the excess and the duality gap again. */
+/* Raises the smaller of x and z of each ray until their product is at least
+   gap / rays. Computes the excess and the duality gap again. */
 static void kern_ipm_centre(kern_ipm *ipm, kern_real gap)
 {
     const int rays = 2 * ipm->part->contacts;
@@ -6407,9 +6417,9 @@ static int kern_ipm_step(kern_ipm *ipm)
     return kern_is_finite(ipm->duality_gap);
 }
 
-/* Corrects the forces x so that their residual A x - b becomes rounding error.
-   Uses D = x instead of x / z, which keeps M far from singular. Returns 1 if
-   the corrected forces prove that the structure stands. */
+/* Corrects the forces x so that only rounding error is left of their residual
+   A x - b. Uses D = x instead of x / z, which keeps M far from singular.
+   Returns 1 if the corrected forces prove that the structure stands. */
 static int kern_ipm_balance(kern_ipm *ipm, const kern_query *q)
 {
     kern_part *p = ipm->part;
@@ -6440,10 +6450,10 @@ static void kern_ipm_lift(kern_real *v, int n)
         v[i] += lift;
 }
 
-/* Computes the starting point of the interior-point method (Mehrotra). x are
-   the minimum-norm forces of rays that can also pull, raised above 0. z are the
-   opening speeds of a motion y, raised above 0. Returns 0 if the raised forces
-   are in equilibrium, or if the work is refused. */
+/* Computes the starting point of the interior-point method (Mehrotra). The
+   forces x are the minimum-norm forces of rays that can also pull, raised above
+   0. The speeds z are the opening speeds of a motion y, raised above 0. Returns
+   0 if the raised forces are in equilibrium, or if the work is refused. */
 static int kern_ipm_begin(kern_ipm *ipm)
 {
     kern_part *p = ipm->part;
@@ -6563,8 +6573,8 @@ static kern_status kern_ipm_evaluate(kern_ipm *ipm, const kern_query *q)
     kern_model_arms(m, q);
     kern_part_load(p, q, p->eq.rhs);
 
-    /* Starts from the solution of the last query, raised a little above 0. This
-       saves some steps. */
+    /* Starts from the solution of the last query, raised a little above 0,
+       which saves steps. */
     if (ipm->duality_gap <= KERN_IPM_GAP_MOST) {
         ipm->s = kern_min(ipm->s, -KERN_IPM_S);
         kern_ipm_centre(ipm, kern_max(ipm->duality_gap, KERN_IPM_GAP));
@@ -6672,9 +6682,9 @@ static int kern_part_is_whole(const kern_part *p)
 /* Checks the proof of `status`, the result of the simplex method. Returns the
    status if its proof holds. Returns KERN_STANDS if the proof of a fall fails
    but the forces of the whole structure are a proof. Returns KERN_UNDECIDED if
-   nothing is proven. Negative statuses are returned unchanged. So is
-   KERN_STANDS of a part without all groups, which is no verdict on the
-   structure. */
+   nothing is proven. A negative status is returned unchanged. KERN_STANDS of a
+   part that has not all groups is also returned unchanged, since it is no
+   verdict on the structure. */
 static kern_status kern_part_prove(kern_part *p, const kern_query *q,
                                    kern_status status)
 {
@@ -6869,8 +6879,8 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         && m->graph.groups <= KERN_SMALL) {
         status = kern_ipm_verdict(m, p, q);
 
-        /* Keeps kern_path_evaluate() from Newton's step with the y of the
-           interior-point method, which is a poorer start than that of a
+        /* Keeps kern_path_evaluate() from taking Newton's step with the y of
+           the interior-point method. That step starts better from the y of a
            basis. */
         p->result = KERN_UNDECIDED;
     }
@@ -6883,14 +6893,14 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 /* A path leads from a structure that stands to structures that fall: kerns
    shrink, a load grows or gravity turns. A place s on the path is a shrinkage,
    a load factor, or the tangent of a quarter of the angle of tilt. A mechanism
-   y that falls at s has the power
+   y falls at s if the loads at s have a positive power in this motion:
 
-       P(s) = -y.rhs(s) > 0,   whose derivative is   P' = -y.(rhs' - A' x),
+       P(s) = -y.rhs(s) > 0,   whose derivative is   P' = -y.(rhs' - A' x).
 
-   where rhs' and A' are derivatives with respect to s, and x are the forces of
+   Here rhs' and A' are derivatives with respect to s, and x are the forces of
    the last basis. So the mechanism stops falling at about s - P / P' (Newton's
-   method). The steps of the method converge quadratically, from the side on
-   which the structure falls. */
+   method). This place is the critical value of the mechanism. The steps of the
+   method converge quadratically, from the side on which the structure falls. */
 
 /* What changes along a path: kerns shrink, a load grows, or gravity turns. */
 typedef enum kern_path_kind {
@@ -6929,13 +6939,13 @@ typedef struct kern_path {
     kern_real predicted;     /* predicted critical value of the next
                                 mechanism                                     */
     kern_range proven;       /* bracket with proofs for the whole structure   */
-    int never_falls;         /* nonzero: the whole stands at all places up to
-                                the end                                       */
+    int never_falls;         /* nonzero: the whole structure stands at all
+                                places up to the end                          */
     kern_part *part;         /* the open part: the last one that fell         */
     const kern_known *known; /* results of a similar structure, or NULL       */
     kern_scope scope;        /* structure that the search evaluates           */
     struct kern_ipm *ipm;    /* interior-point method that evaluates the
-                                whole, or NULL                                */
+                                whole structure, or NULL                      */
     const kern_proof *proof; /* the caller's arrays, which receive the last
                                 proof of each verdict                         */
 } kern_path;
@@ -6947,7 +6957,7 @@ KERN_SHARED static kern_real kern_width(const kern_path *path)
 }
 
 /* Returns the distance from a critical value to the two places beside it, one
-   on each side, at which a search looks for a proof. */
+   on each side, at which a search looks for proofs. */
 KERN_SHARED static kern_real kern_half_width(const kern_path *path)
 {
     return kern_width(path) / 2;
@@ -6970,8 +6980,8 @@ KERN_SHARED static kern_real kern_path_retreat(const kern_path *path,
     return kern_max(path->critical - distance, path->start);
 }
 
-/* Returns the query at place s of a path. On a path of tilt gravity turns by 4
-   atan(s). So it turns through half a circle as s grows from 0 to 1, and no
+/* Returns the query at place s of a path. On a path of tilt gravity turns by
+   4 atan(s). So it turns through half a circle as s grows from 0 to 1, and no
    trigonometric functions are needed. */
 static kern_query kern_path_at(const kern_path *path, kern_real s)
 {
@@ -7014,8 +7024,8 @@ static kern_real kern_half_tangent(kern_real t)
 
    The lower end may lack a proof. If kerns are nested, the search evaluates its
    start only if the critical value is close to it. A part, with all other
-   blocks held, can prove that the whole falls, but not that it stands. So after
-   a search on a part its lower end is discarded.
+   blocks held, can prove that the whole structure falls, but not that it
+   stands. So the lower end of the bracket of a part is discarded afterwards.
 
    A search tries the cheapest method first:
 
@@ -7024,8 +7034,8 @@ static kern_real kern_half_tangent(kern_real t)
                    it alone
        parts       a pass just before that value: it may find a part that
                    falls there
-       whole       if the pass finds no such part: one linear program, or the
-                   interior-point method
+       whole       if the pass finds no such part: one linear program of all
+                   groups, or the interior-point method
 
    Each method gives an upper bound of the critical value, since fixing blocks
    never makes a structure fall. If kerns are not nested, the verdict may change
@@ -7044,9 +7054,9 @@ static kern_real *kern_path_change(const kern_model *m)
 }
 
 /* Adds to *power and *rate the effect of options.narrow at contact k, whose
-   friction is smaller at the shrinkage `to` than at q. The reduction of
-   friction in the model must be that of q. x has the forces along the two edges
-   of the cone. */
+   friction is smaller at the shrinkage `to` than at q. m->reduction must be
+   that of q. x[0] and x[1] are the forces along the two edges of the friction
+   cone. */
 static void kern_shrink_narrow(const kern_part *p, const kern_query *q, int k,
                                kern_real to, const kern_real *x,
                                kern_real *power, kern_real *rate)
@@ -7147,8 +7157,9 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     }
     shrink = round < KERN_BENDS ? shrink - step : path->holds;
 
-    /* Lengthens the step by Halley's correction: the change of the forces
-       lowers y.rhs, so the structure still falls where y no longer does. */
+    /* Lengthens the step by Halley's correction: the forces of the basis change
+       along the path and lower y.rhs, so that the structure still falls where y
+       alone no longer does. */
     path->predicted = shrink;
     if (p->eq.shrink <= q->shrink
         && kern_simplex_direction(&p->eq.simplex, p->eq.rate, change)) {
@@ -7190,8 +7201,8 @@ static kern_real kern_path_pushed(const kern_path *path, kern_real s,
 }
 
 /* Returns the place at which the mechanism p->y, which falls at s, stops
-   falling. For a path of shrinkage the place is that of kern_shrink_critical().
-   Otherwise it is one step of Newton's method away, which is exact unless
+   falling. On a path of shrinkage this is the place of kern_shrink_critical().
+   On other paths one step of Newton's method finds the place exactly, unless
    blocks have loads that keep their direction while gravity turns. */
 static kern_real kern_path_newton(kern_path *path, const kern_query *q,
                                   kern_real s)
@@ -7210,8 +7221,8 @@ static kern_real kern_path_newton(kern_path *path, const kern_query *q,
 
 /* Returns 1 if the answer's motion proves that the whole structure falls at s.
    The motion must have been proven on the contacts of the path. If the path
-   leaves out points that travel, checks the motion again with these points,
-   since they may stop it. */
+   leaves out the points that travel (KERN_CARRY_NESTED), checks the motion
+   again with these points, since they may stop it. */
 static int kern_path_falls_whole(const kern_model *m, const kern_path *path,
                                  kern_real s)
 {
@@ -7341,19 +7352,20 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
         return aim + offset;
 
     /* 5. The upper end is close to the critical value: prove that the whole
-       stands just before this value. */
+       structure stands just before this value. */
     if (path->scope != KERN_SCOPE_PART && critical - lo > KERN_R(1.05) * offset)
         return kern_path_retreat(path, offset);
     return KERN_INFINITY;
 }
 
 /* Narrows the bracket [holds, fails] around path->critical. Returns KERN_STANDS
-   if it has become narrow. Returns KERN_FALLS if the structure falls at the
-   start of the search, which may have no proof before. In a jam no place close
-   to the critical value has a proof. So each undecided place doubles the
-   distance from the critical value at which the next places are tried. After
-   the first undecided place the search keeps the least of all critical values
-   that it finds, since places farther away predict the value less well. */
+   if the bracket has become narrow. Returns KERN_FALLS if the structure falls
+   at the start of the search, which may have been evaluated only now. In a jam
+   no place close to the critical value has a proof. So each undecided place
+   doubles the distance from the critical value at which the next places are
+   tried. After the first undecided place the search keeps the least critical
+   value that it finds, since mechanisms at more distant places predict the
+   value less well. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
     kern_real offset = kern_half_width(path);
@@ -7389,8 +7401,9 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         }
     }
 
-    /* A bracket of the whole that is still wide is no answer. The critical
-       value must lie inside of the bracket. */
+    /* Returns KERN_UNDECIDED if the bracket is still too wide for an answer,
+       except for a part. Moves the critical value into the bracket if it lies
+       outside. */
     if (path->fails - path->holds > KERN_ANSWER * kern_width(path)
         && path->scope != KERN_SCOPE_PART)
         return KERN_UNDECIDED;
@@ -7427,11 +7440,12 @@ static int kern_turn_holds(kern_model *m, const kern_path *path,
     return kern_model_evaluate(m, path->part, &q) == KERN_STANDS;
 }
 
-/* Takes steps along the path from path->holds, where the whole stands, until
-   the whole falls. Then finds the critical value. The length of the first step
-   is `first`. Later steps begin with the length `step` and grow. A step without
-   a proof is halved. `stride` is the least length of a step, or 0 if the
-   verdict changes only once along the path. */
+/* Takes steps along the path from path->holds, where the whole structure
+   stands, until it falls. Then finds the critical value. The length of the
+   first step is `first`. Later steps begin with the length `step` and grow. If
+   the places along a step remain unknown, the step is halved. `stride` is the
+   least length of a step, or 0 if the verdict changes only once along the
+   path. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step,
                                    kern_real stride)
@@ -7480,10 +7494,10 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
 
 /* ---- bodies ---- */
 /* A body is a block with all blocks that rest on it alone, directly or through
-   others. Its blocks move as one. If a single line carries a body, the body
-   tips at the shrinkage at which its load leaves the kern of this line. All
-   other blocks are held, so the whole structure falls there. The critical value
-   of most structures is that of a body. */
+   others. Its blocks move as one rigid body. If a single line carries a body,
+   the body tips at the shrinkage at which its load leaves the kern of this
+   line. All other blocks are held, so the whole structure falls there. The
+   critical value of most structures is that of a body. */
 
 /* Finds the line that carries body g. Returns the end, at body g, of the first
    point of this line (an index of graph.ends). Returns KERN_OUT if the body is
@@ -7664,8 +7678,8 @@ static int kern_start_falls(kern_model *m, kern_path *path,
 
 /* Returns the verdict on the open part at s, with all other blocks held. After
    KERN_FALLS path->critical is the critical value of the part. If the part
-   stands, which proves nothing about the whole, returns KERN_UNDECIDED. Leaves
-   path->holds as it was. */
+   stands, which proves nothing about the whole structure, returns
+   KERN_UNDECIDED. Does not change path->holds. */
 static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_real holds = path->holds;
@@ -7726,7 +7740,7 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     const kern_real limit = known ? kern_min(place + first, path->end)
                                   : path->end;
     kern_known body;
-    kern_model_weigh(m, &path->q); /* the same for all places */
+    kern_model_weigh(m, &path->q); /* all places have the same loads */
     m->reduction = kern_reduction(&path->q);
 
     /* 1. The known motion still proves a fall: begin just before its critical
@@ -7756,10 +7770,11 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
 
 /* ---- the search: which method is asked when ---- */
 
-/* Finds the critical value of the whole under a growing load or a tilt, by one
-   linear program. Its optimum is the largest load factor, or tangent of the
-   angle of tilt, for which forces exist, and its prices are the mechanism.
-   Returns KERN_UNDECIDED if the path ends before that value. */
+/* Finds the critical value of the whole structure under a growing load or a
+   tilt, by one linear program. The optimum of the program is the largest load
+   factor, or tangent of the angle of tilt, for which forces exist. Its prices
+   are the mechanism. Returns KERN_UNDECIDED if the path ends before that
+   value. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path)
 {
     kern_part *p = path->part;
@@ -7783,8 +7798,8 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
 
 /* Finds the critical value in the bracket. If there is no bracket, or the
    search in it is undecided, searches by kern_path_climb() instead. The climb
-   starts at the last place where the whole is proven to stand, and takes steps
-   that begin with the lengths `first` and `step`. */
+   starts at the last place where the whole structure is proven to stand, and
+   takes steps that begin with the lengths `first` and `step`. */
 static kern_status kern_path_narrow(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
@@ -7811,7 +7826,7 @@ static void kern_known_start(kern_model *m, kern_part *p)
     kern_simplex_start(&p->eq.simplex, p->x, KERN_BASIS_NOISE * m->weight);
 }
 
-/* Finds the critical value of the whole beyond path->holds by the
+/* Finds the critical value of the whole structure beyond path->holds by the
    interior-point method. q is the query at path->holds. `first` and `step` are
    the lengths of the first steps (kern_path_climb()). Returns KERN_UNDECIDED if
    the method cannot be opened. */
@@ -7829,11 +7844,11 @@ static kern_status kern_path_interior(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Finds the critical value of the whole beyond path->holds by the linear
-   program of all groups. q is the query at path->holds. `first` and `step` are
-   the lengths of the first steps (kern_path_climb()). If the interior-point
-   method can take over, returns KERN_UNDECIDED at the first place that the
-   program cannot decide. */
+/* Finds the critical value of the whole structure beyond path->holds by the
+   linear program of all groups. q is the query at path->holds. `first` and
+   `step` are the lengths of the first steps (kern_path_climb()). If the
+   interior-point method can take over, returns KERN_UNDECIDED at the first
+   place that the program cannot decide. */
 static kern_status kern_path_program(kern_model *m, kern_path *path,
                                      const kern_query *q, kern_real first,
                                      kern_real step)
@@ -7853,14 +7868,14 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Finds the critical value of the whole beyond path->holds. `first` and `step`
-   are the lengths of the first steps (kern_path_climb()). More than KERN_SMALL
-   groups are solved by the interior-point method, and if that is undecided by
-   the linear program. When kerns shrink, the first step of the interior-point
-   method has half the length, since at a smaller shrinkage fewer mechanisms
-   fall. Fewer groups are solved by the program. If the program cannot decide a
-   place, as in a jam, the interior-point method narrows the remaining
-   bracket. */
+/* Finds the critical value of the whole structure beyond path->holds. `first`
+   and `step` are the lengths of the first steps (kern_path_climb()). More than
+   KERN_SMALL groups are solved by the interior-point method, and by the linear
+   program if that method is undecided. When kerns shrink, the first step of the
+   interior-point method has half the length, since fewer mechanisms fall at a
+   smaller shrinkage. Fewer groups are solved by the linear program. If the
+   program cannot decide a place, as in a jam, the interior-point method narrows
+   the remaining bracket. */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
@@ -7889,8 +7904,9 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
 
 /* Finds the critical value by passes. If a pass finds a part that falls, the
    next pass is just before the critical value of this part. The search ends
-   when the whole stands there. If a pass cannot decide, or after KERN_PARTS
-   parts, the whole is solved. `step` is the length of the first step. */
+   when the whole structure stands there. If a pass cannot decide, or after
+   KERN_PARTS parts, kern_path_whole() continues. `step` is the length of the
+   first step. */
 static kern_status kern_path_parts(kern_model *m, kern_path *path,
                                    kern_real step)
 {
@@ -7919,12 +7935,13 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
             continue;
         }
 
-        /* Ends if the whole stands just before the critical value, if the pass
-           cannot decide, or if a part falls at the start. */
+        /* Ends if the whole structure stands just before the critical value, if
+           the pass cannot decide, or if a part falls at the start. */
         if (status != KERN_STANDS || path->fails < KERN_INFINITY)
             break;
 
-        /* Takes one more step if the whole stands and no fall is known. */
+        /* Takes one more step if the whole structure stands and no fall is
+           known. */
         if (place >= path->end)
             return kern_path_saturate(path);
         place = kern_min(place + step, path->end);
@@ -7935,10 +7952,10 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
              : kern_path_whole(m, path, place - path->holds, step);
 }
 
-/* Finds the critical value of a path beyond path->holds. The structure must
-   stand at path->holds. Only if kerns are nested this need not be known: the
-   search then evaluates that place itself if necessary. `stride` is the step of
-   a walk, or 0 if the verdict changes only once along the path. */
+/* Finds the critical value of a path beyond path->holds. Unless kerns are
+   nested, the structure must be known to stand at path->holds. If they are
+   nested, the search evaluates that place itself where it needs to. `stride` is
+   the step of a walk, or 0 if the verdict changes only once along the path. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real stride)
 {
@@ -7956,7 +7973,10 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
         status = kern_path_climb(m, path, turn, turn, stride);
     } else if (m->whole || !shrinks)
         status = kern_path_whole(m, path, step, step);
-    else /* for few groups a longer step, since a falling part ends it */
+    else
+        /* Makes the first step of few groups longer. If it is too long, a part
+           falls there and the next pass is just before the critical value of
+           this part. */
         status = kern_path_parts(
             m, path,
             m->graph.groups <= KERN_SMALL ? step * KERN_CLIMB_GROWS : step);
@@ -7974,16 +7994,16 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 }
 
 /* ---- nested first ---- */
-/* If single contact points travel (contacts that are no lines), kerns are not
-   nested. Few structures need these points to stand. Without them kerns are
-   nested, and a search replaces the walk. The proofs at the ends of its bracket
-   mean for the structure with all points:
+/* Kerns are not nested if single contact points, which are not the ends of a
+   line, travel as kerns shrink. Few structures need these points to stand.
+   Without them kerns are nested, and a search replaces the walk. For the
+   structure with all points the proofs at the ends of its bracket mean:
 
-       forces without the points    also hold the whole, here and at every
-                                    smaller place: the whole stands up to here
+       forces without the points    also hold the structure, here and at every
+                                    smaller place: it stands up to here
        a motion without the points  may close one of the points. If it is also
-                                    a proof with all points, the whole falls
-                                    here
+                                    a proof with all points, the structure
+                                    falls here
 
    If the motion is no proof with all points, a walk continues from the last
    place that is proven to stand. */
@@ -8002,8 +8022,8 @@ static void kern_path_carry(kern_model *m, kern_path *path, kern_carry carry)
 }
 
 /* Finds the critical value if kerns are not nested. First searches without the
-   points that travel. If the result is not proven for the whole, walks in steps
-   of `stride` through multiples of `stride`. */
+   points that travel. If the result is not proven for the whole structure,
+   walks in steps of `stride` through multiples of `stride`. */
 static kern_status kern_path_scan(kern_model *m, kern_path *path,
                                   kern_real stride)
 {
@@ -8014,15 +8034,15 @@ static kern_status kern_path_scan(kern_model *m, kern_path *path,
         return status;
     kern_path_carry(m, path, KERN_CARRY_ALL);
 
-    /* Ends if both ends of the bracket are proven for the whole, or if the
-       whole falls at 0. */
+    /* Ends if both ends of the bracket are proven for the whole structure, or
+       if it falls at 0. */
     if ((status == KERN_STANDS
          && (path->never_falls || path->proven.high <= path->fails))
         || (status == KERN_FALLS && path->proven.high <= 0))
         return status;
 
-    /* Begins the walk at the last multiple of `stride` at which the whole is
-       proven to stand, or at 0. */
+    /* Begins the walk at 0, or at the last multiple of `stride` at which the
+       whole structure is proven to stand. */
     path->never_falls = 0;
     path->holds = KERN_R(0);
     if (path->proven.low < 0)
@@ -8172,8 +8192,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     first = kern_min(r.epsilon, r.most);
 
     /* Searches for the margin. If kerns are not nested, the search may walk in
-       even steps, and a whole number of these steps make one step of Algorithm
-       1. */
+       even steps. A whole number of these steps is one step of Algorithm 1. */
     status = nested ? kern_path_search(&c->m, path, 0)
                     : kern_path_scan(
                         &c->m, path,
@@ -8964,12 +8983,12 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
     return -rate * spin * f;
 }
 
-/* Adds to the rates of both blocks of contact i the effect of moving the block,
-   which moves the contact. The contact follows as the contact search would find
-   it. `pair` is the other end of its line, or i for a point. At an end of a
+/* Adds to the rates of the two blocks of contact i the contribution of this
+   contact: if a block moves, the contact moves as the contact search would find
+   it. `pair` is the other end of the line, or i for a point. At an end of a
    line, the block whose corner is there moves the end along the line. Across
-   the line, each block moves the end by half of its own motion, since the line
-   stays midway between the two edges. Likewise the normal turns by half. At a
+   the line, each block moves the end by half of its own motion and turns the
+   normal by half, since the line stays midway between the two edges. At a
    point, the block with the corner moves the point, and the block with the edge
    turns the normal. */
 KERN_SHARED static void kern_pose_gain(const kern_task *task,
@@ -9004,10 +9023,11 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
         }
     }
 
-    /* Adds the effect on each block. The block with the corner moves the
-       contact point along the contact. Across the contact, each block moves an
-       end of a line by half; a point is moved only by the block with the
-       corner. The rest of the block's turn turns the normal. */
+    /* Adds the contribution to each block. The block with the corner moves the
+       contact point along the contact. Across the contact, `part` is the share
+       by which the block moves it: half for a line, and for a point 1 for the
+       block with the corner and 0 for the other one. The normal turns with the
+       block by the remaining share. */
     for (end = 0; end < 2; end++) {
         const int owner = end ? c->b : c->a;
         const kern_block *b = task->s.block + owner;
