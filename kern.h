@@ -4774,10 +4774,10 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 
    With such laws the equations of equilibrium A x = b become a linear system
    for the motion of the groups. The matrix of this system is symmetric and has
-   one row of 3 x 3 blocks for each group. It is factored in the order of the
-   groups (skyline Cholesky). >>norm, >>ipm and >>raised build the matrix from
-   different laws. Newton's method in >>raised also has a matrix that is not
-   symmetric (kern_skyline_outer()). */
+   one row of 3 x 3 blocks for each group. The matrix is factored in the order
+   of the groups (skyline Cholesky). >>norm, >>ipm and >>raised build the matrix
+   from different laws. Newton's method in >>raised also has a matrix that is
+   not symmetric (kern_skyline_outer()). */
 
 /* A symmetric matrix of 3 x 3 blocks, with one row of blocks for each group, or
    the Cholesky factor of such a matrix. Each row of blocks is stored from its
@@ -4823,8 +4823,8 @@ static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
 /* Takes memory for the matrix of `groups` groups. Each of n contacts couples
    two groups, so the row of the later group must reach back to the column of
    the earlier group. Returns the number of multiplications of one
-   factorisation. The number is a real, since it may exceed the range of an
-   int. */
+   factorisation. This number is returned as a real, since it may exceed the
+   range of an int. */
 static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
                                    int n, kern_take *take)
 {
@@ -4860,10 +4860,10 @@ static void kern_skyline_clear(kern_skyline *a)
         kern_zero(a->entry + a->offset[g], 9 * (g - a->first_column[g] + 1));
 }
 
-/* Adds the stiffness nn, nt and tt of a contact's law to the matrix. This
-   changes the diagonal blocks of the two groups at the contact, and the block
-   in the row of the later group that couples the two. A held block has the
-   number a->groups and no row. */
+/* Adds the stiffness nn, nt and tt of a contact's law to the matrix. The law
+   changes three blocks: the diagonal blocks of the two groups at the contact,
+   and in the row of the later group the block that couples these groups. A held
+   block has the number a->groups and no row. */
 static void kern_skyline_law(kern_skyline *a, const int ends[2],
                              const kern_row row[2], const kern_law *s)
 {
@@ -4914,7 +4914,7 @@ static void kern_skyline_shift(kern_skyline *a, kern_real share)
 }
 
 /* Subtracts the product a b' from the 3 x 3 block c, which lies in the same
-   three rows as a. `b` points to three other rows. Both begin at the same
+   three rows as a. `b` points to three other rows. a and b begin at the same
    column, and the product takes n columns of each. Successive rows of a and c
    are wide_a numbers apart, and successive rows of b are wide_b numbers
    apart. */
@@ -4980,8 +4980,8 @@ static void kern_skyline_factor(kern_skyline *a)
                                 row_h + 3 * (from - a->first_column[h]),
                                 width_h, 3 * (h - from));
 
-            /* Divides block h by the diagonal block of row h. Block g is the
-               diagonal block of row g itself: here the loop computes its
+            /* Divides block h by the diagonal block of row h. For h = g the
+               block is the diagonal block of row g, and the loop computes its
                Cholesky factor. */
             for (r = 0; r < 3; r++, c += width) {
                 if (h < g || r > 0)
@@ -5108,9 +5108,10 @@ static void kern_skyline_split_solve(const kern_skyline *lower,
 
 /* ---- Parts ------------------------------------------------------ >>part */
 /* A part consists of some of the groups and of all contacts that touch these
-   groups. All other blocks are held, and held blocks can exert any force. So if
-   a part falls, the whole structure falls: the motion of the part, with all
-   other blocks at rest, proves it. */
+   groups. All other blocks are held, and held blocks can exert any force. A
+   part is open while its groups and contacts are listed in a kern_part. Only
+   one part is open at a time. So if a part falls, the whole structure falls:
+   the motion of the part, with all other blocks at rest, proves this fall. */
 
 /* Laws that the contacts of a part may have (>>skyline). */
 typedef enum kern_law_kind {
@@ -5133,9 +5134,9 @@ typedef struct kern_dual {
     kern_law_kind law;   /* law of the contacts                      */
     kern_skyline matrix; /* matrix of Newton's method                */
 
-    /* The unknowns, the step of Newton's method and the gradient of the dual.
-       Each has three numbers per group, and then three zeros for held
-       blocks. */
+    /* The unknowns u, the step of Newton's method and the gradient of the dual.
+       Each of these arrays has three numbers per group, and then three zeros
+       for held blocks. */
     kern_real *u, *step, *grad;
     kern_real *load; /* three per group: the wrench that supports must exert */
 
@@ -5144,8 +5145,9 @@ typedef struct kern_dual {
     kern_real *approach, *change;
     int step_units; /* work of one step of Newton's method [units]           */
 
-    /* Only for KERN_LAW_STIFF, per contact: its price, which is mu times its
-       slip (>>raised), and its stiffness along n. */
+    /* The price of each contact, which is mu times its slip (>>raised), and the
+       stiffness of each contact along n. Only KERN_LAW_STIFF has these two
+       arrays. */
     kern_real *price;
     kern_real *stiffness;
     kern_real shear; /* stiffness along t, divided by mu times that along n  */
@@ -5184,9 +5186,9 @@ typedef struct kern_part {
     kern_status result; /* last result of a method, with or without a proof  */
 } kern_part;
 
-/* Fills p->ends: for both ends of each contact the number of its group within
-   the part, or p->groups if that block is held. Returns 0 if the work memory is
-   too small. */
+/* Writes to p->ends, for both ends of each contact, the number that the group
+   there has within the part, or p->groups if the block there is held. Returns 0
+   if the work memory is too small. */
 static int kern_part_ends(kern_part *p)
 {
     const kern_model *m = p->m;
@@ -5237,7 +5239,7 @@ static void kern_part_list(kern_part *p)
 
 /* Writes the loads of a part's groups for a query as the right-hand side of a
    program: three numbers per group, divided by the unit of force. Returns the
-   largest residual of equilibrium that is allowed, in the same unit. */
+   largest residual of equilibrium that is allowed, in the unit of force. */
 static kern_real kern_part_load(const kern_part *p, const kern_query *q,
                                 kern_real *load)
 {
@@ -5254,8 +5256,8 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
     return KERN_PART_TOL * lightest / m->weight;
 }
 
-/* Begins a part of `groups` groups: takes the memory for their list from
-   `rest`. Returns 0 if that memory is too small. */
+/* Begins a part of `groups` groups: takes the memory for the list of these
+   groups from `rest`. Returns 0 if `rest` is too small. */
 static int kern_part_begin(kern_part *p, kern_model *m, int groups,
                            const kern_take *rest)
 {
@@ -5278,7 +5280,8 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
         return 0;
 
     /* Gives the marked groups their numbers within the part, in the order of
-       all groups. Counts from the last marked group back to the first. */
+       all groups. Counts the groups from the last marked one back to the
+       first. */
     for (g = last; n > 0; g--)
         if (m->graph.local[g] != KERN_OUT) {
             m->graph.local[g] = --n;
@@ -5292,7 +5295,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     return 1;
 }
 
-/* Writes the part's y as the motion of the answer. All other blocks rest. */
+/* Writes the part's y as the motion in m->answer. All other blocks rest. */
 static void kern_part_motion(kern_part *p)
 {
     kern_model *m = p->m;
@@ -5306,7 +5309,7 @@ static void kern_part_motion(kern_part *p)
     kern_motion_scale(m->s, m->answer.motion);
 }
 
-/* Writes the part's y as the motion of the answer. Returns 1 if this motion
+/* Writes the part's y as the motion in m->answer. Returns 1 if this motion
    proves that the structure falls. */
 static int kern_part_falls(kern_part *p, const kern_query *q)
 {
@@ -5315,7 +5318,7 @@ static int kern_part_falls(kern_part *p, const kern_query *q)
     return kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion));
 }
 
-/* Writes the x of a program of all groups as the contact forces of the answer.
+/* Writes the x of a program of all groups as the contact forces in m->answer.
    Negative entries of x, which are rounding errors, become 0. */
 static void kern_part_forces(kern_part *p)
 {
@@ -5331,7 +5334,7 @@ static void kern_part_forces(kern_part *p)
     }
 }
 
-/* Writes the x of a program of all groups as the contact forces of the answer.
+/* Writes the x of a program of all groups as the contact forces in m->answer.
    Returns 1 if these forces prove that the structure stands. */
 static int kern_part_stands(kern_part *p, const kern_query *q)
 {
@@ -5349,16 +5352,16 @@ static int kern_part_stands(kern_part *p, const kern_query *q)
 
        max b.u - |max(0, A'u)|^2 / 2,
 
-   has three unknowns u for each group, a motion. Its solution gives the forces
-   x = max(0, A'u). The dual is concave and its curvature is piecewise constant,
-   so Newton's method ends after a few steps. The matrix of Newton's method is
-   A_S A_S', where S is the set of rays that press at u, those with A'u > 0. If
-   no forces exist, the dual grows without bound. */
+   has three unknowns u for each group, a motion. The solution u of the dual
+   gives the forces x = max(0, A'u). The dual is concave and its curvature is
+   piecewise constant, so Newton's method ends after a few steps. The matrix of
+   Newton's method is A_S A_S', where S is the set of rays that press at u,
+   those with A'u > 0. If no forces exist, the dual grows without bound. */
 
-/* Writes to `way` the approach at which contact i exerts the force that the
-   answer has now. Newton's method begins at these approaches, so it finds the
-   forces that differ least from the present ones. Returns the friction of the
-   contact. */
+/* Writes to `way` the approach at which contact i exerts its present force in
+   m->answer. Newton's method begins at this approach of each contact, so it
+   finds the forces that differ least from the present ones. Returns the
+   friction of the contact. */
 static inline kern_real kern_model_prior(const kern_model *m, int i,
                                          kern_real way[2])
 {
@@ -5443,8 +5446,9 @@ typedef enum kern_way_of { KERN_WAY_OF_STEP, KERN_WAY_OF_U } kern_way_of;
 
 /* Writes the approach of each support along n and t: under u to dual.approach,
    or under the step alone to dual.change. The approach under u includes a
-   constant. For a stiff contact this constant is minus its price. For any other
-   contact it is the approach that gives the present force of the contact. */
+   constant. For a stiff contact this constant is minus the price of the
+   contact. For any other contact the constant is the approach that gives its
+   present force. */
 KERN_SHARED static void kern_norm_approach(kern_part *p, kern_way_of source)
 {
     const kern_dual *d = &p->dual;
@@ -5494,9 +5498,10 @@ static void kern_part_add(kern_part *p, int k, const kern_law *s)
     kern_skyline_law(&p->dual.matrix, p->ends + 2 * k, row, s);
 }
 
-/* Writes the matrix of Newton's method. It sums the stiffness of the contacts
-   that press at u, or for a cold start the stiffness of all contacts. Shifts
-   the diagonal of the matrix. */
+/* Writes the matrix of Newton's method. The matrix sums the stiffness of the
+   contacts that press at u, or for a cold start the stiffness of all contacts.
+   Adds KERN_DUAL_SHIFT times the mean of the diagonal to each diagonal
+   entry. */
 static void kern_norm_matrix(kern_part *p, kern_start start)
 {
     const int cold = start == KERN_START_COLD;
@@ -5519,7 +5524,7 @@ static void kern_norm_matrix(kern_part *p, kern_start start)
 }
 
 /* Returns the derivative of the dual along the step of Newton's method, at the
-   place u + share * step. `push` is the contribution of the loads to this
+   place u + share * step. `push` is the contribution of the loads to the
    derivative. */
 static kern_real kern_norm_slope(const kern_part *p, kern_real push,
                                  kern_real share)
@@ -5554,7 +5559,7 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
     int round;
 
     /* Increases the share until the derivative has changed its sign. After that
-       cuts the bracket where the derivative would be 0 if it were linear. */
+       cuts the bracket at the place where a linear derivative would be 0. */
     for (round = 0;
          round < (hi < KERN_INFINITY ? KERN_SHARE_PLACES : KERN_SHARE_GROWS);
          round++) {
@@ -5574,7 +5579,7 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
         /* Moves the end of the bracket at which the derivative has the same
            sign as at the new place. */
         if (slope > 0) {
-            slope_hi /= 3; /* otherwise hi would stay for many rounds     */
+            slope_hi /= 3; /* otherwise hi would not move for long       */
             lo = share;
             slope_lo = slope;
         } else {
@@ -5588,9 +5593,9 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 /* Finds the minimum-norm forces of a part's supports under the loads in
    p->dual.load. `tolerance` is the largest residual of equilibrium that is
    allowed. Returns KERN_STANDS if the forces are found; p->dual.u then gives
-   them. Returns KERN_FALLS if their norm exceeds `bound`, which is no proof of
-   falling. Returns KERN_UNDECIDED if round number `rounds` is reached, and
-   KERN_LIMIT if work is refused. */
+   these forces. Returns KERN_FALLS if the norm of the forces exceeds `bound`,
+   which is no proof of falling. Returns KERN_UNDECIDED if round number `rounds`
+   is reached, and KERN_LIMIT if work is refused. */
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                   kern_real bound, kern_start start, int rounds)
 {
@@ -5599,8 +5604,8 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     int i, round;
     KERN_ASSERT(p->supports <= p->contacts);
 
-    /* Sets u and the step to 0 for a cold start. For held blocks, whose three
-       numbers come last, both are always 0. */
+    /* Sets u and the step to 0 for a cold start. The last three numbers of u
+       and of the step, which belong to held blocks, are always 0. */
     for (i = start == KERN_START_COLD ? 0 : n; i < n + 3; i++)
         d->u[i] = d->step[i] = 0;
     kern_norm_approach(p, KERN_WAY_OF_U);
@@ -5643,8 +5648,8 @@ static int kern_graph_degree(const kern_graph *graph, int g)
 }
 
 /* Lists all groups that contacts connect to group `first`, in the order of a
-   breadth-first search. Writes them to p->group, from index n down. If a group
-   has several new neighbours, those with fewer contacts are listed first.
+   breadth-first search. Writes the groups to p->group, from index n down. If a
+   group has several new neighbours, those with fewer contacts are listed first.
    Returns the index below that of the last group written. */
 static int kern_norm_layers(kern_part *p, int first, int n)
 {
@@ -5671,10 +5676,10 @@ static int kern_norm_layers(kern_part *p, int first, int n)
     return n;
 }
 
-/* Makes a part of the groups whose graph.local is KERN_OUT. Lists them in the
-   order of a breadth-first search that begins at one end of the structure,
-   backwards from the last index (reverse Cuthill-McKee order). This order keeps
-   the rows of the factor short. */
+/* Makes a part of the groups whose graph.local is KERN_OUT. Lists these groups
+   in the order of a breadth-first search that begins at one end of the
+   structure, backwards from the last index (reverse Cuthill-McKee order). This
+   order keeps the rows of the factor short. */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
@@ -5715,7 +5720,7 @@ static int kern_norm_open(kern_part *p, kern_model *m)
     return kern_part_ends(p) && kern_norm_lay(p, &p->rest);
 }
 
-/* Writes to the answer the contact forces that the laws give for the approaches
+/* Writes to m->answer the contact forces that the laws give for the approaches
    in dual.approach. */
 static void kern_norm_write(kern_part *p)
 {
@@ -5730,24 +5735,25 @@ static void kern_norm_write(kern_part *p)
 }
 
 /* ---- The top-down pass ------------------------------------------- >>pass */
-/* The pass balances the groups from top to bottom. To balance a group, it
+/* The pass balances the groups from top to bottom. To balance a group, the pass
    changes the forces that carry the group as little as possible, until they
-   balance the load of the group and the forces from above. This is a problem in
-   three unknowns. A group that cannot be balanced alone forms a cluster with
-   the groups that rest on it. A group whose load changes is balanced again.
-   Forces that balance every group prove that the structure stands. If a cluster
-   cannot be balanced, and its motion separates it from all groups that rest on
-   it, no forces from above could hold the cluster. Then the cluster is a part
-   that falls.
+   balance the load of the group and the forces from above. Each group is a
+   problem in three unknowns. A group that cannot be balanced alone forms a
+   cluster with the groups that rest on it. A cluster is open while the pass
+   must still balance it. A cluster on which the load has changed becomes open
+   again. Forces that balance every group prove that the structure stands. If a
+   cluster cannot be balanced, and its motion separates it from all groups that
+   rest on it, no forces from above could hold the cluster: it is a part that
+   falls.
 
    The functions that balance a cluster, and kern_pass() itself, return one of
-   these results. KERN_STANDS: all groups of the cluster, or of the structure,
+   three results. KERN_STANDS: all groups of the cluster, or of the structure,
    are balanced. KERN_FALLS: a part is open and seems to fall. KERN_UNDECIDED:
-   neither. A cluster also gives KERN_NO_SPACE or KERN_LIMIT if memory or work
-   is used up, and then kern_pass() returns KERN_UNDECIDED. */
+   neither is found. For a cluster KERN_NO_SPACE or KERN_LIMIT is also possible,
+   if memory or work is used up. Then kern_pass() returns KERN_UNDECIDED. */
 
-/* Marks the cluster of group g as open: the pass must balance it, even if it
-   has done so before. */
+/* Marks the cluster of group g as open: the pass must balance the cluster, even
+   if the pass has balanced it before. */
 static void kern_pass_mark_open(kern_model *m, int g)
 {
     const int last = m->cluster.last[g];
@@ -5825,8 +5831,8 @@ static kern_real kern_pass_unit(const kern_model *m, int i)
 }
 
 /* Writes to `residual` b minus the wrenches of the pressing rays. Writes to the
-   lower half of h the sum of a a' over these rays, where a is the wrench of a
-   ray for x = 1. */
+   lower half of h the sum of a a' over the pressing rays, where a is the wrench
+   of a ray for x = 1. */
 static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
                          kern_real residual[3], kern_real h[9])
 {
@@ -5862,7 +5868,7 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
     for (round = 0; round < KERN_ALONE_ROUNDS; round++) {
         /* Computes the residual of the rays that press now. If the same rays
            pressed in the last round, the step of that round solved a linear
-           problem. Then a residual that has not become much smaller
+           problem. A residual that has not become much smaller by such a step
            (KERN_ALONE_PACE) shows that no solution exists. */
         const kern_real goal = last / KERN_ALONE_PACE;
         int regular, changed = 0;
@@ -5895,9 +5901,9 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
 }
 
 /* Balances group g alone, by the forces of the contacts that carry it. Returns
-   KERN_STANDS if it is balanced, KERN_FALLS if no such forces balance it, and
-   KERN_UNDECIDED if too many contacts carry it or Newton's method does not
-   converge. */
+   KERN_STANDS if the group is balanced, KERN_FALLS if no forces of these
+   contacts balance it, and KERN_UNDECIDED if too many contacts carry it or
+   Newton's method does not converge. */
 static kern_status kern_pass_alone(kern_model *m, int g)
 {
     const kern_real tolerance = KERN_PASS_TOL * m->load_size[g];
@@ -5908,8 +5914,8 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     int e, k, n = 0;
 
     /* Sums in b the load of the group and the forces of the contacts above it.
-       Each contact that carries the group gives two rays, whose forces begin
-       with the present force of the contact. */
+       Each contact that carries the group gives two rays, which start from the
+       present force of the contact. */
     kern_copy(b, m->load + 3 * g, 3);
     for (e = m->graph.first_end[g]; e >= 0; e = m->graph.next_end[e]) {
         const kern_row row = kern_model_row(m, e);
@@ -5927,8 +5933,8 @@ static kern_status kern_pass_alone(kern_model *m, int g)
         end[n++] = e;
     }
 
-    /* Writes the new forces of the contacts that carry the group. If such a
-       force has changed, the cluster of the group below becomes open. */
+    /* Writes the new forces of the contacts that carry the group. If a force
+       has changed, the cluster of the group below that contact becomes open. */
     status = kern_pass_solve(c, 2 * n, b, tolerance);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_real plus = unit[k] * kern_max(c[2 * k].x, 0);
@@ -5972,15 +5978,16 @@ static int kern_pass_mark(kern_model *m, int g, int mark)
 
 /* Grows a cluster that could not be balanced: joins all clusters that rest on
    it. `last` is the last group of the cluster. Marks the cluster as open again.
-   Returns 0 if no cluster rests on it, or if it has become too large. */
+   Returns 0 if no cluster rests on this cluster, or if it has become too
+   large. */
 static int kern_pass_grow(kern_model *m, int last)
 {
     const kern_clusters *c = &m->cluster;
     int g = last, next, e, joined = 0;
 
-    /* Joins the cluster of every group that rests on this one. Reads `next`
-       before it joins a cluster, so that the loop skips the groups that are new
-       in the cluster. */
+    /* Joins the cluster of every group that rests on the cluster of `last`.
+       Reads `next` before each join, so that the loop skips the groups that are
+       new in the cluster. */
     do {
         next = c->next[g];
         for (e = m->graph.first_end[g]; e >= 0; e = m->graph.next_end[e]) {
@@ -6031,8 +6038,8 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
 }
 
 /* Returns 1 if no force from above can hold a part that cannot be balanced.
-   This is so if its motion u separates it from all groups that rest on it, and
-   the loads of the part do positive work in this motion. */
+   Checks that the motion u of the part separates it from all groups that rest
+   on it, and that the loads of the part do positive work in this motion. */
 static int kern_pass_parts(kern_part *p)
 {
     const kern_real limit = KERN_PARTS_TOL
@@ -6056,9 +6063,10 @@ static int kern_pass_parts(kern_part *p)
 }
 
 /* Opens the cluster whose last group is `last` as a part. If the minimum-norm
-   forces of this part are found, writes them and returns KERN_STANDS. Returns
-   KERN_FALLS if no forces balance the part while all other blocks are held, and
-   the motion of the part separates it from all groups that rest on it. */
+   forces of this part are found, writes these forces and returns KERN_STANDS.
+   Returns KERN_FALLS if no forces balance the part while all other blocks are
+   held, and the motion of the part separates it from all groups that rest on
+   it. */
 KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
                                               int last)
 {
@@ -6092,9 +6100,9 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.load[n]);
 
-    /* Finds the minimum-norm forces. If their norm exceeds its bound, the part
-       counts as one that no forces balance. Even then it falls only if its
-       motion separates it from all groups that rest on it. */
+    /* Finds the minimum-norm forces. If the norm of the forces exceeds its
+       bound, the part counts as one that no forces balance. Even such a part
+       falls only if its motion separates it from all groups that rest on it. */
     status = kern_norm_find(p, KERN_PASS_TOL * lightest,
                             KERN_CLUSTER_NORM * load, KERN_START_COLD,
                             KERN_NORM_ROUNDS);
@@ -6115,8 +6123,8 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
                            : KERN_UNDECIDED;
 
     /* If no forces balance a single group, and nothing rests on it, the group
-       falls as a part. If groups rest on it, their forces could hold it. Then
-       the result is undecided and the cluster grows. */
+       falls as a part. If groups rest on this group, their forces could hold
+       it, so the result is undecided and the cluster grows. */
     if (status == KERN_FALLS) {
         if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last)
             || p->supports < p->contacts)
@@ -6146,11 +6154,11 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
         m->cluster.unbalanced = m->graph.group[m->s->blocks - 1];
 }
 
-/* Begins a pass with the present forces of the answer. Makes each group a
-   cluster of its own and opens all of them, or only the one group that known
-   forces may not balance (`unbalanced`). A cluster may have at most
+/* Begins a pass with the present forces in m->answer. Makes each group a
+   cluster of its own. Opens all clusters, or only that of the one group that
+   known forces may not balance (`unbalanced`). A cluster may have at most
    groups / share + 1 groups. If there are more than KERN_SMALL groups, the
-   limit depends only on their number. */
+   largest size of a cluster depends only on the number of groups. */
 static void kern_pass_begin(kern_model *m, int share)
 {
     kern_clusters *c = &m->cluster;
@@ -6176,9 +6184,10 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
     c->budget_end = m->task->work->units
                   + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
 
-    /* Moves the front down, one group after the other. Where a cluster above
-       must be balanced again, kern_pass_mark_open() has moved the front back up
-       to it. The budget ends a pass that does not converge. */
+    /* Moves the front down, one group after the other. If a cluster above the
+       front must be balanced again, kern_pass_mark_open() has moved the front
+       back up to that cluster. The budget ends a pass that does not
+       converge. */
     while (c->front < m->graph.groups) {
         const int g = c->front++;
         kern_status status;
@@ -6200,20 +6209,21 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
 
 /* ---- Interior point ---------------------------------------------- >>ipm */
 /* The interior-point method finds the verdict on all groups at once, in about
-   ten factorisations. It begins with forces x > 0 that are not in equilibrium:
-   their residual is g = A x - b. The linear program
+   ten factorisations. The method begins with forces x > 0 that are not in
+   equilibrium: their residual is g = A x - b. The linear program
 
        max s,  A x + s g = b,  x >= 0,  s <= 0,
 
-   finds how much of this residual can be removed. The first forces solve its
-   equations with s = -1. The structure stands if s reaches 0. At the maximum
+   finds how much of this residual can be removed. The first forces solve the
+   equations of this program with s = -1. The structure stands if s reaches 0.
+   At the maximum
 
        A x = b - s g,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray.
 
    If the maximum of s is below 0, the structure falls, and y is the mechanism.
    A primal-dual method follows the solutions with x z = mu > 0 to mu = 0, where
-   mu is not friction but the same number for all rays. It takes steps of
-   Newton's method:
+   mu is not friction but the same number for all rays. The method takes steps
+   of Newton's method:
 
        M dy - g ds = A x~ + s g - b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
 
@@ -6223,7 +6233,7 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
    starts from the x, y, z and s of the last query. */
 
 typedef struct kern_ipm {
-    kern_part *part;       /* all groups; its x, y, eq.rhs are x, y, b   */
+    kern_part *part;       /* all groups; x, y, eq.rhs: x, y, b of >>ipm */
     kern_real s;           /* minus the share of g that remains          */
     kern_real duality_gap; /* sum of x z: distance of s from its maximum */
     kern_real *z;          /* per ray: its opening speed                 */
@@ -6273,8 +6283,8 @@ static void kern_ipm_excess(kern_ipm *ipm)
 }
 
 /* Factors the matrix M = A D A' with D = ipm->scaling, and solves M out = b for
-   `out`. Before that adds `shift` times the mean of the diagonal of M to its
-   diagonal. */
+   `out`. First adds `shift` times the mean of the diagonal of M to each
+   diagonal entry. */
 static void kern_ipm_factor(kern_ipm *ipm, kern_real shift, const kern_real *b,
                             kern_real *out)
 {
@@ -6435,10 +6445,10 @@ static int kern_ipm_balance(kern_ipm *ipm, const kern_query *q)
     return kern_part_stands(p, q);
 }
 
-/* Adds one number to all n entries of v, so that they become positive. The
-   number is KERN_IPM_LIFT_LEAST times the magnitude of the least entry, if that
-   entry is negative, plus KERN_IPM_LIFT_SHARE times the largest magnitude of an
-   entry. */
+/* Adds the same number to all n entries of v, so that they become positive.
+   This number is KERN_IPM_LIFT_LEAST times the magnitude of the least entry, if
+   that entry is negative, plus KERN_IPM_LIFT_SHARE times the largest magnitude
+   of an entry. */
 static void kern_ipm_lift(kern_real *v, int n)
 {
     kern_real lift = 0;
@@ -6464,7 +6474,7 @@ static int kern_ipm_begin(kern_ipm *ipm)
         return 0;
 
     /* Computes x: the minimum-norm solution of A x = b for rays of equal
-       stiffness that can also pull. Raises it above 0. */
+       stiffness that can also pull. Raises x above 0. */
     ipm->s = -1;
     for (i = 0; i < rays; i++) {
         ipm->z[i] = 0;
@@ -6559,8 +6569,8 @@ static kern_status kern_ipm_run(kern_ipm *ipm, const kern_query *q,
 }
 
 /* Returns the verdict of the interior-point method for a query. Starts from the
-   x, y, z and s of the last query. If that gives no verdict, starts again from
-   the point of kern_ipm_begin(). */
+   x, y, z and s of the last query. If that start gives no verdict, starts again
+   from the point of kern_ipm_begin(). */
 static kern_status kern_ipm_evaluate(kern_ipm *ipm, const kern_query *q)
 {
     kern_part *p = ipm->part;
@@ -6654,8 +6664,8 @@ static void kern_part_set(kern_part *p, const kern_query *q)
         kern_model_unit(m, q, p->group[k]);
     kern_part_load(p, q, eq->rhs);
 
-    /* Writes the columns, which depend only on the shrinkage. If they have
-       changed, the basis must be factored again. */
+    /* Writes the columns, which depend only on the shrinkage. If the columns
+       have changed, the basis must be factored again. */
     if (eq->shrink >= q->shrink && eq->shrink <= q->shrink)
         return;
     eq->shrink = q->shrink;
@@ -6701,16 +6711,17 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
             && kern_part_falls(p, q))
             return status;
 
-    /* Checks the forces x. They may hold the structure within the tolerance
-       even if the simplex method found that no forces exist. */
+    /* Checks the forces x, since they may hold the structure within the
+       tolerance even if the simplex method found that no forces exist. */
     return whole && kern_part_stands(p, q) ? KERN_STANDS : KERN_UNDECIDED;
 }
 
-/* Checks that the sum of the forces x is at most KERN_BOUND weights. If it is
-   not, finds the forces with the least sum, by a program in which each force
-   costs 1. Returns KERN_STANDS if the sum is small enough. Returns KERN_FALLS
-   if even the least sum is too large: y is then a motion that proves the fall.
-   Returns KERN_UNDECIDED or an error if the program has no optimum. */
+/* Checks that the sum of the forces x is at most KERN_BOUND weights. If the sum
+   is larger, finds the forces with the least sum, by a program in which each
+   force costs 1. Returns KERN_STANDS if the sum is small enough. Returns
+   KERN_FALLS if even the least sum is too large: y is then a motion that proves
+   the fall. Returns KERN_UNDECIDED or an error if the program has no
+   optimum. */
 static kern_status kern_part_norm(kern_part *p, kern_solver solver)
 {
     kern_equations *const eq = &p->eq;
@@ -6778,14 +6789,14 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
 
 /* Runs the top-down pass for a query whose loads and cones have been set.
    `share` limits the size of clusters (kern_pass_begin()). Returns KERN_STANDS
-   if the forces prove it. Returns KERN_FALLS if a part seems to fall, which is
-   then open as *p. Otherwise returns KERN_UNDECIDED, or KERN_LIMIT if work is
-   refused. */
+   if the forces of the pass prove that the structure stands. Returns KERN_FALLS
+   if a part seems to fall, which is then open as *p. Otherwise returns
+   KERN_UNDECIDED, or KERN_LIMIT if work is refused. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
     kern_status found;
-    for (;; m->answer.known = NULL) { /* round 2: no known forces */
+    for (;; m->answer.known = NULL) { /* round 2 has no known forces */
         if (!kern_model_charge(m, 1))
             return KERN_LIMIT;
         m->task->work->solves++;
@@ -6868,20 +6879,21 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     status = kern_part_evaluate(p, q);
 
     /* Returns KERN_UNDECIDED instead of KERN_NO_SPACE if the work memory has
-       its full size. Factors outgrow this memory only if digits were lost. */
+       its full size. The factors of a basis outgrow the full size only if
+       digits were lost. */
     if (status == KERN_NO_SPACE && kern_model_has_room(m))
         status = p->result = KERN_UNDECIDED;
 
     /* Tries the interior-point method as a last resort: it rounds differently,
-       and needs no memory for factors of a basis. In float it is not tried,
-       since its proofs are too coarse near the critical value. */
+       and needs no memory for factors of a basis. In float the method is not
+       tried, since its proofs are too coarse near the critical value. */
     if (KERN_PICK(1, 0) > 0 && status == KERN_UNDECIDED
         && m->graph.groups <= KERN_SMALL) {
         status = kern_ipm_verdict(m, p, q);
 
         /* Keeps kern_path_evaluate() from taking Newton's step with the y of
-           the interior-point method. That step starts better from the y of a
-           basis. */
+           the interior-point method. Newton's step starts better from the y of
+           a basis. */
         p->result = KERN_UNDECIDED;
     }
     return status;
@@ -6899,8 +6911,9 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 
    Here rhs' and A' are derivatives with respect to s, and x are the forces of
    the last basis. So the mechanism stops falling at about s - P / P' (Newton's
-   method). This place is the critical value of the mechanism. The steps of the
-   method converge quadratically, from the side on which the structure falls. */
+   method). The place at which a mechanism stops falling is the critical value
+   of this mechanism. The steps of the method converge quadratically, from the
+   side on which the structure falls. */
 
 /* What changes along a path: kerns shrink, a load grows, or gravity turns. */
 typedef enum kern_path_kind {
@@ -6911,9 +6924,9 @@ typedef enum kern_path_kind {
 
 /* Structure that a search evaluates. KERN_SCOPE_WHOLE: the whole structure.
    KERN_SCOPE_PART: one part, with all other blocks held. KERN_SCOPE_PROGRAM:
-   the whole structure, by its linear program. This search ends at the first
-   place that the program cannot decide, so that the interior-point method can
-   take over. */
+   the whole structure, by its linear program. With this scope a search ends at
+   the first place that the program cannot decide, so that the interior-point
+   method can take over. */
 typedef enum kern_scope {
     KERN_SCOPE_WHOLE,
     KERN_SCOPE_PART,
@@ -6921,8 +6934,9 @@ typedef enum kern_scope {
 } kern_scope;
 
 /* A range of places on a path. In kern_path.proven `low` is the farthest place
-   at which the whole structure is proven to stand, or -1, and `high` is the
-   nearest place at which it is proven to fall, or infinity. */
+   at which the whole structure is proven to stand, or -1 without such a proof.
+   There `high` is the nearest place at which the whole structure is proven to
+   fall, or infinity. */
 typedef struct kern_range {
     kern_real low, high;
 } kern_range;
@@ -6964,8 +6978,8 @@ KERN_SHARED static kern_real kern_half_width(const kern_path *path)
 }
 
 /* Returns the largest distance between the two places beside a critical value,
-   one on each side, at which a search looks for proofs. If it finds none within
-   this distance, it cuts the bracket instead. */
+   one on each side, at which a search looks for proofs. If the search finds no
+   proofs within this distance, it cuts the bracket instead. */
 KERN_SHARED static kern_real kern_widest(const kern_path *path)
 {
     return kern_width(path) * KERN_WIDEST;
@@ -6981,8 +6995,8 @@ KERN_SHARED static kern_real kern_path_retreat(const kern_path *path,
 }
 
 /* Returns the query at place s of a path. On a path of tilt gravity turns by
-   4 atan(s). So it turns through half a circle as s grows from 0 to 1, and no
-   trigonometric functions are needed. */
+   4 atan(s). So gravity turns through half a circle as s grows from 0 to 1, and
+   no trigonometric functions are needed. */
 static kern_query kern_path_at(const kern_path *path, kern_real s)
 {
     kern_query q = path->q;
@@ -7008,7 +7022,7 @@ static kern_real kern_half_tangent(kern_real t)
 
 /* ---- Searching a path ------------------------------------------ >>search */
 /* The critical value of a path lies between a place at which the structure
-   stands and a place at which it falls. These two places are the ends of a
+   stands and a place at which it falls. The two places are the ends of a
    bracket, and each end has a proof:
 
        start         holds     critical     fails                    end
@@ -7082,10 +7096,10 @@ static void kern_shrink_narrow(const kern_part *p, const kern_query *q, int k,
 
 /* Returns the change of y.rhs if kerns shrink from q to the shrinkage `to`,
    with the same motion y. The change is y.v with v = -(A(to) - A(q)) x, where x
-   are the forces of the basis. It is piecewise linear in `to`, with a kink
-   where a kern closes. The term of a contact whose kern is closed at q gets the
-   sign that makes y.rhs larger. Writes the slope at `to` to *rate, and v to
-   p->eq.rate. The change and the slope, but not v, include the effect of
+   are the forces of the basis. The change is piecewise linear in `to`, with a
+   kink where a kern closes. The term of a contact whose kern is closed at q
+   gets the sign that makes y.rhs larger. Writes the slope at `to` to *rate, and
+   v to p->eq.rate. The change and the slope, but not v, include the effect of
    options.narrow. */
 static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
                                    kern_real to, const kern_real *x,
@@ -7131,8 +7145,9 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
    falling. The result is at least path->holds. `power` is y.rhs at q, which is
    negative. The power of y is piecewise linear in the shrinkage, with kinks
    where kerns close. Also predicts where the next mechanism stops falling, and
-   writes that value to path->predicted (Halley's method). This prediction
-   includes the change of the basic forces on the way. */
+   writes that value to path->predicted (Halley's method). The prediction of
+   Halley's method includes the change of the basic forces between q and that
+   value. */
 static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
                                       kern_real power)
 {
@@ -7173,8 +7188,8 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
 }
 
 /* Writes to to[0..3 groups) the rate at which rhs falls, three numbers per
-   group. It is the rate per unit of the load factor, or per unit of the tangent
-   of the angle by which gravity turns. */
+   group. The rate is that per unit of the load factor, or per unit of the
+   tangent of the angle by which gravity turns. */
 static void kern_path_rate(const kern_part *p, const kern_query *q,
                            kern_real *to)
 {
@@ -7219,8 +7234,8 @@ static kern_real kern_path_newton(kern_path *path, const kern_query *q,
 
 /* ---- verdicts, which move the ends ---- */
 
-/* Returns 1 if the answer's motion proves that the whole structure falls at s.
-   The motion must have been proven on the contacts of the path. If the path
+/* Returns 1 if the motion in m->answer proves that the whole structure falls at
+   s. The motion must have been proven on the contacts of the path. If the path
    leaves out the points that travel (KERN_CARRY_NESTED), checks the motion
    again with these points, since they may stop it. */
 static int kern_path_falls_whole(const kern_model *m, const kern_path *path,
@@ -7255,8 +7270,8 @@ static void kern_path_record(const kern_model *m, kern_path *path,
 
 /* Returns the verdict at place s, and records it if it has a proof. If the
    method found a mechanism, sets path->critical to the value at which the
-   mechanism stops falling. This is done even if the mechanism is no proof,
-   since near that value rounding spoils the proof before it spoils the
+   mechanism stops falling. Sets this value even if the mechanism is no proof,
+   since near the critical value rounding spoils the proof before it spoils the
    value. */
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s)
@@ -7301,9 +7316,9 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 
 /* Returns the place at which the bracket is cut. `dark` has the first and the
    last undecided place in the bracket. If there is no undecided place, the cut
-   is close to the lower end, where forces are small. Otherwise it halves the
-   wider of the two ranges below and above the undecided places. Returns
-   infinity if both ranges are narrow. */
+   is close to the lower end, where forces are small. If there are undecided
+   places, the cut halves the wider of the two ranges below and above them.
+   Returns infinity if both ranges are narrow. */
 static kern_real kern_path_cut(const kern_path *path, const kern_range *dark)
 {
     const kern_real lo = path->holds, hi = path->fails;
@@ -7329,8 +7344,8 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     const kern_real critical = path->critical, predicted = path->predicted;
     kern_real aim;
 
-    /* 1. The start has no proof yet, and the critical value is close to it:
-       prove the start. */
+    /* 1. The start has no proof yet, and the critical value is close to the
+       start: prove the start. */
     if (path->scope != KERN_SCOPE_PART && path->proven.low < lo
         && kern_min(critical, hi) < lo + 2 * offset)
         return lo;
@@ -7379,7 +7394,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
             break;
 
         /* Tries the forces of the last basis if the place is just before the
-           critical value. If they are no proof, evaluates a verdict. */
+           critical value. If these forces are no proof, evaluates a verdict. */
         if (!(place < value && kern_path_forces(m, path, place)))
             status = kern_path_evaluate(m, path, place);
         if (status < KERN_UNDECIDED || (place <= lo && status != KERN_STANDS))
@@ -7423,12 +7438,13 @@ static kern_status kern_path_saturate(kern_path *path)
 }
 
 /* Returns 1 if the structure stands at every place from `place` to path->holds
-   while gravity turns under fixed loads. It must stand at both of these places.
-   Between them gravity describes an arc. Evaluates one more gravity vector, the
-   point where the tangents at the two ends of this arc intersect. The arc lies
-   in the triangle of its ends and this point. The vectors under which the
-   structure stands form a convex set, so if it stands at all three points, it
-   stands on the whole arc. */
+   while gravity turns under fixed loads. The structure must stand at both of
+   these places. Between the two places the vector of gravity describes an arc.
+   Evaluates one more gravity vector, the point where the tangents at the two
+   ends of this arc intersect. The arc lies in the triangle of its two ends and
+   this point. The gravity vectors under which the structure stands form a
+   convex set, so if it stands at all three points, it stands on the whole
+   arc. */
 static int kern_turn_holds(kern_model *m, const kern_path *path,
                            kern_real place)
 {
@@ -7441,11 +7457,11 @@ static int kern_turn_holds(kern_model *m, const kern_path *path,
 }
 
 /* Takes steps along the path from path->holds, where the whole structure
-   stands, until it falls. Then finds the critical value. The length of the
-   first step is `first`. Later steps begin with the length `step` and grow. If
-   the places along a step remain unknown, the step is halved. `stride` is the
-   least length of a step, or 0 if the verdict changes only once along the
-   path. */
+   stands, until it falls. Then finds the critical value between the last two
+   places. The length of the first step is `first`. Later steps begin with the
+   length `step` and grow. If the places along a step remain unknown, the step
+   is halved. `stride` is the least length of a step, or 0 if the verdict
+   changes only once along the path. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step,
                                    kern_real stride)
@@ -7481,9 +7497,9 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         if (status < KERN_UNDECIDED || small)
             return status;
 
-        /* Otherwise the places between are unknown. Tries a shorter step from
-           `place`. If the proof of `next` has overwritten that of `place`,
-           writes the latter again. */
+        /* Otherwise the verdicts between `place` and `next` are unknown. Tries
+           a shorter step from `place`. If the proof of `next` has overwritten
+           that of `place`, writes the latter again. */
         step = first /= 2;
         path->holds = place;
         if (status == KERN_STANDS)
@@ -7494,10 +7510,10 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
 
 /* ---- bodies ---- */
 /* A body is a block with all blocks that rest on it alone, directly or through
-   others. Its blocks move as one rigid body. If a single line carries a body,
-   the body tips at the shrinkage at which its load leaves the kern of this
-   line. All other blocks are held, so the whole structure falls there. The
-   critical value of most structures is that of a body. */
+   others. The blocks of a body move as one rigid body. If a single line carries
+   a body, the body tips at the shrinkage at which its load leaves the kern of
+   this line. Since all other blocks are held, the whole structure falls at that
+   shrinkage. The critical value of most structures is that of a body. */
 
 /* Finds the line that carries body g. Returns the end, at body g, of the first
    point of this line (an index of graph.ends). Returns KERN_OUT if the body is
@@ -7549,10 +7565,11 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
         return KERN_INFINITY;
 
     /* Finds the hinge. As the kern shrinks, its two ends move toward the place
-       where the load acts. The end that reaches this place first is the
-       hinge. */
+       where the load acts. The end that reaches this place first is the hinge.
+       Places on the line are measured by the torque that a unit force along n
+       has there. */
     place = (b[2] - tangential * row.torque)
-          / normal; /* torque of a unit force along n at the load */
+          / normal; /* where the load meets the line */
     crit = (place - row.n[2]) / rate;
     second = (last.n[2] - place) / rate;
     if (second < crit) {
@@ -7565,8 +7582,8 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
     return crit + offset <= limit ? crit : KERN_INFINITY;
 }
 
-/* Writes to the answer the motion of a body that tips about end e of its line
-   at shrinkage s. Scales the motion so that its largest speed is 1. */
+/* Writes to m->answer the motion of a body that tips about end e of its line at
+   shrinkage s. Scales the motion so that its largest speed is 1. */
 static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
 {
     const kern_contact *c = m->s->contact + (e >> 1);
@@ -7610,7 +7627,7 @@ static void kern_body_load(const kern_model *m, int g, int carrier,
 /* Finds the body with the least critical value. Writes this value to
    out->margin, or infinity if no body tips. Writes the places just below and
    above the value to out->holds and out->fails. Writes the motion of the body
-   to the answer's array, to which out->motion points. */
+   to the array in m->answer, to which out->motion points. */
 static void kern_body_first(kern_model *m, const kern_path *path,
                             kern_known *out)
 {
@@ -7651,8 +7668,8 @@ static void kern_body_first(kern_model *m, const kern_path *path,
 
 /* ---- parts, and where a search begins ---- */
 
-/* Returns 1 if known->motion proves that the structure falls. Then also copies
-   this motion to the answer. */
+/* Returns 1 if known->motion proves that the structure falls, and copies this
+   motion to m->answer. */
 static int kern_known_falls(kern_model *m, const kern_query *q,
                             const kern_known *known)
 {
@@ -7663,8 +7680,8 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
 }
 
 /* Returns 1 if value->motion proves that the structure falls at value->fails.
-   Then this place becomes the upper end of the bracket, and value->margin the
-   critical value. */
+   If so, value->fails becomes the upper end of the bracket, and value->margin
+   the critical value. */
 static int kern_start_falls(kern_model *m, kern_path *path,
                             const kern_known *value)
 {
@@ -7728,9 +7745,9 @@ static int kern_known_fits(const kern_path *path)
         && known->holds <= known->margin && known->margin <= known->fails;
 }
 
-/* Returns the place where the search begins. `first` is the length of its first
-   step. Sets the upper end of the bracket to a place that is proven to fall, if
-   one is found here, and otherwise to infinity. */
+/* Returns the place where the search begins. `first` is the length of the first
+   step of the search. Sets the upper end of the bracket to a place that is
+   proven to fall, if one is found here, and otherwise to infinity. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
@@ -7772,9 +7789,9 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
 
 /* Finds the critical value of the whole structure under a growing load or a
    tilt, by one linear program. The optimum of the program is the largest load
-   factor, or tangent of the angle of tilt, for which forces exist. Its prices
-   are the mechanism. Returns KERN_UNDECIDED if the path ends before that
-   value. */
+   factor, or tangent of the angle of tilt, for which forces exist. The prices
+   of the program are the mechanism. Returns KERN_UNDECIDED if the path ends
+   before that value. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path)
 {
     kern_part *p = path->part;
@@ -7873,9 +7890,9 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
    KERN_SMALL groups are solved by the interior-point method, and by the linear
    program if that method is undecided. When kerns shrink, the first step of the
    interior-point method has half the length, since fewer mechanisms fall at a
-   smaller shrinkage. Fewer groups are solved by the linear program. If the
-   program cannot decide a place, as in a jam, the interior-point method narrows
-   the remaining bracket. */
+   smaller shrinkage. Up to KERN_SMALL groups are solved by the linear program.
+   If the program cannot decide a place, as in a jam, the interior-point method
+   narrows the remaining bracket (only in double). */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
@@ -7891,8 +7908,9 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     if (status != KERN_UNDECIDED)
         return status;
 
-    /* Tries the program. For few groups, in double, the interior-point method
-       takes over at the first place that the program cannot decide. */
+    /* Tries the linear program of all groups. For few groups, in double, the
+       interior-point method takes over at the first place that the program
+       cannot decide. */
     if (!large && KERN_PICK(1, 0) > 0)
         path->scope = KERN_SCOPE_PROGRAM;
     status = kern_path_program(m, path, &q, first, step);
@@ -7904,9 +7922,9 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
 
 /* Finds the critical value by passes. If a pass finds a part that falls, the
    next pass is just before the critical value of this part. The search ends
-   when the whole structure stands there. If a pass cannot decide, or after
-   KERN_PARTS parts, kern_path_whole() continues. `step` is the length of the
-   first step. */
+   when the whole structure stands just before the last of these values. If a
+   pass cannot decide, or after KERN_PARTS parts, kern_path_whole() continues.
+   `step` is the length of the first step. */
 static kern_status kern_path_parts(kern_model *m, kern_path *path,
                                    kern_real step)
 {
@@ -7953,9 +7971,10 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
 }
 
 /* Finds the critical value of a path beyond path->holds. Unless kerns are
-   nested, the structure must be known to stand at path->holds. If they are
-   nested, the search evaluates that place itself where it needs to. `stride` is
-   the step of a walk, or 0 if the verdict changes only once along the path. */
+   nested, the structure must be known to stand at path->holds. If kerns are
+   nested, the search evaluates path->holds itself where it needs to. `stride`
+   is the step of a walk, or 0 if the verdict changes only once along the
+   path. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real stride)
 {
@@ -7967,16 +7986,16 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     path->start = path->critical = path->predicted = path->holds;
     path->fails = path->proven.high = KERN_INFINITY;
     if (stride > 0) {
-        /* A walk takes steps of `stride`. If gravity turns, it takes longer
-           steps, after which kern_turn_holds() proves the arc. */
+        /* A walk takes steps of `stride`. If gravity turns, the walk takes
+           longer steps, after which kern_turn_holds() proves the arc. */
         const kern_real turn = step * KERN_R(path->kind == KERN_PATH_TILT);
         status = kern_path_climb(m, path, turn, turn, stride);
     } else if (m->whole || !shrinks)
         status = kern_path_whole(m, path, step, step);
     else
-        /* Makes the first step of few groups longer. If it is too long, a part
-           falls there and the next pass is just before the critical value of
-           this part. */
+        /* Makes the first step of few groups longer. If the step is too long, a
+           part falls there, and the next pass is just before the critical value
+           of this part. */
         status = kern_path_parts(
             m, path,
             m->graph.groups <= KERN_SMALL ? step * KERN_CLIMB_GROWS : step);
@@ -7995,9 +8014,9 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 
 /* ---- nested first ---- */
 /* Kerns are not nested if single contact points, which are not the ends of a
-   line, travel as kerns shrink. Few structures need these points to stand.
-   Without them kerns are nested, and a search replaces the walk. For the
-   structure with all points the proofs at the ends of its bracket mean:
+   line, travel as kerns shrink. Few structures need such points to stand.
+   Without these points kerns are nested, and a search replaces the walk. For
+   the structure with all points the proofs at the ends of the bracket mean:
 
        forces without the points    also hold the structure, here and at every
                                     smaller place: it stands up to here
@@ -8094,7 +8113,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* Sets a path without a bracket, a proof or known forces. */
+    /* Sets up a path that has no bracket, no proof and no known forces yet. */
     path->kind = KERN_PATH_SHRINK;
     path->part = &c->part;
     path->proof = NULL;
@@ -8140,8 +8159,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 /* Finds the level by Algorithm 1 of the paper: the first k at which the
    structure falls when kerns shrink by k steps of length out->epsilon. The
    level is last + 1 if there is no such k, and -1 if a verdict is undecided.
-   The structure stands at all steps up to path->holds. If kerns are nested, it
-   falls at all steps from path->fails on. */
+   The structure stands at all steps up to path->holds. If kerns are nested, the
+   structure falls at all steps from path->fails on. */
 static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                             int last, kern_margin *out)
 {
@@ -8258,9 +8277,9 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     }
 
     /* Makes the search write its proof to the arrays of task->known. The search
-       reads the old motion in these arrays before it writes the new one. It
-       would overwrite the old forces before it uses them, so it gets no known
-       forces. */
+       reads the old motion in these arrays before it writes the new one. The
+       search would overwrite the old forces before it uses them, so known.force
+       is NULL. */
     kept.force = known.force;
     kept.motion = known.motion;
     known.force = NULL;
@@ -8288,9 +8307,9 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 }
 
 /* Grows the kerns of a structure that falls until it stands, and finds the
-   critical value in between. Returns KERN_FALLS if it succeeds; path->critical
-   is then minus the growth. If the structure falls even at the largest growth
-   (>>rules), path->critical is -infinity. */
+   critical value in between. Returns KERN_FALLS if such a growth is found, with
+   path->critical = minus the growth. If the structure falls even at the largest
+   growth (>>rules), path->critical is -infinity. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     kern_real range[2], length = path->unit * KERN_GROW_FIRST, limit;
@@ -8301,8 +8320,8 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     kern_status status;
     int i;
 
-    /* Computes the largest growth. It is KERN_GROW_MOST times the longest side
-       of the box around the free blocks. If kerns are relative, this length is
+    /* Computes the largest growth: KERN_GROW_MOST times the longest side of the
+       box around the free blocks. If kerns are relative, the largest growth is
        divided by the shortest travel. */
     for (i = 0; i < 2 * m->graph.groups; i++) {
         const kern_block *b = m->s->block + m->graph.block[i / 2];
@@ -8485,7 +8504,8 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     path->proof = proof;
     path->end = tilt ? 1 : KERN_FACTOR_MOST;
 
-    /* Few groups are solved by one linear program, whose value is exact. */
+    /* Solves up to KERN_SMALL groups by one linear program, which gives the
+       critical value exactly. */
     if (!loaded && c->m.graph.groups <= KERN_SMALL
         && kern_model_has_room(&c->m))
         kern_model_whole(&c->m, path->part, &path->q);
@@ -8525,8 +8545,8 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                    : KERN_BAD_POINTER;
 }
 
-/* Returns the factor of the load pattern below which the answer's motion is a
-   fall, or infinity if the pattern does not resist this motion. */
+/* Returns the factor of the load pattern below which the motion in m->answer is
+   a fall, or infinity if the pattern does not resist this motion. */
 static kern_real kern_motion_factor(const kern_model *m, const kern_query *q)
 {
     kern_query unloaded = *q;
@@ -8638,7 +8658,7 @@ typedef struct kern_fall {
     kern_real *value;   /* per block: its value, or -1 while it stands      */
 } kern_fall;
 
-/* Chooses which of the remaining blocks fall. */
+/* Selects which of the remaining blocks kern_fall_add() records as fallen. */
 typedef enum kern_fall_scope {
     KERN_FALL_MOVING, /* all blocks that move in the mechanism            */
     KERN_FALL_ALL
@@ -8680,8 +8700,8 @@ static kern_status kern_fall_evaluate(kern_model *m, kern_path *path)
    blocks that move in its mechanism, and continues to the next critical value.
    The mechanism needs a verdict of its own, since the last verdict of a search
    may be at another place. The number of rounds that remove no block is
-   bounded. Such rounds occur if the verdicts "stands" and "falls" have a proof
-   at one place. */
+   bounded. Rounds that remove no block occur if the verdicts "stands" and
+   "falls" both have a proof at one place. */
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
@@ -8694,7 +8714,8 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
             return KERN_UNDECIDED;
 
         /* Removes the blocks that move in the mechanism. Then evaluates the
-           remaining blocks just beyond the place at which they fell. */
+           remaining blocks at the place where the structure fell last, or just
+           beyond it. */
         if (status == KERN_FALLS) {
             kern_fall_add(m, fall, place, KERN_FALL_MOVING);
             kern_model_group(m, &path->q);
@@ -8702,8 +8723,8 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                 status = kern_fall_evaluate(m, path);
 
         } else if (status == KERN_STANDS) {
-            /* Searches the critical value of the remaining blocks, which stand
-               here, and the mechanism just beyond it. */
+            /* Finds the critical value of the remaining blocks, which stand
+               here, and the mechanism just beyond this value. */
             status = kern_path_search(m, path,
                                       path->kind != KERN_PATH_SHRINK
                                               || kern_is_nested(m, range)
@@ -8723,8 +8744,8 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
 }
 
 /* Returns e^-x for x >= 0. Computes e^(x / 1024) by its series and squares it
-   ten times, since libm differs between machines. The relative error is at most
-   2e-4 for x up to 10. */
+   ten times, since libm differs between machines. The relative error of the
+   result is at most 2e-4 for x up to 10. */
 static kern_real kern_decay(kern_real x)
 {
     const kern_real t = x / KERN_R(1024);
@@ -8771,8 +8792,8 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     int i, free_blocks, half;
     kern_status status = kern_call_open(&c, task, 0, value ? out : NULL);
 
-    /* Sets every value to -1, which it keeps while its block stands. Does so
-       even if the limit has ended the call. */
+    /* Sets every value to -1, which it keeps while its block stands. Sets the
+       values even if the limit has ended the call. */
     for (i = 0;
          (status == KERN_OK || status == KERN_LIMIT) && i < task->s.blocks; i++)
         value[i] = -1;
@@ -8840,7 +8861,7 @@ static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
         blocks (relative: times the travel, too); 0 if the kern is closed or the
         contact opens
      1  the relative spin of the blocks, if the contact hinges
-     2  the speed with which the blocks slide, if the contact slides */
+     2  the relative speed of the blocks, if the contact slides */
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
@@ -8954,7 +8975,7 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
    and to the shrinkage d. Forces and mechanism are those of the proof. */
 
 /* Writes the derivatives G_q (>>sensitivity) with respect to all data q of
-   contact i. Returns the contribution of the contact to G_d. All of these are 0
+   contact i. Returns the contribution of the contact to G_d. G_q and G_d are 0
    if the contact has no force or its blocks do not move. */
 static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
                                    int i, const kern_proof *proof,
@@ -9079,8 +9100,8 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
     if (margin->saturated || !(kern_abs(gain) > KERN_RATE_LEAST * total))
         return KERN_UNDECIDED;
 
-    /* Writes G_q for loads, masses and centres of mass. It is the change of the
-       power of the loads. */
+    /* Writes G_q for loads, masses and centres of mass: the change of the power
+       of the loads. */
     for (i = 0; i < task->s.blocks; i++) {
         const kern_block *b = task->s.block + i;
         const kern_real mass = b->fixed ? 0 : b->mass;
