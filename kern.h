@@ -5737,8 +5737,8 @@ static void kern_norm_write(kern_part *p)
 /* ---- The top-down pass ------------------------------------------- >>pass */
 /* The pass balances the groups from top to bottom. To balance a group, the pass
    changes the forces that carry the group as little as possible, until they
-   balance the load of the group and the forces from above. Each group is a
-   problem in three unknowns. A group that cannot be balanced alone forms a
+   balance the load of the group and the forces from above. To balance one group
+   is a problem in three unknowns. A group that cannot be balanced alone forms a
    cluster with the groups that rest on it. A cluster is open while the pass
    must still balance it. A cluster on which the load has changed becomes open
    again. Forces that balance every group prove that the structure stands. If a
@@ -5749,8 +5749,9 @@ static void kern_norm_write(kern_part *p)
    The functions that balance a cluster, and kern_pass() itself, return one of
    three results. KERN_STANDS: all groups of the cluster, or of the structure,
    are balanced. KERN_FALLS: a part is open and seems to fall. KERN_UNDECIDED:
-   neither is found. For a cluster KERN_NO_SPACE or KERN_LIMIT is also possible,
-   if memory or work is used up. Then kern_pass() returns KERN_UNDECIDED. */
+   the pass finds neither of these. If memory or work is used up, the result for
+   a cluster is KERN_NO_SPACE or KERN_LIMIT, and kern_pass() returns
+   KERN_UNDECIDED. */
 
 /* Marks the cluster of group g as open: the pass must balance the cluster, even
    if the pass has balanced it before. */
@@ -6474,7 +6475,7 @@ static int kern_ipm_begin(kern_ipm *ipm)
         return 0;
 
     /* Computes x: the minimum-norm solution of A x = b for rays of equal
-       stiffness that can also pull. Raises x above 0. */
+       stiffness that can also pull. Raises all forces x above 0. */
     ipm->s = -1;
     for (i = 0; i < rays; i++) {
         ipm->z[i] = 0;
@@ -6693,7 +6694,7 @@ static int kern_part_is_whole(const kern_part *p)
    status if its proof holds. Returns KERN_STANDS if the proof of a fall fails
    but the forces of the whole structure are a proof. Returns KERN_UNDECIDED if
    nothing is proven. A negative status is returned unchanged. KERN_STANDS of a
-   part that has not all groups is also returned unchanged, since it is no
+   part that does not have all groups is also returned unchanged, since it is no
    verdict on the structure. */
 static kern_status kern_part_prove(kern_part *p, const kern_query *q,
                                    kern_status status)
@@ -6865,9 +6866,9 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
             return KERN_FALLS;
 
         /* Solves all groups at once. More than KERN_SMALL groups are solved by
-           the interior-point method. Fewer groups, and groups that this method
-           leaves undecided, are solved by one linear program, which is kept for
-           later queries. */
+           the interior-point method. Up to KERN_SMALL groups, or more if this
+           method leaves them undecided, are solved by one linear program, which
+           is kept for later queries. */
         status = m->graph.groups > KERN_SMALL ? kern_ipm_verdict(m, p, q)
                                               : KERN_UNDECIDED;
         if (status != KERN_UNDECIDED)
@@ -6936,16 +6937,17 @@ typedef enum kern_scope {
 /* A range of places on a path. In kern_path.proven `low` is the farthest place
    at which the whole structure is proven to stand, or -1 without such a proof.
    There `high` is the nearest place at which the whole structure is proven to
-   fall, or infinity. */
+   fall, or infinity. In kern_path_critical() a range has the first and the last
+   undecided place of the bracket. */
 typedef struct kern_range {
     kern_real low, high;
 } kern_range;
 
 typedef struct kern_path {
     kern_path_kind kind;
-    kern_query q;            /* query at the start of the path;
-                                kern_path_at() returns that at a place s      */
-    kern_real unit;          /* unit of a place: the mean block size, or 1    */
+    kern_query q;            /* query at place 0, from which kern_path_at()
+                                makes the query at a place s                  */
+    kern_real unit;          /* unit of places: the mean block size, or 1     */
     kern_real start, end;    /* first and last place of the search            */
     kern_real holds, fails;  /* lower and upper end of the bracket (>>search) */
     kern_real critical;      /* critical value of the last mechanism; at most
@@ -7114,8 +7116,8 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
         const int *ends = m->graph.ends + 2 * p->contact[k];
         const int head = 3 * p->ends[2 * k], tail = 3 * p->ends[2 * k + 1];
         const kern_real travel = kern_travel(c, m->mean_size);
-        /* Multiplies the spins by the units of torque. The arm grows along t,
-           and t x (f n + r t) = -f. */
+        /* Computes the relative spin of the two blocks. If the arm grows along
+           t, the torque changes by t x (f n + r t) = -f per length. */
         const kern_real work = p->y[head + 2] * m->torque_scale[ends[0]]
                              - p->y[tail + 2] * m->torque_scale[ends[1]];
         kern_real n = x[0] + x[1], rate_q, rate_to, shift;
@@ -7270,9 +7272,9 @@ static void kern_path_record(const kern_model *m, kern_path *path,
 
 /* Returns the verdict at place s, and records it if it has a proof. If the
    method found a mechanism, sets path->critical to the value at which the
-   mechanism stops falling. Sets this value even if the mechanism is no proof,
-   since near the critical value rounding spoils the proof before it spoils the
-   value. */
+   mechanism stops falling. Sets path->critical even if the mechanism is no
+   proof, since near the critical value rounding spoils the proof before it
+   spoils the value. */
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s)
 {
@@ -7350,7 +7352,7 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
         && kern_min(critical, hi) < lo + 2 * offset)
         return lo;
 
-    /* 2. The bracket is narrow: done. */
+    /* 2. The bracket is narrow enough: no further verdict is needed. */
     if (hi - lo <= offset / 8)
         return KERN_INFINITY;
 
@@ -7375,8 +7377,8 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
 
 /* Narrows the bracket [holds, fails] around path->critical. Returns KERN_STANDS
    if the bracket has become narrow. Returns KERN_FALLS if the structure falls
-   at the start of the search, which may have been evaluated only now. In a jam
-   no place close to the critical value has a proof. So each undecided place
+   at the start of the search, which may not have been evaluated before. In a
+   jam no place close to the critical value has a proof. So each undecided place
    doubles the distance from the critical value at which the next places are
    tried. After the first undecided place the search keeps the least critical
    value that it finds, since mechanisms at more distant places predict the
@@ -7480,7 +7482,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
             return KERN_UNDECIDED;
 
         /* If the structure stands at all places between `place` and `next`,
-           takes a longer step from `next`. */
+           continues with a new step from `next`. */
         if (status == KERN_STANDS
             && (sure || kern_turn_holds(m, path, place))) {
             if (next >= path->end)
@@ -8042,7 +8044,7 @@ static void kern_path_carry(kern_model *m, kern_path *path, kern_carry carry)
 
 /* Finds the critical value if kerns are not nested. First searches without the
    points that travel. If the result is not proven for the whole structure,
-   walks in steps of `stride` through multiples of `stride`. */
+   walks through the multiples of `stride`. */
 static kern_status kern_path_scan(kern_model *m, kern_path *path,
                                   kern_real stride)
 {
@@ -8307,9 +8309,9 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 }
 
 /* Grows the kerns of a structure that falls until it stands, and finds the
-   critical value in between. Returns KERN_FALLS if such a growth is found, with
-   path->critical = minus the growth. If the structure falls even at the largest
-   growth (>>rules), path->critical is -infinity. */
+   critical value in between. Returns KERN_FALLS if such a growth is found. Then
+   path->critical is minus this growth. If the structure falls even at the
+   largest growth (>>rules), path->critical is -infinity. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     kern_real range[2], length = path->unit * KERN_GROW_FIRST, limit;
@@ -9048,7 +9050,7 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
        contact point along the contact. Across the contact, `part` is the share
        by which the block moves it: half for a line, and for a point 1 for the
        block with the corner and 0 for the other one. The normal turns with the
-       block by the remaining share. */
+       block by the remaining share, 1 - part. */
     for (end = 0; end < 2; end++) {
         const int owner = end ? c->b : c->a;
         const kern_block *b = task->s.block + owner;
