@@ -4766,29 +4766,40 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 }
 
 /* ---- Contact law and skyline factor --------------------------- >>skyline */
-/* A contact law gives the force (f, r) of a contact for an approach (wn, wt)
-   along n and t. The law is piecewise linear: f = nn wn + nt wt, r = nt wn + tt
-   wt. So A x = b leads to a symmetric matrix with one row of 3 x 3 blocks for
-   each group. The matrix is factored in the order of the groups (skyline
-   Cholesky). >>norm, >>ipm and >>raised differ only in the law. */
+/* A contact law gives the normal force f and the tangential force r of a
+   contact as functions of its approach, which is wn along n and wt along t. The
+   law is piecewise linear. On each piece
 
-/* A symmetric matrix of 3 x 3 blocks, one row of blocks for each group, or its
-   factor. Each row is stored from its first nonzero block to the diagonal. */
+       f = nn wn + nt wt,   r = nt wn + tt wt.
+
+   With such laws the equations of equilibrium A x = b become a linear system
+   for the motion of the groups. The matrix of this system is symmetric and has
+   one row of 3 x 3 blocks for each group. The matrix is factored in the order
+   of the groups (skyline Cholesky). >>norm, >>ipm and >>raised build the matrix
+   from different laws. Newton's method in >>raised also has a matrix that is
+   not symmetric (kern_skyline_outer()). */
+
+/* A symmetric matrix of 3 x 3 blocks, with one row of blocks for each group, or
+   the Cholesky factor of such a matrix. Each row of blocks is stored from its
+   first nonzero block to the diagonal block. */
 typedef struct kern_skyline {
     int groups;
-    int *first_column; /* per row: its first block column */
-    int *offset;       /* per row: its first entry        */
-    kern_real *entry;
+    int *first_column; /* per row of blocks: column of its first block    */
+    int *offset;       /* per row of blocks: index of its first number    */
+    kern_real *entry;  /* the numbers of all rows                         */
 } kern_skyline;
 
+/* The law of a contact near one approach (wn, wt). */
 typedef struct kern_law {
-    kern_real nn, nt, tt;
-    kern_force force; /* force for the approach, within its cone      */
+    kern_real nn, nt, tt; /* f = nn wn + nt wt, r = nt wn + tt wt            */
+    kern_force force;     /* f and r at the approach, in the friction cone   */
 } kern_law;
 
-/* Returns the law of a contact that has the stiffness `stiffness` along n, and
-   mu * shear * stiffness along t until it slides. With stiffness = 2 and shear
-   = mu it is the law of two rays of stiffness 1 that cannot pull. */
+/* Returns the law of a contact at the approach (wn, wt). The contact has the
+   stiffness `stiffness` along n, and the stiffness mu * shear * stiffness along
+   t until it slides. With stiffness = 2 and shear = mu this is the law of two
+   independent forces along the edges of the friction cone (rays), each of which
+   has the stiffness 1 and cannot pull. */
 static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
                                       kern_real stiffness, kern_real shear)
 {
@@ -4810,9 +4821,10 @@ static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
 }
 
 /* Takes memory for the matrix of `groups` groups. Each of n contacts couples
-   two groups: the row of the later group begins at or before the column of the
-   other. Returns the number of products of one factorisation, as a real, since
-   it may exceed an int. */
+   two groups, so the row of the later group must reach back to the column of
+   the earlier group. Returns the number of multiplications of one
+   factorisation. This number is returned as a real, since it may exceed the
+   range of an int. */
 static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
                                    int n, kern_take *take)
 {
@@ -4840,7 +4852,7 @@ static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
     return products;
 }
 
-/* Sets the matrix to 0. */
+/* Sets all entries of the matrix to 0. */
 static void kern_skyline_clear(kern_skyline *a)
 {
     int g;
@@ -4848,9 +4860,10 @@ static void kern_skyline_clear(kern_skyline *a)
         kern_zero(a->entry + a->offset[g], 9 * (g - a->first_column[g] + 1));
 }
 
-/* Adds a contact's law to the diagonal blocks of its two groups, and to the
-   block that couples them, in the row of the later group. Held blocks have the
-   number a->groups and no row. */
+/* Adds the stiffness nn, nt and tt of a contact's law to the matrix. The law
+   changes three blocks: the diagonal blocks of the two groups at the contact,
+   and in the row of the later group the block that couples these groups. A held
+   block has the number a->groups and no row. */
 static void kern_skyline_law(kern_skyline *a, const int ends[2],
                              const kern_row row[2], const kern_law *s)
 {
@@ -4862,7 +4875,10 @@ static void kern_skyline_law(kern_skyline *a, const int ends[2],
             const kern_row *other_row = row + 1 - 2 * k;
             const int width = 3 * (g - a->first_column[g] + 1);
             kern_real *entry = a->entry + a->offset[g] + width - 3;
-            kern_row_wrench(row, s->nn, s->nt, v); /* += n v' + t w'       */
+
+            /* Adds v n' + w t' to each block, where v and w are the wrenches
+               that the contact exerts for an approach of 1 along n and t. */
+            kern_row_wrench(row, s->nn, s->nt, v);
             kern_row_wrench(row, s->nt, s->tt, w);
             kern_row_exert(row, v[0], w[0], entry);
             kern_row_exert(row, v[1], w[1], entry + width);
@@ -4878,7 +4894,8 @@ static void kern_skyline_law(kern_skyline *a, const int ends[2],
     }
 }
 
-/* Adds a share of the mean of the diagonal to each of its entries. */
+/* Adds `share` times the mean of the diagonal entries to each diagonal
+   entry. */
 static void kern_skyline_shift(kern_skyline *a, kern_real share)
 {
     kern_real trace = 0, shift = 0;
@@ -4896,9 +4913,11 @@ static void kern_skyline_shift(kern_skyline *a, kern_real share)
     }
 }
 
-/* c -= a b'. c is a 3 x 3 block of the rows of a. Sums over the n columns that
-   the rows of a and of b have in common. Successive rows are wide_a and wide_b
-   numbers apart. */
+/* Subtracts the product a b' from the 3 x 3 block c, which lies in the same
+   three rows as a. `b` points to three other rows. a and b begin at the same
+   column, and the product takes n columns of each. Successive rows of a and c
+   are wide_a numbers apart, and successive rows of b are wide_b numbers
+   apart. */
 static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
                                 const kern_real *b, int wide_b, int n)
 {
@@ -4910,8 +4929,8 @@ static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
     kern_real s20 = c2[0], s21 = c2[1], s22 = c2[2];
     int i;
 
-    /* Keeps nine sums in registers, since a factorisation spends most of its
-       time here. */
+    /* Keeps the nine sums in registers, since a factorisation spends most of
+       its time in this loop. */
     for (i = 0; i < n; i++) {
         const kern_real x = b[i], y = b1[i], z = b2[i];
         s00 -= a[i] * x;
@@ -4936,8 +4955,8 @@ static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
     c2[2] = s22;
 }
 
-/* Replaces the matrix by its Cholesky factor L. Raises pivots below rounding to
-   the size of rounding. */
+/* Replaces the matrix by its Cholesky factor L. A pivot that is smaller than
+   rounding error is raised to the size of rounding error. */
 static void kern_skyline_factor(kern_skyline *a)
 {
     int g, h, r, k;
@@ -4946,9 +4965,9 @@ static void kern_skyline_factor(kern_skyline *a)
         kern_real *row = a->entry + a->offset[g], *d = row + width - 3;
         const kern_real diagonal[3] = {d[0], d[width + 1], d[2 * width + 2]};
 
-        /* Computes the blocks of row g from its first column to the diagonal.
-           Subtracts from block h the products of the columns that rows g and h
-           have in common. */
+        /* Computes the blocks of row g from the first block to the diagonal
+           block. From block h subtracts the product of rows g and h over the
+           earlier columns that both rows have. */
         for (h = a->first_column[g]; h <= g; h++) {
             const int from = a->first_column[g] > a->first_column[h]
                                ? a->first_column[g]
@@ -4961,8 +4980,9 @@ static void kern_skyline_factor(kern_skyline *a)
                                 row_h + 3 * (from - a->first_column[h]),
                                 width_h, 3 * (h - from));
 
-            /* Divides block h by the diagonal block of row h. For h = g,
-               computes that diagonal block at the same time. */
+            /* Divides block h by the diagonal block of row h. For h = g the
+               block is the diagonal block of row g, and the loop computes its
+               Cholesky factor. */
             for (r = 0; r < 3; r++, c += width) {
                 if (h < g || r > 0)
                     c[0] /= l[0];
@@ -4984,7 +5004,7 @@ static void kern_skyline_factor(kern_skyline *a)
     KERN_AUDIT(factor, a);
 }
 
-/* Solves L L' out = b by the Cholesky factor L. */
+/* Solves L L' out = b for `out`. `a` is the Cholesky factor L. */
 static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
                                kern_real *out)
 {
@@ -5005,8 +5025,10 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
     }
 }
 
-/* Adds the law of a contact that exerts the force f (w . (wn, wt)), the outer
-   product f w', to a matrix that is not symmetric. */
+/* Adds the stiffness of a contact to a matrix that is not symmetric. The
+   stiffness is the outer product f w': for an approach (wn, wt) the contact
+   exerts the force (f[0], f[1]) times w[0] wn + w[1] wt. Only the blocks up to
+   the diagonal are written. */
 static void kern_skyline_outer(kern_skyline *a, const int ends[2],
                                const kern_row row[2], const kern_real f[2],
                                const kern_real w[2])
@@ -5028,10 +5050,11 @@ static void kern_skyline_outer(kern_skyline *a, const int ends[2],
     }
 }
 
-/* Factors a matrix that is not symmetric, in place. `lower` has the rows of the
-   matrix up to the diagonal. `upper` has the columns of the matrix, each stored
-   as a row. The factors are L U = matrix, where the diagonal of L is 1 and not
-   stored. Raises pivots below rounding to the size of rounding. */
+/* Factors a matrix that is not symmetric into L U, in place. `lower` has the
+   rows of the matrix up to the diagonal and becomes L. `upper` has the columns
+   of the matrix down to the diagonal, each stored as a row, and becomes U. The
+   diagonal entries of L are 1 and are not stored. A pivot that is smaller than
+   rounding error is raised to the size of rounding error. */
 static void kern_skyline_split(kern_skyline *lower, kern_skyline *upper)
 {
     int i, j;
@@ -5059,7 +5082,7 @@ static void kern_skyline_split(kern_skyline *lower, kern_skyline *upper)
     }
 }
 
-/* Solves L U out = b. */
+/* Solves L U out = b for `out`, with the factors of kern_skyline_split(). */
 static void kern_skyline_split_solve(const kern_skyline *lower,
                                      const kern_skyline *upper,
                                      const kern_real *b, kern_real *out)
@@ -5084,65 +5107,88 @@ static void kern_skyline_split_solve(const kern_skyline *lower,
 }
 
 /* ---- Parts ------------------------------------------------------ >>part */
-/* A part is some of the groups with all contacts that touch them. All other
-   blocks are held. Held blocks can exert any force. So if a part falls, the
-   whole structure falls, and its proof is the motion of the part with all other
-   blocks at rest. */
+/* A part consists of some of the groups and of all contacts that touch these
+   groups. All other blocks are held, and held blocks can exert any force. A
+   part is open while its groups and contacts are listed in a kern_part. Only
+   one part is open at a time. So if a part falls, the whole structure falls:
+   the motion of the part, with all other blocks at rest, proves this fall. */
 
-/* Laws of the contacts of a part (>>skyline). */
+/* Laws that the contacts of a part may have (>>skyline). */
 typedef enum kern_law_kind {
-    KERN_LAW_RAYS, /* two rays of stiffness 1 that cannot pull           */
-    KERN_LAW_STIFF /* stiff along n and t, with a price: >>raised        */
+    /* Two forces along the edges of the friction cone (rays), each of which has
+       the stiffness 1 and cannot pull. */
+    KERN_LAW_RAYS,
+    /* A stiffness along n and one along t, and a price (>>raised). */
+    KERN_LAW_STIFF
 } kern_law_kind;
 
-/* Starting point of Newton's method. KERN_START_COLD: u = 0, with one more
-   round, the first, in which all contacts press. KERN_START_WARM: the present
-   u. */
+/* Starting point of Newton's method. KERN_START_COLD: the method begins at
+   u = 0 with one additional round, in which all contacts are assumed to press.
+   KERN_START_WARM: the method begins at the present u. */
 typedef enum kern_start { KERN_START_COLD, KERN_START_WARM } kern_start;
 
-/* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
+/* Data of Newton's method for the minimum-norm forces of a part. The method
+   solves the dual problem of >>norm, whose unknowns u are a motion of the
+   groups. */
 typedef struct kern_dual {
-    kern_law_kind law;            /* law of the contacts                    */
-    kern_skyline matrix;          /* matrix of Newton's method              */
-    kern_real *u, *step, *grad;   /* three per group, then three of 0       */
-    kern_real *load;              /* loads, three per group                 */
-    kern_real *approach, *change; /* two per contact: u, step along n and t */
-    int step_units;               /* work of a step [units]                 */
-    kern_real *price;             /* per stiff contact: mu slip (>>raised)  */
-    kern_real *stiffness;         /* per stiff contact: stiffness along n   */
-    kern_real shear;              /* stiffness along t / (mu stiffness)     */
+    kern_law_kind law;   /* law of the contacts                      */
+    kern_skyline matrix; /* matrix of Newton's method                */
+
+    /* The unknowns u, the step of Newton's method and the gradient of the dual.
+       Each of these arrays has three numbers per group, and then three zeros
+       for held blocks. */
+    kern_real *u, *step, *grad;
+    kern_real *load; /* three per group: the wrench that supports must exert */
+
+    /* The approach of each contact under u, and its change under the step: two
+       numbers per contact, along n and t. */
+    kern_real *approach, *change;
+    int step_units; /* work of one step of Newton's method [units]           */
+
+    /* The price of each contact, which is mu times its slip (>>raised), and the
+       stiffness of each contact along n. Only KERN_LAW_STIFF has these two
+       arrays. */
+    kern_real *price;
+    kern_real *stiffness;
+    kern_real shear; /* stiffness along t, divided by mu times that along n  */
 } kern_dual;
 
-/* Eq. (5) of a part as a linear program (>>verdict). The interior point stores
-   no columns and uses only rhs, rate and shrink. */
+/* Eq. (5) of a part as a linear program (>>verdict). The interior-point method
+   stores no columns and uses only rhs, rate and shrink. */
 typedef struct kern_equations {
-    kern_real *arc;   /* columns                                      */
-    kern_real *rhs;   /* loads                                        */
-    kern_real *rate;  /* minus the rate of rhs along a path           */
-    kern_real shrink; /* shrinkage of the columns; or infinity        */
+    kern_real *arc;   /* columns: eight numbers per contact              */
+    kern_real *rhs;   /* right-hand side: three loads per group          */
+    kern_real *rate;  /* rate at which rhs falls along a path            */
+    kern_real shrink; /* shrinkage at which the columns were computed;
+                         infinity: there are no columns                  */
     kern_program lp;
     kern_simplex simplex;
 } kern_equations;
 
 typedef struct kern_part {
-    kern_take rest; /* work memory after the part */
+    kern_take rest; /* work memory that the part leaves free */
     kern_dual dual;
     kern_model *m;
     int groups, contacts;
-    int supports; /* number of contacts that carry groups of the part, which
-                     come first; the others carry groups above               */
-    int *group;   /* groups of the part; >>norm has its own order            */
+
+    /* The first `supports` contacts carry groups of the part. The other
+       contacts carry groups that rest on the part. */
+    int supports;
+    int *group;   /* groups of the part, from top to bottom; in >>norm in
+                     the order of kern_norm_order()                          */
     int *contact; /* contacts of the part                                    */
-    int *ends;    /* two per contact: groups in the part, or `groups`        */
-    kern_real *x; /* two per contact: forces along the edges of its cone;
-                     then the value of the place                             */
-    kern_real *y; /* three per group: prices, which are a motion             */
+    int *ends;    /* two per contact: number of the group at each end within
+                     the part, or `groups` if the block is held              */
+    kern_real *x; /* two per contact: forces along the edges of its friction
+                     cone; after all of them the value of the place (>>lp)   */
+    kern_real *y; /* three per group: y of the program (>>lp), a motion      */
     kern_equations eq;
-    kern_status result; /* result of the method, proven or not */
+    kern_status result; /* last result of a method, with or without a proof  */
 } kern_part;
 
-/* Writes the groups of the part at both ends of its contacts to p->ends.
-   Returns 0 if there is no room. */
+/* Writes to p->ends, for both ends of each contact, the number that the group
+   there has within the part, or p->groups if the block there is held. Returns 0
+   if the work memory is too small. */
 static int kern_part_ends(kern_part *p)
 {
     const kern_model *m = p->m;
@@ -5156,8 +5202,9 @@ static int kern_part_ends(kern_part *p)
     return kern_take_fits(&p->rest);
 }
 
-/* Lists the part's contacts: first its supports, which carry its groups, then
-   the contacts that carry groups above the part. */
+/* Lists the contacts of the part: first its supports, which carry groups of the
+   part, then the contacts that carry groups above the part. If the work memory
+   is too small, the list is incomplete and kern_part_ends() returns 0. */
 static void kern_part_list(kern_part *p)
 {
     const kern_model *m = p->m;
@@ -5165,9 +5212,9 @@ static void kern_part_list(kern_part *p)
     p->contacts = 0;
     p->contact = kern_take_ints(&p->rest, 0);
 
-    /* Lists the contacts with groups below and with the ground (supporting =
-       1), then the contacts with groups above that are not in the part
-       (supporting = 0). */
+    /* First (supporting = 1) lists the contacts with the ground and with groups
+       below. Then (supporting = 0) lists the contacts with those groups above
+       that do not belong to the part. */
     for (supporting = 1; supporting >= 0; supporting--) {
         for (n = 0; n < p->groups; n++) {
             const int g = p->group[n];
@@ -5192,7 +5239,7 @@ static void kern_part_list(kern_part *p)
 
 /* Writes the loads of a part's groups for a query as the right-hand side of a
    program: three numbers per group, divided by the unit of force. Returns the
-   largest residual of equilibrium that is allowed. */
+   largest residual of equilibrium that is allowed, in the unit of force. */
 static kern_real kern_part_load(const kern_part *p, const kern_query *q,
                                 kern_real *load)
 {
@@ -5209,8 +5256,8 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
     return KERN_PART_TOL * lightest / m->weight;
 }
 
-/* Takes memory for the list of a part's groups. Returns 0 if there is no
-   room. */
+/* Begins a part of `groups` groups: takes the memory for the list of these
+   groups from `rest`. Returns 0 if `rest` is too small. */
 static int kern_part_begin(kern_part *p, kern_model *m, int groups,
                            const kern_take *rest)
 {
@@ -5222,8 +5269,9 @@ static int kern_part_begin(kern_part *p, kern_model *m, int groups,
     return kern_take_fits(&p->rest);
 }
 
-/* Opens a part of the groups that graph.local marks. `groups` is their number
-   and `last` the last of them. Returns 0 if the work memory is too small. */
+/* Opens the part whose groups are marked in graph.local. `groups` is the number
+   of marked groups, and `last` is the last of them. Returns 0 if the work
+   memory is too small. */
 static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 {
     int g, n = groups;
@@ -5231,7 +5279,9 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     if (!kern_part_begin(p, m, groups, &m->rest))
         return 0;
 
-    /* Numbers the marked groups in their order, from the last to the first. */
+    /* Gives the marked groups their numbers within the part, in the order of
+       all groups. Counts the groups from the last marked one back to the
+       first. */
     for (g = last; n > 0; g--)
         if (m->graph.local[g] != KERN_OUT) {
             m->graph.local[g] = --n;
@@ -5245,7 +5295,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     return 1;
 }
 
-/* Writes y as the motion of the part. All other blocks rest. */
+/* Writes the part's y as the motion in m->answer. All other blocks rest. */
 static void kern_part_motion(kern_part *p)
 {
     kern_model *m = p->m;
@@ -5259,7 +5309,8 @@ static void kern_part_motion(kern_part *p)
     kern_motion_scale(m->s, m->answer.motion);
 }
 
-/* Writes y as a motion. Returns 1 if the motion proves that the part falls. */
+/* Writes the part's y as the motion in m->answer. Returns 1 if this motion
+   proves that the structure falls. */
 static int kern_part_falls(kern_part *p, const kern_query *q)
 {
     const kern_model *m = p->m;
@@ -5267,8 +5318,8 @@ static int kern_part_falls(kern_part *p, const kern_query *q)
     return kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion));
 }
 
-/* Writes x of a program of all groups as contact forces. Negative numbers,
-   which are rounding, become 0. */
+/* Writes the x of a program of all groups as the contact forces in m->answer.
+   Negative entries of x, which are rounding errors, become 0. */
 static void kern_part_forces(kern_part *p)
 {
     kern_model *m = p->m;
@@ -5283,8 +5334,8 @@ static void kern_part_forces(kern_part *p)
     }
 }
 
-/* Writes x as contact forces. Returns 1 if the forces prove that the structure
-   stands. */
+/* Writes the x of a program of all groups as the contact forces in m->answer.
+   Returns 1 if these forces prove that the structure stands. */
 static int kern_part_stands(kern_part *p, const kern_query *q)
 {
     kern_part_forces(p);
@@ -5292,19 +5343,25 @@ static int kern_part_stands(kern_part *p, const kern_query *q)
 }
 
 /* ---- Minimum-norm forces ----------------------------------------- >>norm */
-/* Minimum-norm forces of a part solve
+/* The minimum-norm forces x of a part solve
 
        min |x|^2 / 2,  A x = b,  x >= 0.
 
-   The dual, max b.u - |max(0, A'u)|^2 / 2, has three unknowns for each group,
-   and x = max(0, A'u). The dual is concave and its curvature is piecewise
-   constant, so that Newton's method ends after a few steps. The matrix of
-   Newton's method is A_S A_S', where S is the set of rays that press at u. If
-   no forces exist, the dual grows without bound. */
+   Here x has one force for each ray, an edge of a friction cone, and b is the
+   wrench that the contacts must exert on each group. The dual problem,
 
-/* Writes to `way` the approach at which the law of contact i exerts the
-   answer's force. Newton's method begins there, and so finds the least change
-   of the forces. Returns the friction. */
+       max b.u - |max(0, A'u)|^2 / 2,
+
+   has three unknowns u for each group, a motion. The solution u of the dual
+   gives the forces x = max(0, A'u). The dual is concave and its curvature is
+   piecewise constant, so Newton's method ends after a few steps. The matrix of
+   Newton's method is A_S A_S', where S is the set of rays that press at u,
+   those with A'u > 0. If no forces exist, the dual grows without bound. */
+
+/* Writes to `way` the approach at which contact i exerts its present force in
+   m->answer. Newton's method begins at this approach of each contact, so it
+   finds the forces that differ least from the present ones. Returns the
+   friction of the contact. */
 static inline kern_real kern_model_prior(const kern_model *m, int i,
                                          kern_real way[2])
 {
@@ -5325,8 +5382,8 @@ static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
                           has_stiffness ? p->dual.shear : mu);
 }
 
-/* Lays out the arrays for the part's minimum-norm forces. Returns 0 if there is
-   no room. */
+/* Takes memory for the arrays of Newton's method, p->dual. Returns 0 if the
+   work memory is too small. */
 static int kern_norm_lay(kern_part *p, kern_take *take)
 {
     kern_dual *d = &p->dual;
@@ -5347,16 +5404,17 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
     return kern_take_fits(take);
 }
 
-/* Writes the rows of the part's contact k at its two ends. */
+/* Writes the rows (kern_row) of the part's contact k: row[0] at its block b and
+   row[1] at its block a. */
 static inline void kern_part_rows(const kern_part *p, int k, kern_row row[2])
 {
     row[0] = kern_model_row(p->m, 2 * p->contact[k]);
     row[1] = kern_model_row(p->m, 2 * p->contact[k] + 1);
 }
 
-/* w += the approach of the part's contact k along n and t under the motion v.
-   The difference of velocities is formed first, so that a rigid motion gives
-   exactly 0. */
+/* Adds to w the approach of the part's contact k along n and t under the motion
+   v of the groups. Subtracts the velocities of the two blocks first, so that a
+   translation of both together gives exactly 0. */
 static inline void kern_part_speed(const kern_part *p, int k,
                                    const kern_real *v, kern_real *w)
 {
@@ -5370,8 +5428,9 @@ static inline void kern_part_speed(const kern_part *p, int k,
     w[1] += row[1].torque * t[2];
 }
 
-/* b += the wrenches of the part's contact k with force f along n and r along t.
-   Wrenches on held blocks go to the last three numbers. */
+/* Adds to b the wrenches that the part's contact k exerts on its two groups,
+   with the force f along n and r along t. Wrenches on held blocks are added to
+   the last three numbers of b. */
 static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
                                    kern_real r, kern_real *b)
 {
@@ -5381,14 +5440,15 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
     kern_row_exert(row + 1, f, r, b + 3 * p->ends[2 * k + 1]);
 }
 
-/* The motion of which an approach is computed: a step added to u, or u
-   itself. */
+/* Motion under which kern_norm_approach() computes the approaches: the step of
+   Newton's method alone, or u. */
 typedef enum kern_way_of { KERN_WAY_OF_STEP, KERN_WAY_OF_U } kern_way_of;
 
-/* Writes the approach of the supports along n and t. The approach under u goes
-   to dual.approach, and that under the step to dual.change. The approach under
-   u begins at minus the price for a stiff contact, and otherwise at the
-   approach that gives the present force of the contact. */
+/* Writes the approach of each support along n and t: under u to dual.approach,
+   or under the step alone to dual.change. The approach under u includes a
+   constant. For a stiff contact this constant is minus the price of the
+   contact. For any other contact the constant is the approach that gives its
+   present force. */
 KERN_SHARED static void kern_norm_approach(kern_part *p, kern_way_of source)
 {
     const kern_dual *d = &p->dual;
@@ -5405,9 +5465,9 @@ KERN_SHARED static void kern_norm_approach(kern_part *p, kern_way_of source)
     }
 }
 
-/* Writes the gradient of the dual at u, which is b minus the wrenches of the
-   forces at u. Returns the value of the dual, and writes the largest force to
-   *largest. */
+/* Writes the gradient of the dual at u: b minus the wrenches that the contacts
+   exert at u. Returns the value of the dual, and writes the largest normal
+   force to *largest. */
 static kern_real kern_norm_gradient(kern_part *p, kern_real *largest)
 {
     const kern_dual *d = &p->dual;
@@ -5430,7 +5490,7 @@ static kern_real kern_norm_gradient(kern_part *p, kern_real *largest)
     return value;
 }
 
-/* Adds the law of the part's contact k to the matrix. */
+/* Adds the law s of the part's contact k to the matrix of Newton's method. */
 static void kern_part_add(kern_part *p, int k, const kern_law *s)
 {
     kern_row row[2];
@@ -5438,8 +5498,10 @@ static void kern_part_add(kern_part *p, int k, const kern_law *s)
     kern_skyline_law(&p->dual.matrix, p->ends + 2 * k, row, s);
 }
 
-/* Writes the matrix of the contacts that press at u (cold start: of all
-   contacts), and shifts its diagonal. */
+/* Writes the matrix of Newton's method. The matrix sums the stiffness of the
+   contacts that press at u, or for a cold start the stiffness of all contacts.
+   Adds KERN_DUAL_SHIFT times the mean of the diagonal to each diagonal
+   entry. */
 static void kern_norm_matrix(kern_part *p, kern_start start)
 {
     const int cold = start == KERN_START_COLD;
@@ -5453,8 +5515,7 @@ static void kern_norm_matrix(kern_part *p, kern_start start)
             s = kern_part_law(p, k, 1, 0);
         if (cold
             && p->dual.law
-                   == KERN_LAW_STIFF) /* the same stiffness along t for all mu
-                                                                             */
+                   == KERN_LAW_STIFF) /* here tt must not depend on mu */
             s.tt = p->dual.shear * s.nn;
         if (s.nn > 0)
             kern_part_add(p, k, &s);
@@ -5462,8 +5523,9 @@ static void kern_norm_matrix(kern_part *p, kern_start start)
     kern_skyline_shift(a, KERN_DUAL_SHIFT);
 }
 
-/* Returns the derivative of the dual along the step, at u + share * step.
-   `push` is the part of the derivative that the loads contribute. */
+/* Returns the derivative of the dual along the step of Newton's method, at the
+   place u + share * step. `push` is the contribution of the loads to the
+   derivative. */
 static kern_real kern_norm_slope(const kern_part *p, kern_real push,
                                  kern_real share)
 {
@@ -5478,11 +5540,12 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
     return push;
 }
 
-/* Returns the share of the step at which the dual is largest, by regula falsi,
-   since the dual is concave. The search ends where the derivative is at most an
-   eighth of the first one (KERN_SHARE_TOL), or with stiff contacts a thousandth
-   (KERN_SHARE_TOL_PRICED). With stiff contacts each place is charged as
-   work. */
+/* Returns the share of the step of Newton's method at which the dual is
+   largest. Finds the zero of the derivative along the step by regula falsi,
+   since the dual is concave. The search ends where the derivative has become at
+   most an eighth of its first value (KERN_SHARE_TOL), or with stiff contacts a
+   thousandth (KERN_SHARE_TOL_PRICED). With stiff contacts the work of each
+   place is charged. */
 KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_dual *d = &p->dual;
@@ -5495,8 +5558,8 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
     kern_real share = 1;
     int round;
 
-    /* Increases the share until the derivative changes its sign. Then cuts the
-       bracket where a linear derivative would be 0. */
+    /* Increases the share until the derivative has changed its sign. After that
+       cuts the bracket at the place where a linear derivative would be 0. */
     for (round = 0;
          round < (hi < KERN_INFINITY ? KERN_SHARE_PLACES : KERN_SHARE_GROWS);
          round++) {
@@ -5513,10 +5576,10 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
                                      (p->supports + 12) / KERN_PLACE_UNIT)))
             break;
 
-        /* Moves the end of the bracket that has the same sign of the
-           derivative. */
+        /* Moves the end of the bracket at which the derivative has the same
+           sign as at the new place. */
         if (slope > 0) {
-            slope_hi /= 3; /* else hi stays for many rounds               */
+            slope_hi /= 3; /* otherwise hi would not move for long       */
             lo = share;
             slope_lo = slope;
         } else {
@@ -5527,10 +5590,12 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
     return share;
 }
 
-/* Finds the minimum-norm forces of a part's supports under the loads
-   p->dual.load. Returns KERN_STANDS with u in p->dual.u, KERN_FALLS if the norm
-   exceeds `bound` (this is no proof), KERN_UNDECIDED after `rounds` rounds, or
-   KERN_LIMIT. */
+/* Finds the minimum-norm forces of a part's supports under the loads in
+   p->dual.load. `tolerance` is the largest residual of equilibrium that is
+   allowed. Returns KERN_STANDS if the forces are found; p->dual.u then gives
+   these forces. Returns KERN_FALLS if the norm of the forces exceeds `bound`,
+   which is no proof of falling. Returns KERN_UNDECIDED if round number `rounds`
+   is reached, and KERN_LIMIT if work is refused. */
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                   kern_real bound, kern_start start, int rounds)
 {
@@ -5539,19 +5604,20 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     int i, round;
     KERN_ASSERT(p->supports <= p->contacts);
 
-    /* Sets u to 0 for a cold start. The three numbers of held blocks are always
-       0. */
+    /* Sets u and the step to 0 for a cold start. The last three numbers of u
+       and of the step, which belong to held blocks, are always 0. */
     for (i = start == KERN_START_COLD ? 0 : n; i < n + 3; i++)
         d->u[i] = d->step[i] = 0;
     kern_norm_approach(p, KERN_WAY_OF_U);
 
-    /* Each round solves for the contacts that press at the present u. */
+    /* Takes one step of Newton's method in each round, for the contacts that
+       press at the present u. */
     for (round = (int)start; round < rounds; round++) {
         kern_real largest, share;
         const kern_real value = kern_norm_gradient(p, &largest);
 
         /* Ends if the forces are in equilibrium. Also ends if the dual exceeds
-           bound^2 / 2: then no forces have a norm within the bound. */
+           bound^2 / 2: then no forces with a norm up to `bound` exist. */
         if (kern_largest(d->grad, n) <= tolerance + KERN_RESIDUAL * largest)
             return KERN_STANDS;
         if (!(value <= bound * bound / 2))
@@ -5572,7 +5638,7 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     return KERN_UNDECIDED;
 }
 
-/* Returns the number of contacts at group g. */
+/* Returns the number of contact points at group g. */
 static int kern_graph_degree(const kern_graph *graph, int g)
 {
     int e = graph->first_end[g], n = 0;
@@ -5581,10 +5647,10 @@ static int kern_graph_degree(const kern_graph *graph, int g)
     return n;
 }
 
-/* Lists by breadth-first search the groups that contacts connect to `first`.
-   Writes them to p->group from index n down. Of the new neighbours of a group
-   those with fewer contacts come first. Returns the index below the last group
-   written. */
+/* Lists all groups that contacts connect to group `first`, in the order of a
+   breadth-first search. Writes the groups to p->group, from index n down. If a
+   group has several new neighbours, those with fewer contacts are listed first.
+   Returns the index below that of the last group written. */
 static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
@@ -5610,9 +5676,10 @@ static int kern_norm_layers(kern_part *p, int first, int n)
     return n;
 }
 
-/* Makes a part of the groups that are not marked. Lists the groups in
-   breadth-first layers from an end of the structure, last index first (reverse
-   Cuthill-McKee), which keeps rows of the factor short. */
+/* Makes a part of the groups whose graph.local is KERN_OUT. Lists these groups
+   in the order of a breadth-first search that begins at one end of the
+   structure, backwards from the last index (reverse Cuthill-McKee order). This
+   order keeps the rows of the factor short. */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
@@ -5630,8 +5697,9 @@ static void kern_norm_order(kern_part *p)
         local[p->group[g]] = g;
 }
 
-/* Opens all groups that are not marked as one part. Returns 0 if there is no
-   room. */
+/* Opens all groups whose graph.local is KERN_OUT as one part, and holds the
+   other groups. Returns 0 if the work memory is too small or the work is
+   refused. */
 static int kern_norm_open(kern_part *p, kern_model *m)
 {
     const int *local = m->graph.local;
@@ -5652,7 +5720,8 @@ static int kern_norm_open(kern_part *p, kern_model *m)
     return kern_part_ends(p) && kern_norm_lay(p, &p->rest);
 }
 
-/* Writes the contact forces for the approaches in dual.approach. */
+/* Writes to m->answer the contact forces that the laws give for the approaches
+   in dual.approach. */
 static void kern_norm_write(kern_part *p)
 {
     kern_model *m = p->m;
@@ -5666,20 +5735,26 @@ static void kern_norm_write(kern_part *p)
 }
 
 /* ---- The top-down pass ------------------------------------------- >>pass */
-/* The pass balances the groups from top to bottom. Each group is balanced by
-   the least change of the forces that carry it, under its load and the forces
-   from above: a problem in three unknowns. A group that cannot be balanced
-   alone forms a cluster with the groups that rest on it. A group whose load
-   changes is balanced again. Forces that balance every group prove that the
-   structure stands. If a cluster cannot be balanced, and its motion separates
-   it from all groups that rest on it, no forces from above could hold the
-   cluster. Then the cluster is a part that falls.
+/* The pass balances the groups from top to bottom. To balance a group, the pass
+   changes the forces that carry the group as little as possible, until they
+   balance the load of the group and the forces from above. To balance one group
+   is a problem in three unknowns. A group that cannot be balanced alone forms a
+   cluster with the groups that rest on it. A cluster is open while the pass
+   must still balance it. A cluster on which the load has changed becomes open
+   again. Forces that balance every group prove that the structure stands. If a
+   cluster cannot be balanced, and its motion separates it from all groups that
+   rest on it, no forces from above could hold the cluster: it is a part that
+   falls.
 
-   A cluster, or the whole pass, has one of three outcomes. KERN_STANDS: its
-   groups are balanced. KERN_FALLS: a part is open and seems to fall.
-   KERN_UNDECIDED: no work memory or budget is left. */
+   The functions that balance a cluster, and kern_pass() itself, return one of
+   three results. KERN_STANDS: all groups of the cluster, or of the structure,
+   are balanced. KERN_FALLS: a part is open and seems to fall. KERN_UNDECIDED:
+   the pass finds neither of these. If memory or work is used up, the result for
+   a cluster is KERN_NO_SPACE or KERN_LIMIT, and kern_pass() returns
+   KERN_UNDECIDED. */
 
-/* Marks that the cluster of group g must be balanced. */
+/* Marks the cluster of group g as open: the pass must balance the cluster, even
+   if the pass has balanced it before. */
 static void kern_pass_mark_open(kern_model *m, int g)
 {
     const int last = m->cluster.last[g];
@@ -5688,8 +5763,9 @@ static void kern_pass_mark_open(kern_model *m, int g)
         m->cluster.front = last;
 }
 
-/* Writes the force of contact i. If it changes by more than the tolerance,
-   marks that the cluster of group `carrier` must be balanced again. */
+/* Writes the force of contact i. `carrier` is the group below the contact, or
+   graph.groups if that group needs no mark. If the force changes by more than
+   the tolerance, marks the cluster of the carrier as open. */
 static void kern_pass_write(kern_model *m, int i, int carrier, kern_force f,
                             kern_real tolerance)
 {
@@ -5702,9 +5778,9 @@ static void kern_pass_write(kern_model *m, int i, int carrier, kern_force f,
     *force = f;
 }
 
-/* Solves h x = b for a symmetric 3 x 3 matrix h, of which it reads the lower
-   half. The unknown of a pivot as small as rounding becomes 0. Returns 1 if no
-   pivot is small. */
+/* Solves h x = b for a symmetric 3 x 3 matrix h. Reads only the lower half of
+   h. An unknown whose pivot is as small as rounding error becomes 0. Returns 1
+   if the second and the third pivot are so large that x needs no refinement. */
 static int kern_pass_three(const kern_real h[9], const kern_real b[3],
                            kern_real x[3])
 {
@@ -5722,14 +5798,16 @@ static int kern_pass_three(const kern_real h[9], const kern_real b[3],
     return kern_min(d1, d2) > KERN_THREE_GOOD * (h[0] + h[4] + h[8]);
 }
 
-typedef struct kern_ray { /* force along an edge of a friction cone       */
-    kern_real wrench[3];  /* its wrench on the group for x = 1      */
-    kern_real x;          /* magnitude, in units; below 0: no force */
-    int pressing;         /* nonzero: the ray is in the matrix      */
+/* A force along an edge of a friction cone. */
+typedef struct kern_ray {
+    kern_real wrench[3]; /* wrench on the group if x is 1                   */
+    kern_real x;         /* magnitude of the force, in units of
+                            kern_pass_unit(); below 0: there is no force    */
+    int pressing;        /* nonzero: kern_ray_sum() counts the ray          */
 } kern_ray;
 
-/* Writes the two rays of a row, with their forces at the approach `way` divided
-   by `unit`. */
+/* Writes the two rays of the contact whose row is given. The force x of each
+   ray is its force at the approach `way`, divided by `unit`. */
 static inline void kern_ray_pair(kern_ray *ray, const kern_row *row,
                                  kern_real mu, const kern_real way[2],
                                  kern_real unit)
@@ -5742,10 +5820,10 @@ static inline void kern_ray_pair(kern_ray *ray, const kern_row *row,
     ray[0].pressing = ray[1].pressing = 1;
 }
 
-/* Returns the unit of the forces of contact i. The unit of upright joints is
-   smaller, so that they take less of a load than beds. Otherwise each stone of
-   a course would push the next, and the last stone of a long course could not
-   be balanced alone. */
+/* Returns the unit in which the forces of contact i are measured. A contact
+   with a smaller unit takes less of a load. So upright joints have a smaller
+   unit than beds. Otherwise each stone of a course would push the next, and the
+   last stone of a long course could not be balanced alone. */
 static kern_real kern_pass_unit(const kern_model *m, int i)
 {
     const kern_vec g = m->s->gravity;
@@ -5753,8 +5831,9 @@ static kern_real kern_pass_unit(const kern_model *m, int i)
     return 4 * lift * lift < kern_vec_dot(g, g) ? KERN_SIDE_SHARE : KERN_R(1);
 }
 
-/* Writes b minus the wrenches of the pressing rays to `residual`, and the
-   matrix of these rays to h. */
+/* Writes to `residual` b minus the wrenches of the pressing rays. Writes to the
+   lower half of h the sum of a a' over the pressing rays, where a is the wrench
+   of a ray for x = 1. */
 static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
                          kern_real residual[3], kern_real h[9])
 {
@@ -5776,9 +5855,10 @@ static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
     }
 }
 
-/* Finds the least change of the forces of the rays with which they exert the
-   wrench b, by Newton's method with full steps. Returns KERN_STANDS; KERN_FALLS
-   if the rays cannot exert b; or KERN_UNDECIDED if the method does not end. */
+/* Changes the forces of the n rays as little as possible so that they exert the
+   wrench b, by Newton's method with full steps. Returns KERN_STANDS if it
+   succeeds, KERN_FALLS if the rays cannot exert b, and KERN_UNDECIDED if the
+   method does not converge. */
 static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
                                    kern_real tolerance)
 {
@@ -5788,8 +5868,9 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
         unchanged = 0; /* 1: the same rays press as in the last round */
     for (round = 0; round < KERN_ALONE_ROUNDS; round++) {
         /* Computes the residual of the rays that press now. If the same rays
-           pressed in the last round, that step solved a linear problem: if the
-           residual is still large, there is no solution. */
+           pressed in the last round, the step of that round solved a linear
+           problem. A residual that has not become much smaller by such a step
+           (KERN_ALONE_PACE) shows that no solution exists. */
         const kern_real goal = last / KERN_ALONE_PACE;
         int regular, changed = 0;
         kern_ray_sum(c, n, b, residual, h);
@@ -5799,8 +5880,8 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
         if (unchanged && last > goal)
             return KERN_FALLS;
 
-        /* Takes a full step. The set of pressing rays may change, except while
-           a solution is refined. */
+        /* Takes a full step. A ray begins or stops pressing if the sign of its
+           force has changed, except while a solution is refined. */
         regular = kern_pass_three(h, residual, step);
         kern_add(u, 1, step, 3);
         for (k = 0; k < n; k++) {
@@ -5811,8 +5892,8 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
             }
         }
 
-        /* Ends if the same rays press as before, and no pivot was small, so
-           that no refinement is needed. */
+        /* Ends if the same rays press after the step as before it, and no pivot
+           was so small that the solution needs refinement. */
         if (regular && !changed)
             return KERN_STANDS;
         unchanged = !changed;
@@ -5820,21 +5901,22 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
     return KERN_UNDECIDED;
 }
 
-/* Balances group g alone. Returns KERN_FALLS if no forces of its contacts
-   balance it, KERN_UNDECIDED if it has too many contacts or the method does not
-   end. */
+/* Balances group g alone, by the forces of the contacts that carry it. Returns
+   KERN_STANDS if the group is balanced, KERN_FALLS if no forces of these
+   contacts balance it, and KERN_UNDECIDED if too many contacts carry it or
+   Newton's method does not converge. */
 static kern_status kern_pass_alone(kern_model *m, int g)
 {
     const kern_real tolerance = KERN_PASS_TOL * m->load_size[g];
     kern_ray c[2 * KERN_ROWS_MOST];
-    int end[KERN_ROWS_MOST]; /* ends */
+    int end[KERN_ROWS_MOST]; /* ends at g of the contacts that carry it */
     kern_real unit[KERN_ROWS_MOST], b[3];
     kern_status status;
     int e, k, n = 0;
 
-    /* Sums the loads of the group and of the contacts above it. Each contact
-       that carries the group gives two rays, which start from its present
-       force. */
+    /* Sums in b the load of the group and the forces of the contacts above it.
+       Each contact that carries the group gives two rays, which start from the
+       present force of the contact. */
     kern_copy(b, m->load + 3 * g, 3);
     for (e = m->graph.first_end[g]; e >= 0; e = m->graph.next_end[e]) {
         const kern_row row = kern_model_row(m, e);
@@ -5852,7 +5934,8 @@ static kern_status kern_pass_alone(kern_model *m, int g)
         end[n++] = e;
     }
 
-    /* Writes the forces, and marks the groups that carry them as open. */
+    /* Writes the new forces of the contacts that carry the group. If a force
+       has changed, the cluster of the group below that contact becomes open. */
     status = kern_pass_solve(c, 2 * n, b, tolerance);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_real plus = unit[k] * kern_max(c[2 * k].x, 0);
@@ -5865,7 +5948,7 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     return status;
 }
 
-/* Joins the clusters of groups g and h. */
+/* Joins the two clusters that contain the groups g and h. */
 static void kern_pass_join(kern_model *m, int g, int h)
 {
     kern_clusters *c = &m->cluster;
@@ -5881,8 +5964,8 @@ static void kern_pass_join(kern_model *m, int g, int h)
     } while (i != g);
 }
 
-/* Writes `mark` to graph.local of each group of g's cluster. Returns the number
-   of these groups. */
+/* Writes `mark` to graph.local of each group of the cluster that contains g.
+   Returns the number of groups in this cluster. */
 static int kern_pass_mark(kern_model *m, int g, int mark)
 {
     int i = g, n = 0;
@@ -5894,16 +5977,18 @@ static int kern_pass_mark(kern_model *m, int g, int mark)
     return n;
 }
 
-/* Grows the cluster of `last`, which could not be balanced, by the clusters
-   that rest on it, and leaves it open. Returns 0 if no cluster rests on it, or
-   if it becomes too large. */
+/* Grows a cluster that could not be balanced: joins all clusters that rest on
+   it. `last` is the last group of the cluster. Marks the cluster as open again.
+   Returns 0 if no cluster rests on this cluster, or if it has become too
+   large. */
 static int kern_pass_grow(kern_model *m, int last)
 {
     const kern_clusters *c = &m->cluster;
     int g = last, next, e, joined = 0;
 
-    /* Joins the cluster of every group above. `next` is read before the join,
-       so that the groups of a joined cluster are not searched. */
+    /* Joins the cluster of every group that rests on the cluster of `last`.
+       Reads `next` before each join, so that the loop skips the groups that are
+       new in the cluster. */
     do {
         next = c->next[g];
         for (e = m->graph.first_end[g]; e >= 0; e = m->graph.next_end[e]) {
@@ -5920,9 +6005,11 @@ static int kern_pass_grow(kern_model *m, int last)
     return joined && kern_pass_mark(m, last, KERN_OUT) <= c->groups_max;
 }
 
-/* Writes the minimum-norm forces of a part. A group that both rests on the part
-   and carries it joins the part on the second attempt. Otherwise the group and
-   the part would be balanced alternately without end. */
+/* Writes the minimum-norm forces of a part's supports, and marks the clusters
+   below whose load changes as open. If the part has been balanced before, an
+   open cluster that carries the part, but ends before it in the order of the
+   pass, joins the part. Otherwise this cluster and the part would be balanced
+   alternately without end. */
 static void kern_pass_keep(kern_part *p, kern_real tolerance)
 {
     kern_model *m = p->m;
@@ -5933,7 +6020,7 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
     flags[last] |= KERN_TRIED;
 
     /* Writes the force of each support. The groups of the part are balanced, so
-       only groups outside of it must be balanced again. */
+       only groups outside of the part may have to be balanced again. */
     for (k = 0; k < p->supports; k++) {
         const int i = p->contact[k], *ends = m->graph.ends + 2 * i;
         const kern_real *w = p->dual.approach + 2 * k;
@@ -5951,9 +6038,9 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
     }
 }
 
-/* Returns 1 if the motion u of a part that cannot be balanced separates it from
-   all groups that rest on it, and its loads do work. Then no force from above
-   can hold the part. */
+/* Returns 1 if no force from above can hold a part that cannot be balanced.
+   Checks that the motion u of the part separates it from all groups that rest
+   on it, and that the loads of the part do positive work in this motion. */
 static int kern_pass_parts(kern_part *p)
 {
     const kern_real limit = KERN_PARTS_TOL
@@ -5961,12 +6048,12 @@ static int kern_pass_parts(kern_part *p)
     kern_real power = 0;
     int n, k;
 
-    /* Sums the power of the loads. */
+    /* Sums the power of the loads of the part. */
     for (n = 0; n < p->groups; n++)
         power += kern_dot(p->dual.u + 3 * n, p->m->load + 3 * p->group[n], 3);
 
-    /* Checks that no contact from above closes, not even along an edge of its
-       cone. */
+    /* Checks that the motion closes no contact with a group above the part, not
+       even along an edge of its friction cone. */
     for (k = p->supports; k < p->contacts; k++) {
         kern_real w[2] = {0, 0};
         kern_part_speed(p, k, p->dual.u, w);
@@ -5976,9 +6063,11 @@ static int kern_pass_parts(kern_part *p)
     return power > 0;
 }
 
-/* Opens the cluster of `last` as a part, and writes minimum-norm forces if
-   these balance it. Returns KERN_FALLS if no forces balance it with all other
-   blocks held. */
+/* Opens the cluster whose last group is `last` as a part. If the minimum-norm
+   forces of this part are found, writes these forces and returns KERN_STANDS.
+   Returns KERN_FALLS if no forces balance the part while all other blocks are
+   held, and the motion of the part separates it from all groups that rest on
+   it. */
 KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
                                               int last)
 {
@@ -5987,8 +6076,8 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     kern_take take;
     int n;
 
-    /* Ends if there is no room for the part, or if the rest of the budget is
-       too small for a step. */
+    /* Ends if the work memory is too small for the part, or if the rest of the
+       pass's budget is too small for one step of Newton's method. */
     if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last))
         return KERN_NO_SPACE;
     take = p->rest;
@@ -5996,9 +6085,10 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
         || p->dual.step_units > m->cluster.budget_end - m->task->work->units)
         return KERN_NO_SPACE;
 
-    /* Sums the loads of the groups and of the contacts above them, and their
-       magnitudes in `load`. `lightest` is the smallest load of a group, which
-       sets the largest residual. */
+    /* Sums in dual.load the loads of the groups and the forces of the contacts
+       above them. `load` is the sum of the magnitudes of the loads and of the
+       numbers in dual.load. `lightest` is the smallest load of a group, which
+       determines the largest residual. */
     for (n = 0; n < p->groups; n++) {
         lightest = kern_min(lightest, m->load_size[p->group[n]]);
         load += m->load_size[p->group[n]];
@@ -6011,9 +6101,9 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.load[n]);
 
-    /* Finds the forces. If their norm exceeds its bound, no forces exist. Even
-       then the part falls only if its motion separates it from all groups that
-       rest on it. */
+    /* Finds the minimum-norm forces. If the norm of the forces exceeds its
+       bound, the part counts as one that no forces balance. Even such a part
+       falls only if its motion separates it from all groups that rest on it. */
     status = kern_norm_find(p, KERN_PASS_TOL * lightest,
                             KERN_CLUSTER_NORM * load, KERN_START_COLD,
                             KERN_NORM_ROUNDS);
@@ -6025,17 +6115,17 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     return status;
 }
 
-/* Balances the cluster of `last`. After KERN_FALLS *p is the part that
-   falls. */
+/* Balances the cluster whose last group is `last`. After KERN_FALLS this
+   cluster is open as part *p and seems to fall. */
 static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
 {
     kern_status status = m->cluster.next[last] == last
                            ? kern_pass_alone(m, last)
                            : KERN_UNDECIDED;
 
-    /* A single group that no forces hold falls as a part of its own if nothing
-       rests on it. If groups rest on it, they could hold it: then the cluster
-       is undecided and grows. */
+    /* If no forces balance a single group, and nothing rests on it, the group
+       falls as a part. If groups rest on this group, their forces could hold
+       it, so the result is undecided and the cluster grows. */
     if (status == KERN_FALLS) {
         if (!kern_part_open(p, m, kern_pass_mark(m, last, KERN_MARKED), last)
             || p->supports < p->contacts)
@@ -6048,9 +6138,9 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
     return status;
 }
 
-/* Makes the next pass begin with the known forces, if there are any. If the
-   kerns are at least as large as when the known forces were found, the pass
-   must balance only the last block. */
+/* Makes the next pass begin with the known forces of a similar structure, if
+   there are any. If the kerns are at least as large as those for which these
+   forces were found, the pass begins with only the last block open. */
 static void kern_known_begin(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
@@ -6065,9 +6155,11 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
         m->cluster.unbalanced = m->graph.group[m->s->blocks - 1];
 }
 
-/* Begins a pass with the forces of the answer. Opens all groups, or only the
-   one that known forces may not balance. A cluster may have groups / share
-   groups. */
+/* Begins a pass with the present forces in m->answer. Makes each group a
+   cluster of its own. Opens all clusters, or only that of the one group that
+   known forces may not balance (`unbalanced`). A cluster may have at most
+   groups / share + 1 groups. If there are more than KERN_SMALL groups, the
+   largest size of a cluster depends only on the number of groups. */
 static void kern_pass_begin(kern_model *m, int share)
 {
     kern_clusters *c = &m->cluster;
@@ -6080,20 +6172,23 @@ static void kern_pass_begin(kern_model *m, int share)
     for (i = c->front = 0; i < groups; i++) {
         c->last[i] = c->next[i] = i;
         c->flags[i] = unbalanced == KERN_OUT || unbalanced == i ? KERN_OPEN : 0;
-        m->graph.local[i] = KERN_OUT; /* a part may have been open */
+        m->graph.local[i] = KERN_OUT; /* no part is open now */
     }
 }
 
-/* Balances all open groups, alone or in clusters. A cluster grows until it is
-   balanced or falls. */
+/* Runs the pass: balances all open clusters from top to bottom. A cluster that
+   cannot be balanced grows until it is balanced, falls or becomes too large.
+   After KERN_FALLS the falling cluster is open as part *p. */
 static kern_status kern_pass(kern_model *m, kern_part *p)
 {
     kern_clusters *c = &m->cluster;
     c->budget_end = m->task->work->units
                   + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
 
-    /* Moves the front down, and back up to a cluster that must be balanced
-       again. The budget ends a pass that does not converge. */
+    /* Moves the front down, one group after the other. If a cluster above the
+       front must be balanced again, kern_pass_mark_open() has moved the front
+       back up to that cluster. The budget ends a pass that does not
+       converge. */
     while (c->front < m->graph.groups) {
         const int g = c->front++;
         kern_status status;
@@ -6108,47 +6203,51 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
             return status;
         if (status != KERN_STANDS
             && !(status == KERN_UNDECIDED && kern_pass_grow(m, g)))
-            return KERN_UNDECIDED; /* also without room or work */
+            return KERN_UNDECIDED; /* also if memory or work is used up */
     }
     return KERN_STANDS;
 }
 
 /* ---- Interior point ---------------------------------------------- >>ipm */
-/* Finds the verdict on all groups at once, in about ten factorisations. The
-   first forces x > 0 have the residual g = A x - b. A program finds the share
-   of g that can be removed:
+/* The interior-point method finds the verdict on all groups at once, in about
+   ten factorisations. The method begins with forces x > 0 that are not in
+   equilibrium: their residual is g = A x - b. The linear program
 
        max s,  A x + s g = b,  x >= 0,  s <= 0,
 
-   from s = -1. The structure stands if s reaches 0. The maximum is where
+   finds how much of this residual can be removed. The first forces solve the
+   equations of this program with s = -1. The structure stands if s reaches 0.
+   At the maximum
 
-       A x = b - s g,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray:
+       A x = b - s g,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray.
 
-   If s stays below 0, the structure falls and y is the mechanism. A primal-dual
-   method follows x z = mu > 0 to mu = 0. Each step is a step of Newton's
-   method,
+   If the maximum of s is below 0, the structure falls, and y is the mechanism.
+   A primal-dual method follows the solutions with x z = mu > 0 to mu = 0, where
+   mu is not friction but the same number for all rays. The method takes steps
+   of Newton's method:
 
        M dy - g ds = A x~ + s g - b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
 
-   with x~ the forces for this mu. These equations are solved twice with one
-   factor (Mehrotra). The predictor, with mu = 0, gives the mu and the products
-   dx dz of the corrector. Along a path each query starts from x, y, z and s of
-   the last one. */
+   with the forces x~ = x + mu / z - D A'y. In each step these equations are
+   solved twice with one factor (Mehrotra). The predictor, with mu = 0, gives
+   the mu and the products dx dz of the corrector. Along a path each query
+   starts from the x, y, z and s of the last query. */
 
 typedef struct kern_ipm {
-    kern_part *part; /* all groups; its x, y and eq.rhs are x, y, b */
-    kern_real s;
+    kern_part *part;       /* all groups; x, y, eq.rhs: x, y, b of >>ipm */
+    kern_real s;           /* minus the share of g that remains          */
     kern_real duality_gap; /* sum of x z: distance of s from its maximum */
     kern_real *z;          /* per ray: its opening speed                 */
-    kern_real *dx;         /* per ray: step of x; that of z: dual.change */
-    kern_real *scaling;    /* per ray: D                                 */
+    kern_real *dx;         /* per ray: step of x; dual.change: step of z */
+    kern_real *scaling;    /* per ray: D = x / z                         */
     kern_real *excess;     /* per row: A x - b + s g                     */
     kern_real *g;          /* per row: residual of the first forces      */
     kern_real *solved_g;   /* per row: M^-1 g                            */
 } kern_ipm;
 
 #ifndef KERN_NO_INTERIOR
-/* out := A'v: approaches of two rays for each contact. */
+/* Writes A'v to `out`: for each contact the speeds of the motion v along its
+   two rays. */
 static void kern_ipm_approach(const kern_part *p, const kern_real *v,
                               kern_real *out)
 {
@@ -6162,7 +6261,7 @@ static void kern_ipm_approach(const kern_part *p, const kern_real *v,
     }
 }
 
-/* out += A x. */
+/* Adds A x to `out`: the wrenches of the forces x on the groups. */
 static void kern_ipm_carry(const kern_part *p, const kern_real *x,
                            kern_real *out)
 {
@@ -6173,7 +6272,7 @@ static void kern_ipm_carry(const kern_part *p, const kern_real *x,
                         out);
 }
 
-/* Computes ipm->excess = A x - b + s g, and the gap. */
+/* Computes the excess A x - b + s g and the duality gap, the sum of x z. */
 static void kern_ipm_excess(kern_ipm *ipm)
 {
     const kern_part *p = ipm->part;
@@ -6184,8 +6283,9 @@ static void kern_ipm_excess(kern_ipm *ipm)
     ipm->duality_gap = kern_dot(p->x, ipm->z, 2 * p->contacts);
 }
 
-/* Factors M with D = ipm->scaling and solves M out = b. The diagonal of M is
-   shifted by `shift` times its mean. */
+/* Factors the matrix M = A D A' with D = ipm->scaling, and solves M out = b for
+   `out`. First adds `shift` times the mean of the diagonal of M to each
+   diagonal entry. */
 static void kern_ipm_factor(kern_ipm *ipm, kern_real shift, const kern_real *b,
                             kern_real *out)
 {
@@ -6208,7 +6308,8 @@ static void kern_ipm_factor(kern_ipm *ipm, kern_real shift, const kern_real *b,
     p->m->task->work->pivots++;
 }
 
-/* Returns the largest share of a step, at most 1, that keeps v non-negative. */
+/* Returns the largest share of `step`, at most 1, that can be added to v so
+   that no entry of v becomes negative. */
 static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
                                 int n)
 {
@@ -6220,7 +6321,8 @@ static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
     return share;
 }
 
-/* Raises each product x z to at least gap / rays. */
+/* Raises the smaller of x and z of each ray until their product is at least
+   gap / rays. Computes the excess and the duality gap again. */
 static void kern_ipm_centre(kern_ipm *ipm, kern_real gap)
 {
     const int rays = 2 * ipm->part->contacts;
@@ -6233,8 +6335,9 @@ static void kern_ipm_centre(kern_ipm *ipm, kern_real gap)
     kern_ipm_excess(ipm);
 }
 
-/* Solves Newton's equations once. ipm->dx must hold x~ - x, and becomes dx.
-   Writes dy to dual.step and dz to dual.change. Returns ds. */
+/* Solves the equations of one step (>>ipm). ipm->dx must hold x~ - x, and
+   becomes the step dx. Writes dy to dual.step and dz to dual.change. Returns
+   ds, at most -s. */
 static kern_real kern_ipm_solve(kern_ipm *ipm)
 {
     kern_part *p = ipm->part;
@@ -6258,8 +6361,9 @@ static kern_real kern_ipm_solve(kern_ipm *ipm)
     return ds;
 }
 
-/* Takes one step with a predictor and a corrector. Returns 0 if no work is left
-   for a step, or if rounding spoils it. */
+/* Takes one step of the interior-point method, with a predictor and a
+   corrector. Returns 0 if the work of the step is refused or rounding spoils
+   the step. */
 static int kern_ipm_step(kern_ipm *ipm)
 {
     kern_part *p = ipm->part;
@@ -6273,8 +6377,8 @@ static int kern_ipm_step(kern_ipm *ipm)
         || !kern_model_spend(p->m, p->dual.step_units))
         return 0;
 
-    /* Factors M = A D A', once for both solutions. Shifts its diagonal if M is
-       singular. */
+    /* Factors M = A D A' once, for predictor and corrector. If M is singular,
+       factors it again with a shifted diagonal. */
     for (i = 0; i < rays; i++) {
         ipm->scaling[i] = p->x[i] / ipm->z[i];
         dx[i] = dz[i] = 0;
@@ -6304,14 +6408,14 @@ static int kern_ipm_step(kern_ipm *ipm)
         mu = ipm->duality_gap * rest * rest * rest / KERN_R(rays);
     }
 
-    /* Shortens the step so that x and z stay above 0. A whole step of x that
-       keeps x above 0 is taken in full. */
+    /* Shortens the step so that x and z stay above 0. If the whole step keeps x
+       above 0, x takes the whole step. */
     rest = kern_min(KERN_IPM_BACKOFF * rest, KERN_IPM_BACKOFF);
     share_z -= share_z * rest;
     if (share_x < 1)
         share_x -= share_x * rest;
 
-    /* Takes the step. s must not exceed 0 by rounding. */
+    /* Takes the step. Rounding must not make s positive. */
     ipm->s = kern_min(ipm->s + share_x * ds, 0);
     for (i = 0; i < rays; i++) {
         p->x[i] = kern_max(p->x[i] + share_x * dx[i], p->x[i] * KERN_IPM_KEEP);
@@ -6324,9 +6428,9 @@ static int kern_ipm_step(kern_ipm *ipm)
     return kern_is_finite(ipm->duality_gap);
 }
 
-/* Removes the residual A x - b by a correction with D = x, which keeps M far
-   from singular. Returns 1 if the forces then prove that the structure
-   stands. */
+/* Corrects the forces x so that only rounding error is left of their residual
+   A x - b. Uses D = x instead of x / z, which keeps M far from singular.
+   Returns 1 if the corrected forces prove that the structure stands. */
 static int kern_ipm_balance(kern_ipm *ipm, const kern_query *q)
 {
     kern_part *p = ipm->part;
@@ -6342,9 +6446,10 @@ static int kern_ipm_balance(kern_ipm *ipm, const kern_query *q)
     return kern_part_stands(p, q);
 }
 
-/* Raises all entries of v above 0: by KERN_IPM_LIFT_LEAST times the magnitude
-   of the least entry if that is negative, and by a small share of the
-   largest. */
+/* Adds the same number to all n entries of v, so that they become positive.
+   This number is KERN_IPM_LIFT_LEAST times the magnitude of the least entry, if
+   that entry is negative, plus KERN_IPM_LIFT_SHARE times the largest magnitude
+   of an entry. */
 static void kern_ipm_lift(kern_real *v, int n)
 {
     kern_real lift = 0;
@@ -6356,9 +6461,10 @@ static void kern_ipm_lift(kern_real *v, int n)
         v[i] += lift;
 }
 
-/* Writes a starting point (Mehrotra): minimum-norm forces of both signs and the
-   opening speeds of a motion, both raised above 0. Returns 0 if the raised
-   forces are in equilibrium, or if no work is left. */
+/* Computes the starting point of the interior-point method (Mehrotra). The
+   forces x are the minimum-norm forces of rays that can also pull, raised above
+   0. The speeds z are the opening speeds of a motion y, raised above 0. Returns
+   0 if the raised forces are in equilibrium, or if the work is refused. */
 static int kern_ipm_begin(kern_ipm *ipm)
 {
     kern_part *p = ipm->part;
@@ -6368,8 +6474,8 @@ static int kern_ipm_begin(kern_ipm *ipm)
     if (!kern_model_spend(p->m, p->dual.step_units))
         return 0;
 
-    /* Computes x: the least-norm solution of A x = b with equal stiffness of
-       all rays, raised above 0. */
+    /* Computes x: the minimum-norm solution of A x = b for rays of equal
+       stiffness that can also pull. Raises all forces x above 0. */
     ipm->s = -1;
     for (i = 0; i < rays; i++) {
         ipm->z[i] = 0;
@@ -6380,12 +6486,12 @@ static int kern_ipm_begin(kern_ipm *ipm)
     kern_ipm_approach(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
 
-    /* Computes g: the residual of these forces. */
+    /* Computes g: the residual A x - b of the raised forces. */
     kern_ipm_excess(ipm);
     kern_copy(ipm->g, ipm->excess, n);
 
-    /* Computes y, the least motion with g.y = 1, and z, its opening speeds
-       raised above 0. */
+    /* Computes y, the least motion with g.y = 1. Computes z, the opening speeds
+       of the rays in this motion, raised above 0. */
     kern_skyline_solve(&p->dual.matrix, ipm->g, ipm->solved_g);
     power = kern_dot(ipm->g, ipm->solved_g, n);
     if (!(power > 0))
@@ -6399,14 +6505,15 @@ static int kern_ipm_begin(kern_ipm *ipm)
     return 1;
 }
 
-/* Opens all groups as one part, for queries on the path of q. Returns 0 if
-   there is no room. */
+/* Opens all groups as one part for the interior-point method, for queries on
+   the path of q. Returns 0 if the work memory is too small, if the work is
+   refused or if there is no contact. */
 static int kern_ipm_open(kern_ipm *ipm, kern_model *m, kern_part *p,
                          const kern_query *q)
 {
     int rays, n;
 
-    /* Groups the blocks again if a program of all groups has overwritten the
+    /* Makes the groups again if a program of all groups has overwritten the
        lists of their contacts. */
     if (m->whole)
         kern_model_group(m, q);
@@ -6422,9 +6529,9 @@ static int kern_ipm_open(kern_ipm *ipm, kern_model *m, kern_part *p,
     if (!kern_take_fits(&p->rest))
         return 0;
 
-    /* Divides the memory into arrays: four with a number for each ray, then
-       five with a number for each row. Each array of rows but the last has
-       three more numbers for held blocks. */
+    /* Divides the memory into nine arrays: four with a number for each ray,
+       then five with a number for each row. Each array of rows except the last
+       one has three more numbers for held blocks. */
     ipm->z = p->x + rays;
     ipm->dx = ipm->z + rays;
     ipm->scaling = ipm->dx + rays;
@@ -6442,9 +6549,10 @@ static int kern_ipm_open(kern_ipm *ipm, kern_model *m, kern_part *p,
     return 1;
 }
 
-/* Takes steps until forces with s = 0, or the motion, prove a verdict. Ends
-   without one if the gap is rounding, or exceeds `pace`, which falls by
-   KERN_IPM_PACE with each step. */
+/* Takes steps until forces with s = 0 prove that the structure stands, or the
+   motion y proves that it falls. Returns KERN_UNDECIDED if the duality gap has
+   become as small as rounding error or exceeds `pace`. `pace` is multiplied by
+   KERN_IPM_PACE after each step. */
 static kern_status kern_ipm_run(kern_ipm *ipm, const kern_query *q,
                                 kern_real pace)
 {
@@ -6461,8 +6569,9 @@ static kern_status kern_ipm_run(kern_ipm *ipm, const kern_query *q,
     return KERN_UNDECIDED;
 }
 
-/* Returns the verdict for a query. Starts from x, y, z and s of the last query.
-   If that fails, starts again from kern_ipm_begin(). */
+/* Returns the verdict of the interior-point method for a query. Starts from the
+   x, y, z and s of the last query. If that start gives no verdict, starts again
+   from the point of kern_ipm_begin(). */
 static kern_status kern_ipm_evaluate(kern_ipm *ipm, const kern_query *q)
 {
     kern_part *p = ipm->part;
@@ -6476,7 +6585,7 @@ static kern_status kern_ipm_evaluate(kern_ipm *ipm, const kern_query *q)
     kern_part_load(p, q, p->eq.rhs);
 
     /* Starts from the solution of the last query, raised a little above 0,
-       which saves some rounds. */
+       which saves steps. */
     if (ipm->duality_gap <= KERN_IPM_GAP_MOST) {
         ipm->s = kern_min(ipm->s, -KERN_IPM_S);
         kern_ipm_centre(ipm, kern_max(ipm->duality_gap, KERN_IPM_GAP));
@@ -6488,7 +6597,8 @@ static kern_status kern_ipm_evaluate(kern_ipm *ipm, const kern_query *q)
     return p->result = status;
 }
 
-/* Returns the verdict on all groups for a query. */
+/* Opens the interior-point method and returns its verdict on all groups for a
+   query. */
 static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
@@ -6496,7 +6606,7 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
     return kern_ipm_open(&ipm, m, p, q) ? kern_ipm_evaluate(&ipm, q)
                                         : KERN_UNDECIDED;
 }
-#else /* without the interior point nothing is decided here */
+#else /* without the interior-point method these calls decide nothing */
 #define kern_ipm_open(in, m, p, q) 0
 #define kern_ipm_evaluate(in, q) KERN_UNDECIDED
 #define kern_ipm_verdict(m, p, q) KERN_UNDECIDED
@@ -6504,9 +6614,9 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 
 /* ---- Verdicts ------------------------------------------------- >>verdict */
 
-/* Takes the arrays for the linear program of a part, with as much room for
-   factors as the work memory has. Returns 0 if that is less than the least
-   room. */
+/* Takes the arrays for the linear program of a part. Gives the factors of the
+   basis the largest room that fits into the work memory (KERN_EXTRAS). Returns
+   0 if not even the least room fits (KERN_LEAN_EXTRAS). */
 static int kern_part_lay(kern_part *p)
 {
     kern_equations *const eq = &p->eq;
@@ -6520,8 +6630,8 @@ static int kern_part_lay(kern_part *p)
     eq->lp = lp;
     eq->shrink = KERN_INFINITY; /* there are no columns */
 
-    /* Tries smaller and smaller rooms for factors. With less room the basis is
-       factored again more often. */
+    /* Tries smaller and smaller rooms for the factors. If the room is small,
+       the basis must be factored again more often. */
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
         eq->lp.a = eq->arc = kern_take_reals(&take,
@@ -6549,13 +6659,14 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     KERN_ASSERT(eq->lp.rows == 3 * p->groups);
     m->reduction = kern_reduction(q);
 
-    /* Writes units and loads, which depend on the whole query. */
+    /* Sets the units of torque and the loads, which depend on the whole
+       query. */
     for (k = 0; k < p->groups; k++)
         kern_model_unit(m, q, p->group[k]);
     kern_part_load(p, q, eq->rhs);
 
-    /* Writes the columns, which depend only on the shrinkage. If the shrinkage
-       has changed, the basis must be factored again. */
+    /* Writes the columns, which depend only on the shrinkage. If the columns
+       have changed, the basis must be factored again. */
     if (eq->shrink >= q->shrink && eq->shrink <= q->shrink)
         return;
     eq->shrink = q->shrink;
@@ -6572,15 +6683,19 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     }
 }
 
-/* Returns 1 if the part has all groups. Only then do forces on the part prove
-   that the structure stands. */
+/* Returns 1 if the part has all groups of the structure. Only the forces of
+   such a part can prove that the structure stands. */
 static int kern_part_is_whole(const kern_part *p)
 {
     return p->groups == p->m->graph.groups;
 }
 
-/* Returns `status` if its proof holds, and otherwise KERN_UNDECIDED.
-   KERN_STANDS of a part needs no proof, since it is no verdict on the whole. */
+/* Checks the proof of `status`, the result of the simplex method. Returns the
+   status if its proof holds. Returns KERN_STANDS if the proof of a fall fails
+   but the forces of the whole structure are a proof. Returns KERN_UNDECIDED if
+   nothing is proven. A negative status is returned unchanged. KERN_STANDS of a
+   part that does not have all groups is also returned unchanged, since it is no
+   verdict on the structure. */
 static kern_status kern_part_prove(kern_part *p, const kern_query *q,
                                    kern_status status)
 {
@@ -6589,22 +6704,25 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     if (status < 0 || (status == KERN_STANDS && !whole))
         return status;
 
-    /* Checks the motion y of a fall. If it proves nothing, refines y, lifts it
-       by KERN_LIFT and checks it once more. */
+    /* Checks the motion y if the method found a fall. If the motion proves
+       nothing, refines y, raises it by KERN_LIFT (kern_prices_mend()) and
+       checks the motion again. */
     for (attempt = 0; status == KERN_FALLS && attempt < 2; attempt++)
         if ((!attempt || kern_prices_mend(&p->eq.simplex, p->y, KERN_LIFT))
             && kern_part_falls(p, q))
             return status;
 
-    /* Checks the forces x, which may hold the structure within the tolerance
-       even if the simplex method found that no forces exist. */
+    /* Checks the forces x, since they may hold the structure within the
+       tolerance even if the simplex method found that no forces exist. */
     return whole && kern_part_stands(p, q) ? KERN_STANDS : KERN_UNDECIDED;
 }
 
-/* Bounds the sum of the forces. If it exceeds KERN_BOUND, finds the forces of
-   the least sum, by costs of 1. Returns KERN_FALLS if even that sum is too
-   large: the prices are then a motion that proves it. Otherwise returns
-   KERN_STANDS. */
+/* Checks that the sum of the forces x is at most KERN_BOUND weights. If the sum
+   is larger, finds the forces with the least sum, by a program in which each
+   force costs 1. Returns KERN_STANDS if the sum is small enough. Returns
+   KERN_FALLS if even the least sum is too large: y is then a motion that proves
+   the fall. Returns KERN_UNDECIDED or an error if the program has no
+   optimum. */
 static kern_status kern_part_norm(kern_part *p, kern_solver solver)
 {
     kern_equations *const eq = &p->eq;
@@ -6624,8 +6742,8 @@ static kern_status kern_part_norm(kern_part *p, kern_solver solver)
                                                           : KERN_STANDS;
 }
 
-/* Returns the largest t for which rhs - t eq.rate has a solution, or
-   infinity. */
+/* Returns the largest t for which A x = rhs - t eq.rate has a solution x >= 0,
+   or infinity if the program finds no optimum. */
 static kern_real kern_part_follow(kern_part *p)
 {
     kern_status status;
@@ -6637,7 +6755,8 @@ static kern_real kern_part_follow(kern_part *p)
     return status == KERN_LP_OPTIMAL ? p->x[p->eq.lp.cols] : KERN_INFINITY;
 }
 
-/* Returns the result of the simplex method for a part, without a proof. */
+/* Returns the result of the simplex method for a part. The result is not proven
+   yet (kern_part_prove()). */
 static kern_status kern_part_solve(kern_part *p, const kern_query *q,
                                    kern_solver solver)
 {
@@ -6653,9 +6772,10 @@ static kern_status kern_part_solve(kern_part *p, const kern_query *q,
     return p->result = status;
 }
 
-/* Returns the verdict of the simplex method with its proof. If the first solve
-   ends without a proof, solves again without a basis and without the backend,
-   since a long series of pivots may have lost digits. */
+/* Returns the verdict of the simplex method on a part, if it has a proof. If
+   the first solve ends without a proof, solves the program again from a new
+   basis and without the backend (KERN_USE_GLPK), since a long series of pivots
+   may have lost digits. */
 static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
 {
     kern_status status = kern_part_prove(
@@ -6668,15 +6788,16 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
     return status;
 }
 
-/* Runs the top-down pass for a query that has been set, with clusters of at
-   most one `share`-th of all groups. Returns KERN_STANDS with a proof;
-   KERN_FALLS, where *p is an open part that seems to fall; KERN_UNDECIDED; or
-   KERN_LIMIT. */
+/* Runs the top-down pass for a query whose loads and cones have been set.
+   `share` limits the size of clusters (kern_pass_begin()). Returns KERN_STANDS
+   if the forces of the pass prove that the structure stands. Returns KERN_FALLS
+   if a part seems to fall, which is then open as *p. Otherwise returns
+   KERN_UNDECIDED, or KERN_LIMIT if work is refused. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
     kern_status found;
-    for (;; m->answer.known = NULL) { /* the second round: no known forces */
+    for (;; m->answer.known = NULL) { /* round 2 has no known forces */
         if (!kern_model_charge(m, 1))
             return KERN_LIMIT;
         m->task->work->solves++;
@@ -6687,9 +6808,9 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
             || (found == KERN_STANDS && kern_answer_holds(m, q)))
             return found;
 
-        /* Every group is balanced, but the forces prove nothing: known forces
-           of groups that were not balanced again may belong to other loads.
-           Repeats the pass without known forces. */
+        /* Repeats the pass without known forces if every group is balanced but
+           the forces prove nothing. The known forces of groups that were not
+           balanced again may belong to other loads. */
         if (found != KERN_STANDS || !m->answer.known)
             return KERN_UNDECIDED;
         kern_model_unload(m);
@@ -6697,7 +6818,8 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
 }
 
 /* Opens one linear program of all groups, which overwrites the arrays of the
-   pass. All later queries use this program, each time from the last basis. */
+   pass. All later queries use this program, and each one begins with the last
+   basis. Returns KERN_OK, or KERN_NO_SPACE if the work memory is too small. */
 static kern_status kern_model_whole(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
@@ -6720,8 +6842,8 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
 }
 
 /* Returns the verdict for a query if it has a proof, and otherwise
-   KERN_UNDECIDED. Tries the methods listed in >>method. After KERN_FALLS *p is
-   the falling part. */
+   KERN_UNDECIDED or an error. Tries the methods listed in >>method. After
+   KERN_FALLS *p is the part that falls. */
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q)
 {
@@ -6736,15 +6858,17 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
 
-        /* Solves a program of the part that seems to fall, which is small. If
-           its motion is no proof, the part is ignored. */
+        /* Solves the linear program of the part that seems to fall, which is
+           small. If the program does not prove that the part falls, ignores the
+           part. */
         if (status == KERN_FALLS && kern_part_lay(p)
             && kern_part_evaluate(p, q) == KERN_FALLS)
             return KERN_FALLS;
 
-        /* Solves all groups at once. Many groups are solved by the interior
-           point. Few groups, and many that the interior point leaves undecided,
-           are solved by one program, which is kept for later queries. */
+        /* Solves all groups at once. More than KERN_SMALL groups are solved by
+           the interior-point method. Up to KERN_SMALL groups, or more if this
+           method leaves them undecided, are solved by one linear program, which
+           is kept for later queries. */
         status = m->graph.groups > KERN_SMALL ? kern_ipm_verdict(m, p, q)
                                               : KERN_UNDECIDED;
         if (status != KERN_UNDECIDED)
@@ -6755,18 +6879,23 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     }
     status = kern_part_evaluate(p, q);
 
-    /* If the factors of a basis outgrow work memory of full size, digits were
-       lost: this decides nothing. */
+    /* Returns KERN_UNDECIDED instead of KERN_NO_SPACE if the work memory has
+       its full size. The factors of a basis outgrow the full size only if
+       digits were lost. */
     if (status == KERN_NO_SPACE && kern_model_has_room(m))
         status = p->result = KERN_UNDECIDED;
 
-    /* Tries the interior point as a last resort: it rounds differently and
-       needs other memory. In float this is not tried, since proofs of the
-       interior point are too coarse near the critical value. */
+    /* Tries the interior-point method as a last resort: it rounds differently,
+       and needs no memory for factors of a basis. In float the method is not
+       tried, since its proofs are too coarse near the critical value. */
     if (KERN_PICK(1, 0) > 0 && status == KERN_UNDECIDED
         && m->graph.groups <= KERN_SMALL) {
         status = kern_ipm_verdict(m, p, q);
-        p->result = KERN_UNDECIDED; /* its y is a poorer start than a basis */
+
+        /* Keeps kern_path_evaluate() from taking Newton's step with the y of
+           the interior-point method. Newton's step starts better from the y of
+           a basis. */
+        p->result = KERN_UNDECIDED;
     }
     return status;
 }
@@ -6775,15 +6904,19 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 
 /* ---- The kern -------------------------------------------------- >>kern */
 /* A path leads from a structure that stands to structures that fall: kerns
-   shrink, a load grows or gravity turns. s is the place on the path. A
-   mechanism y that falls at s has the power
+   shrink, a load grows or gravity turns. A place s on the path is a shrinkage,
+   a load factor, or the tangent of a quarter of the angle of tilt. A mechanism
+   y falls at s if the loads at s have a positive power in this motion:
 
-       P(s) = -y.rhs(s) > 0,   whose derivative is   P' = -y.(rhs' - A' x),
+       P(s) = -y.rhs(s) > 0,   whose derivative is   P' = -y.(rhs' - A' x).
 
-   so the mechanism stops falling at about s - P / P' (Newton's method). The
-   steps converge quadratically, and from the side on which the structure
-   falls. */
+   Here rhs' and A' are derivatives with respect to s, and x are the forces of
+   the last basis. So the mechanism stops falling at about s - P / P' (Newton's
+   method). The place at which a mechanism stops falling is the critical value
+   of this mechanism. The steps of the method converge quadratically, from the
+   side on which the structure falls. */
 
+/* What changes along a path: kerns shrink, a load grows, or gravity turns. */
 typedef enum kern_path_kind {
     KERN_PATH_SHRINK,
     KERN_PATH_LOAD,
@@ -6792,62 +6925,70 @@ typedef enum kern_path_kind {
 
 /* Structure that a search evaluates. KERN_SCOPE_WHOLE: the whole structure.
    KERN_SCOPE_PART: one part, with all other blocks held. KERN_SCOPE_PROGRAM:
-   the whole by its linear program, until the interior point takes over. */
+   the whole structure, by its linear program. With this scope a search ends at
+   the first place that the program cannot decide, so that the interior-point
+   method can take over. */
 typedef enum kern_scope {
     KERN_SCOPE_WHOLE,
     KERN_SCOPE_PART,
     KERN_SCOPE_PROGRAM
 } kern_scope;
 
-/* The farthest place at which the whole is proven to stand, and the closest at
-   which it is proven to fall. Without a proof they are -1 and infinity. */
+/* A range of places on a path. In kern_path.proven `low` is the farthest place
+   at which the whole structure is proven to stand, or -1 without such a proof.
+   There `high` is the nearest place at which the whole structure is proven to
+   fall, or infinity. In kern_path_critical() a range has the first and the last
+   undecided place of the bracket. */
 typedef struct kern_range {
     kern_real low, high;
 } kern_range;
 
 typedef struct kern_path {
     kern_path_kind kind;
-    kern_query q;            /* query at s = 0; kern_path_at() changes it for
-                                s                                             */
-    kern_real unit;          /* unit of s: the mean block size, or 1          */
+    kern_query q;            /* query at place 0, from which kern_path_at()
+                                makes the query at a place s                  */
+    kern_real unit;          /* unit of places: the mean block size, or 1     */
     kern_real start, end;    /* first and last place of the search            */
-    kern_real holds, fails;  /* the bracket: >>search                         */
-    kern_real critical;      /* critical value of the last mechanism; <=
-                                holds: none                                   */
-    kern_real predicted;     /* predicted value of the next mechanism         */
-    kern_range proven;       /* bracket that is proven for the whole          */
-    int never_falls;         /* nonzero: the whole stands at all places to
-                                the end                                       */
+    kern_real holds, fails;  /* lower and upper end of the bracket (>>search) */
+    kern_real critical;      /* critical value of the last mechanism; at most
+                                `holds`: there is no such value               */
+    kern_real predicted;     /* predicted critical value of the next
+                                mechanism                                     */
+    kern_range proven;       /* bracket with proofs for the whole structure   */
+    int never_falls;         /* nonzero: the whole structure stands at all
+                                places up to the end                          */
     kern_part *part;         /* the open part: the last one that fell         */
     const kern_known *known; /* results of a similar structure, or NULL       */
-    kern_scope scope;        /* structure that is evaluated                   */
-    struct kern_ipm *ipm;    /* interior point for the whole, or NULL         */
-    const kern_proof *proof; /* the caller's arrays: last proof of each
-                                verdict                                       */
+    kern_scope scope;        /* structure that the search evaluates           */
+    struct kern_ipm *ipm;    /* interior-point method that evaluates the
+                                whole structure, or NULL                      */
+    const kern_proof *proof; /* the caller's arrays, which receive the last
+                                proof of each verdict                         */
 } kern_path;
 
-/* Returns the width to which a bracket is narrowed. */
+/* Returns the width to which a search narrows its bracket. */
 KERN_SHARED static kern_real kern_width(const kern_path *path)
 {
     return KERN_WIDTH * path->unit;
 }
 
-/* Returns the distance from the critical value to the places beside it that are
-   to be proven. */
+/* Returns the distance from a critical value to the two places beside it, one
+   on each side, at which a search looks for proofs. */
 KERN_SHARED static kern_real kern_half_width(const kern_path *path)
 {
     return kern_width(path) / 2;
 }
 
-/* Returns the largest distance between the two places beside a critical value
-   that the search tries. */
+/* Returns the largest distance between the two places beside a critical value,
+   one on each side, at which a search looks for proofs. If the search finds no
+   proofs within this distance, it cuts the bracket instead. */
 KERN_SHARED static kern_real kern_widest(const kern_path *path)
 {
     return kern_width(path) * KERN_WIDEST;
 }
 
-/* Returns the place at `distance` below the critical value, but not below the
-   start. */
+/* Returns the place that is `distance` below the critical value, but not below
+   the start of the search. */
 KERN_SHARED static kern_real kern_path_retreat(const kern_path *path,
                                                kern_real distance)
 {
@@ -6855,8 +6996,9 @@ KERN_SHARED static kern_real kern_path_retreat(const kern_path *path,
     return kern_max(path->critical - distance, path->start);
 }
 
-/* Returns the query at place s. Gravity turns by 4 atan(s): s in [0, 1] then
-   turns it through half a circle without trigonometric functions. */
+/* Returns the query at place s of a path. On a path of tilt gravity turns by
+   4 atan(s). So gravity turns through half a circle as s grows from 0 to 1, and
+   no trigonometric functions are needed. */
 static kern_query kern_path_at(const kern_path *path, kern_real s)
 {
     kern_query q = path->q;
@@ -6882,8 +7024,8 @@ static kern_real kern_half_tangent(kern_real t)
 
 /* ---- Searching a path ------------------------------------------ >>search */
 /* The critical value of a path lies between a place at which the structure
-   stands and a place at which it falls. They are the ends of a bracket, each
-   with a proof:
+   stands and a place at which it falls. The two places are the ends of a
+   bracket, and each end has a proof:
 
        start         holds     critical     fails                    end
          |-------------[-----------*-----------]----------------------|
@@ -6892,39 +7034,45 @@ static kern_real kern_half_tangent(kern_real t)
                      stands                 falls
 
    Each verdict moves an end of the bracket. Each mechanism predicts the value
-   at which it stops falling, and the search tries the place just beyond that
-   value. If the structure falls there, the search tries the place just before
-   the value. Four to eight verdicts suffice.
+   at which it stops falling. The search tries the place just beyond that value,
+   and if the structure falls there, the place just before the value. Four to
+   eight verdicts suffice.
 
-   The lower end may lack a proof. If kerns are nested, the start of a search is
-   evaluated only if the critical value is close to it. A part, with all other
-   blocks held, can prove that the whole falls, but not that it stands. So the
-   lower end of a part's bracket is discarded afterwards.
+   The lower end may lack a proof. If kerns are nested, the search evaluates its
+   start only if the critical value is close to it. A part, with all other
+   blocks held, can prove that the whole structure falls, but not that it
+   stands. So the lower end of the bracket of a part is discarded afterwards.
 
    A search tries the cheapest method first:
 
        known       the motion by which a similar structure fell
-       bodies      the value of a block with all that rests on it alone
-       parts       the pass just before that value: a part that it finds falls
-       whole       one program, or the interior point, if the pass finds none
+       bodies      the critical value of a block with all blocks that rest on
+                   it alone
+       parts       a pass just before that value: it may find a part that
+                   falls there
+       whole       if the pass finds no such part: one linear program of all
+                   groups, or the interior-point method
 
-   Each method gives an upper bound, since fixing blocks never makes a structure
-   fall. If kerns are not nested, the verdict may change many times along the
-   path. A walk in even steps then finds the first place at which the structure
-   falls. */
+   Each method gives an upper bound of the critical value, since fixing blocks
+   never makes a structure fall. If kerns are not nested, the verdict may change
+   many times along the path. A walk in even steps then finds the first place at
+   which the structure falls. */
 
 /* ---- the value of a mechanism ---- */
 
-/* Returns an array for the change of a basis's forces from the place where the
-   part fell to the predicted value. The array uses the memory of
-   answer.force, which only the verdict KERN_STANDS writes. */
+/* Returns the array for the change of the forces of a basis, from the place
+   where the part fell to the critical value of its mechanism. The array uses
+   the memory of answer.force, which is free after a fall: only the verdict
+   KERN_STANDS writes forces there. */
 static kern_real *kern_path_change(const kern_model *m)
 {
     return (kern_real *)(void *)m->answer.force;
 }
 
-/* Adds the effect of the narrower friction of contact k to *power and *rate.
-   The cone at q must be set. x: forces along the two edges of the cone. */
+/* Adds to *power and *rate the effect of options.narrow at contact k, whose
+   friction is smaller at the shrinkage `to` than at q. m->reduction must be
+   that of q. x[0] and x[1] are the forces along the two edges of the friction
+   cone. */
 static void kern_shrink_narrow(const kern_part *p, const kern_query *q, int k,
                                kern_real to, const kern_real *x,
                                kern_real *power, kern_real *rate)
@@ -6948,10 +7096,13 @@ static void kern_shrink_narrow(const kern_part *p, const kern_query *q, int k,
                / (1 + reduction * reduction);
 }
 
-/* Returns the change of y.rhs if y stays and kerns shrink from q to `to`: y.v
-   with v = -(A(to) - A(q)) x. The change is piecewise linear in `to`, with a
-   kink where a kern closes. For a kern that is closed at q the sign is the
-   favourable one. Writes the slope at `to` to *rate, and v to p->eq.rate. */
+/* Returns the change of y.rhs if kerns shrink from q to the shrinkage `to`,
+   with the same motion y. The change is y.v with v = -(A(to) - A(q)) x, where x
+   are the forces of the basis. The change is piecewise linear in `to`, with a
+   kink where a kern closes. The term of a contact whose kern is closed at q
+   gets the sign that makes y.rhs larger. Writes the slope at `to` to *rate, and
+   v to p->eq.rate. The change and the slope, but not v, include the effect of
+   options.narrow. */
 static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
                                    kern_real to, const kern_real *x,
                                    kern_real *rate)
@@ -6965,14 +7116,16 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
         const int *ends = m->graph.ends + 2 * p->contact[k];
         const int head = 3 * p->ends[2 * k], tail = 3 * p->ends[2 * k + 1];
         const kern_real travel = kern_travel(c, m->mean_size);
-        /* the arm grows along t, and t x (f n + r t) = -f */
+        /* Computes the relative spin of the two blocks. If the arm grows along
+           t, the torque changes by t x (f n + r t) = -f per length. */
         const kern_real work = p->y[head + 2] * m->torque_scale[ends[0]]
                              - p->y[tail + 2] * m->torque_scale[ends[1]];
         kern_real n = x[0] + x[1], rate_q, rate_to, shift;
         if (!(n > 0 || n < 0))
             continue;
 
-        /* how far the point moves from its place at q */
+        /* Computes how far the contact point moves along t from its place at
+           q. */
         shift = kern_shift(travel, to, q->relative, &rate_to)
               - kern_shift(travel, q->shrink, q->relative, &rate_q);
         if (!q->relative && q->shrink >= kern_abs(travel)
@@ -6991,10 +7144,12 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
 }
 
 /* Returns the shrinkage at which the mechanism y, which falls at q, stops
-   falling. The result is at least path->holds. power: y.rhs < 0. The power of y
-   is piecewise linear, with kinks where kerns close. Writes the value of the
-   next mechanism to path->predicted, since the basis changes y on the way
-   (Halley's method). */
+   falling. The result is at least path->holds. `power` is y.rhs at q, which is
+   negative. The power of y is piecewise linear in the shrinkage, with kinks
+   where kerns close. Also predicts where the next mechanism stops falling, and
+   writes that value to path->predicted (Halley's method). The prediction of
+   Halley's method includes the change of the basic forces between q and that
+   value. */
 static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
                                       kern_real power)
 {
@@ -7004,7 +7159,8 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     kern_real lo = path->holds, hi = q->shrink, shrink = hi, rate, step;
     int round;
 
-    /* Newton's method from kink to kink of the power, kept in [lo, hi] */
+    /* Finds the zero of the power by Newton's method, from kink to kink, within
+       [lo, hi]. */
     for (round = 0;; round++) {
         const kern_real total = power
                               + kern_shrink_power(p, q, shrink, p->x, &rate);
@@ -7018,8 +7174,9 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     }
     shrink = round < KERN_BENDS ? shrink - step : path->holds;
 
-    /* Halley's correction: the change of the forces lowers the power, so that
-       the step becomes longer */
+    /* Lengthens the step by Halley's correction: the forces of the basis change
+       along the path and lower y.rhs, so that the structure still falls where y
+       alone no longer does. */
     path->predicted = shrink;
     if (p->eq.shrink <= q->shrink
         && kern_simplex_direction(&p->eq.simplex, p->eq.rate, change)) {
@@ -7032,8 +7189,9 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     return shrink;
 }
 
-/* Writes to to[0..3 groups) the rate at which rhs falls per unit of the load
-   factor, or of the tangent of the angle of gravity. */
+/* Writes to to[0..3 groups) the rate at which rhs falls, three numbers per
+   group. The rate is that per unit of the load factor, or per unit of the
+   tangent of the angle by which gravity turns. */
 static void kern_path_rate(const kern_part *p, const kern_query *q,
                            kern_real *to)
 {
@@ -7060,8 +7218,9 @@ static kern_real kern_path_pushed(const kern_path *path, kern_real s,
 }
 
 /* Returns the place at which the mechanism p->y, which falls at s, stops
-   falling, by one step of Newton's method. The result is exact, except at kinks
-   and for loads that keep their direction when gravity turns. */
+   falling. On a path of shrinkage this is the place of kern_shrink_critical().
+   On other paths one step of Newton's method finds the place exactly, unless
+   blocks have loads that keep their direction while gravity turns. */
 static kern_real kern_path_newton(kern_path *path, const kern_query *q,
                                   kern_real s)
 {
@@ -7077,9 +7236,10 @@ static kern_real kern_path_newton(kern_path *path, const kern_query *q,
 
 /* ---- verdicts, which move the ends ---- */
 
-/* Returns 1 if the answer's motion proves that the whole falls at s. If the
-   path leaves out points that travel, checks the motion again with these
-   points, which may stop it. */
+/* Returns 1 if the motion in m->answer proves that the whole structure falls at
+   s. The motion must have been proven on the contacts of the path. If the path
+   leaves out the points that travel (KERN_CARRY_NESTED), checks the motion
+   again with these points, since they may stop it. */
 static int kern_path_falls_whole(const kern_model *m, const kern_path *path,
                                  kern_real s)
 {
@@ -7090,9 +7250,9 @@ static int kern_path_falls_whole(const kern_model *m, const kern_path *path,
     return kern_model_proven(m, kern_prove_motion(m->s, &q, m->answer.motion));
 }
 
-/* Records the verdict at s as an end of the bracket. Copies the proof of a
-   verdict on the whole to the caller. The caller's motion is always that of the
-   lowest place that is proven to fall. */
+/* Records the verdict at s as an end of the bracket. Copies the proof to the
+   caller if it is valid for the whole structure. The caller's motion is always
+   that of the lowest place that is proven to fall. */
 static void kern_path_record(const kern_model *m, kern_path *path,
                              kern_status status, kern_real s)
 {
@@ -7110,9 +7270,11 @@ static void kern_path_record(const kern_model *m, kern_path *path,
     kern_proof_write(m, path->proof, status);
 }
 
-/* Returns the verdict at s, and records it if it has a proof. Sets
-   path->critical to the value of a mechanism that falls, even if the mechanism
-   is no proof, since near that value rounding spoils proofs first. */
+/* Returns the verdict at place s, and records it if it has a proof. If the
+   method found a mechanism, sets path->critical to the value at which the
+   mechanism stops falling. Sets path->critical even if the mechanism is no
+   proof, since near the critical value rounding spoils the proof before it
+   spoils the value. */
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s)
 {
@@ -7128,10 +7290,11 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Returns 1 if the forces of the last basis, which fell just beyond the
-   critical value, prove that the structure stands at s, just before the value.
-   Adds the change that kern_shrink_critical() wrote, and moves the forces to
-   the ends of the larger kerns. */
+/* Tries to prove that the structure stands at s, just before the critical
+   value, from the last basis, which belongs to a fall just beyond that value.
+   Adds to the basic forces the change that kern_shrink_critical() wrote, and
+   moves the forces to the ends of the larger kerns at s. Returns 1 if these
+   forces are a proof. */
 static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 {
     kern_part *p = path->part;
@@ -7153,10 +7316,11 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real s)
 
 /* ---- the bracket ---- */
 
-/* Returns the place at which the bracket is cut. The first cut is close to the
-   lower end, where forces are small. Later cuts halve the wider of the two
-   ranges below and above the undecided places. Returns infinity if both ranges
-   are narrow. */
+/* Returns the place at which the bracket is cut. `dark` has the first and the
+   last undecided place in the bracket. If there is no undecided place, the cut
+   is close to the lower end, where forces are small. If there are undecided
+   places, the cut halves the wider of the two ranges below and above them.
+   Returns infinity if both ranges are narrow. */
 static kern_real kern_path_cut(const kern_path *path, const kern_range *dark)
 {
     const kern_real lo = path->holds, hi = path->fails;
@@ -7170,9 +7334,10 @@ static kern_real kern_path_cut(const kern_path *path, const kern_range *dark)
     return width_low > width_high ? lo + width_low / 2 : hi - width_high / 2;
 }
 
-/* Returns the place of the next verdict, or infinity if the bracket is done.
-   offset: distance from the critical value to the places beside it. dark: first
-   and last undecided place in the bracket. */
+/* Returns the place of the next verdict, or infinity if the bracket needs no
+   further verdict. `offset` is the distance from the critical value to the
+   places that are tried on its two sides. `dark` has the first and the last
+   undecided place in the bracket. */
 KERN_SHARED static kern_real kern_path_next(const kern_path *path,
                                             kern_real offset,
                                             const kern_range *dark)
@@ -7181,38 +7346,43 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     const kern_real critical = path->critical, predicted = path->predicted;
     kern_real aim;
 
-    /* 1. The start has no proof yet, and the critical value is close to it:
-       prove the start. */
+    /* 1. The start has no proof yet, and the critical value is close to the
+       start: prove the start. */
     if (path->scope != KERN_SCOPE_PART && path->proven.low < lo
         && kern_min(critical, hi) < lo + 2 * offset)
         return lo;
 
-    /* 2. The bracket is narrow: done. */
+    /* 2. The bracket is narrow enough: no further verdict is needed. */
     if (hi - lo <= offset / 8)
         return KERN_INFINITY;
 
-    /* 3. The bracket has no value of a mechanism, or places too far around that
-       value are undecided: cut the bracket. */
+    /* 3. The bracket contains no critical value of a mechanism, or the places
+       beside this value are undecided even at the largest distance: cut the
+       bracket. */
     if (!(critical > lo && critical <= hi) || 2 * offset > kern_widest(path))
         return kern_path_cut(path, dark);
 
-    /* 4. The upper end is far away: go just beyond the predicted value. */
+    /* 4. The upper end is far above the predicted or the critical value: go
+       just beyond that value. */
     aim = predicted > lo && hi - predicted > 2 * offset ? predicted : critical;
     if (hi - aim > 2 * offset)
         return aim + offset;
 
-    /* 5. The upper end is close: prove that the whole stands just before the
-       value. */
+    /* 5. The upper end is close to the critical value: prove that the whole
+       structure stands just before this value. */
     if (path->scope != KERN_SCOPE_PART && critical - lo > KERN_R(1.05) * offset)
         return kern_path_retreat(path, offset);
     return KERN_INFINITY;
 }
 
-/* Narrows [holds, fails] to the tolerance around path->critical and returns
-   KERN_STANDS. Returns KERN_FALLS if the structure falls at the start, which
-   had no proof. In a jam there are no proofs close to the critical value, so
-   each place without a proof doubles the distance of the next. From then on the
-   least value is kept, since places farther away predict it less well. */
+/* Narrows the bracket [holds, fails] around path->critical. Returns KERN_STANDS
+   if the bracket has become narrow. Returns KERN_FALLS if the structure falls
+   at the start of the search, which may not have been evaluated before. In a
+   jam no place close to the critical value has a proof. So each undecided place
+   doubles the distance from the critical value at which the next places are
+   tried. After the first undecided place the search keeps the least critical
+   value that it finds, since mechanisms at more distant places predict the
+   value less well. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
     kern_real offset = kern_half_width(path);
@@ -7225,20 +7395,21 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         if (!(place < KERN_INFINITY))
             break;
 
-        /* Tries the forces of the last basis just before the value, then a
-           verdict. */
+        /* Tries the forces of the last basis if the place is just before the
+           critical value. If these forces are no proof, evaluates a verdict. */
         if (!(place < value && kern_path_forces(m, path, place)))
             status = kern_path_evaluate(m, path, place);
         if (status < KERN_UNDECIDED || (place <= lo && status != KERN_STANDS))
             return status;
 
-        /* Keeps the least value so far after a place without a proof. */
+        /* Keeps the least critical value so far, once a place has been
+           undecided. */
         if (offset > kern_half_width(path) && value > path->holds)
             path->critical = kern_min(path->critical, value);
         if (path->scope == KERN_SCOPE_PROGRAM && !m->whole)
             return KERN_UNDECIDED;
 
-        /* Without a proof, doubles the distance and records the undecided
+        /* If the place is undecided, doubles the distance and records the
            place. */
         if (status == KERN_UNDECIDED) {
             offset *= 2;
@@ -7247,8 +7418,9 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         }
     }
 
-    /* A bracket that is still wide is no answer. The value must lie inside of
-       the bracket. */
+    /* Returns KERN_UNDECIDED if the bracket is still too wide for an answer,
+       except for a part. Moves the critical value into the bracket if it lies
+       outside. */
     if (path->fails - path->holds > KERN_ANSWER * kern_width(path)
         && path->scope != KERN_SCOPE_PART)
         return KERN_UNDECIDED;
@@ -7259,7 +7431,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
 
 /* ---- walks ---- */
 
-/* Records that the structure stands to the end of the path. */
+/* Records that the structure stands at all places up to the end of the path. */
 static kern_status kern_path_saturate(kern_path *path)
 {
     path->never_falls = 1;
@@ -7268,10 +7440,13 @@ static kern_status kern_path_saturate(kern_path *path)
 }
 
 /* Returns 1 if the structure stands at every place from `place` to path->holds
-   while gravity turns under fixed loads. Evaluates one more gravity vector,
-   where the tangents at the two ends of the arc of gravity intersect. The
-   vectors under which the structure stands are a convex set, and the arc lies
-   in the triangle of these three points. */
+   while gravity turns under fixed loads. The structure must stand at both of
+   these places. Between the two places the vector of gravity describes an arc.
+   Evaluates one more gravity vector, the point where the tangents at the two
+   ends of this arc intersect. The arc lies in the triangle of its two ends and
+   this point. The gravity vectors under which the structure stands form a
+   convex set, so if it stands at all three points, it stands on the whole
+   arc. */
 static int kern_turn_holds(kern_model *m, const kern_path *path,
                            kern_real place)
 {
@@ -7283,10 +7458,12 @@ static int kern_turn_holds(kern_model *m, const kern_path *path,
     return kern_model_evaluate(m, path->part, &q) == KERN_STANDS;
 }
 
-/* Steps from a place at which the whole stands until the whole falls, and then
-   finds the critical value. The first step is `first`, and later ones grow from
-   `step`. A step without a proof is halved. `stride` is the least step, or 0 if
-   the verdict changes only once along the path. */
+/* Takes steps along the path from path->holds, where the whole structure
+   stands, until it falls. Then finds the critical value between the last two
+   places. The length of the first step is `first`. Later steps begin with the
+   length `step` and grow. If the places along a step remain unknown, the step
+   is halved. `stride` is the least length of a step, or 0 if the verdict
+   changes only once along the path. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step,
                                    kern_real stride)
@@ -7304,7 +7481,8 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         if (path->scope == KERN_SCOPE_PROGRAM && !m->whole)
             return KERN_UNDECIDED;
 
-        /* the structure stands at all places between `place` and `next` */
+        /* If the structure stands at all places between `place` and `next`,
+           continues with a new step from `next`. */
         if (status == KERN_STANDS
             && (sure || kern_turn_holds(m, path, place))) {
             if (next >= path->end)
@@ -7314,14 +7492,16 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
             continue;
         }
 
-        /* the verdict changes once between `place` and `next` */
+        /* If the verdict changes only once between `place` and `next`, finds
+           the critical value there. */
         if (status == KERN_FALLS && sure)
             return kern_path_critical(m, path);
         if (status < KERN_UNDECIDED || small)
             return status;
 
-        /* unknown between them: tries a smaller step from `place`, whose proof
-           is written again */
+        /* Otherwise the verdicts between `place` and `next` are unknown. Tries
+           a shorter step from `place`. If the proof of `next` has overwritten
+           that of `place`, writes the latter again. */
         step = first /= 2;
         path->holds = place;
         if (status == KERN_STANDS)
@@ -7331,14 +7511,16 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
 }
 
 /* ---- bodies ---- */
-/* A body is a block with all blocks that rest on nothing else, moved as one. A
-   body that is carried by a single line tips where its load leaves the kern,
-   with all other blocks held. Then the whole falls. The critical value of most
-   structures is that of a body. */
+/* A body is a block with all blocks that rest on it alone, directly or through
+   others. The blocks of a body move as one rigid body. If a single line carries
+   a body, the body tips at the shrinkage at which its load leaves the kern of
+   this line. Since all other blocks are held, the whole structure falls at that
+   shrinkage. The critical value of most structures is that of a body. */
 
-/* Returns the end at body g of the first point of the line that carries the
-   body, or KERN_OUT if it is not carried by a single line. Sets graph.carrier
-   to the only group that carries the body, or to KERN_OUT. */
+/* Finds the line that carries body g. Returns the end, at body g, of the first
+   point of this line (an index of graph.ends). Returns KERN_OUT if the body is
+   not carried by a single line. Sets graph.carrier of g to the only group that
+   carries the body, or to KERN_OUT if the body has another carrier. */
 KERN_SHARED static int kern_body_line(kern_model *m, int g)
 {
     int e, n = 0, first = KERN_OUT, carrier = KERN_OUT;
@@ -7359,10 +7541,11 @@ KERN_SHARED static int kern_body_line(kern_model *m, int g)
              : KERN_OUT;
 }
 
-/* Returns the shrinkage at which body g tips under its load b on the line that
-   begins with the contact end *e. Sets *e to the end about which the body tips.
-   Returns infinity if the load does not press the body to the line, or if the
-   body stands even with its kern closed. */
+/* Returns the shrinkage at which body g tips under its load b on the line whose
+   first point has the contact end *e. Sets *e to the end of the line about
+   which the body tips. Returns infinity if the load does not press the body
+   onto the line. Also returns infinity if the body does not tip at least
+   `offset` before its kern is closed. */
 static kern_real kern_body_critical(const kern_model *m, int g, int *e,
                                     const kern_real *b, kern_real offset)
 {
@@ -7383,11 +7566,12 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
     if (!(normal > 0))
         return KERN_INFINITY;
 
-    /* The ends of the kern move toward the load. The end that meets it first is
-       the hinge. */
+    /* Finds the hinge. As the kern shrinks, its two ends move toward the place
+       where the load acts. The end that reaches this place first is the hinge.
+       Places on the line are measured by the torque that a unit force along n
+       has there. */
     place = (b[2] - tangential * row.torque)
-          / normal; /* arm at which the load meets
-                                                   the line               */
+          / normal; /* where the load meets the line */
     crit = (place - row.n[2]) / rate;
     second = (last.n[2] - place) / rate;
     if (second < crit) {
@@ -7395,13 +7579,13 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
         *e += 2;
     }
 
-    /* The kern closes at `limit`. An end that has not met the load by then
-       never does. */
+    /* At the shrinkage `limit` the kern is closed. An end that has not reached
+       the load before never does. */
     return crit + offset <= limit ? crit : KERN_INFINITY;
 }
 
-/* Writes the motion of a body that tips about end e of its line at shrinkage s,
-   scaled so that its largest speed is 1. */
+/* Writes to m->answer the motion of a body that tips about end e of its line at
+   shrinkage s. Scales the motion so that its largest speed is 1. */
 static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
 {
     const kern_contact *c = m->s->contact + (e >> 1);
@@ -7426,8 +7610,8 @@ static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
     kern_motion_scale(m->s, m->answer.motion);
 }
 
-/* Adds the load of group g to the load of group `carrier` that carries it. Each
-   load is in the units of its own group. */
+/* Adds the load of group g to the load of the group `carrier`, which carries g.
+   The torque of each load is in the unit of its own group. */
 static void kern_body_load(const kern_model *m, int g, int carrier,
                            kern_real *load)
 {
@@ -7442,9 +7626,10 @@ static void kern_body_load(const kern_model *m, int g, int carrier,
            * m->torque_scale[carrier];
 }
 
-/* Finds the body with the least critical value. Writes this value, the places
-   beside it, and the motion of the body, which is in the answer's array.
-   out->margin is infinity if no body tips. */
+/* Finds the body with the least critical value. Writes this value to
+   out->margin, or infinity if no body tips. Writes the places just below and
+   above the value to out->holds and out->fails. Writes the motion of the body
+   to the array in m->answer, to which out->motion points. */
 static void kern_body_first(kern_model *m, const kern_path *path,
                             kern_known *out)
 {
@@ -7475,8 +7660,8 @@ static void kern_body_first(kern_model *m, const kern_path *path,
             kern_body_load(m, g, carrier, load);
     }
 
-    /* Writes the places beside the least value, and the motion at the upper
-       one. */
+    /* Writes the places just below and above the least value, and the motion of
+       the body at the upper place. */
     out->holds = out->margin - offset;
     out->fails = out->margin + offset;
     if (first != KERN_OUT)
@@ -7485,8 +7670,8 @@ static void kern_body_first(kern_model *m, const kern_path *path,
 
 /* ---- parts, and where a search begins ---- */
 
-/* Returns 1 if the known motion proves that the structure falls, and copies it
-   to the answer. */
+/* Returns 1 if known->motion proves that the structure falls, and copies this
+   motion to m->answer. */
 static int kern_known_falls(kern_model *m, const kern_query *q,
                             const kern_known *known)
 {
@@ -7496,9 +7681,9 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
     return 1;
 }
 
-/* Returns 1 if the motion of `value` proves that the structure falls at
-   value->fails. That place then becomes the upper end, and value->margin the
-   critical value. */
+/* Returns 1 if value->motion proves that the structure falls at value->fails.
+   If so, value->fails becomes the upper end of the bracket, and value->margin
+   the critical value. */
 static int kern_start_falls(kern_model *m, kern_path *path,
                             const kern_known *value)
 {
@@ -7510,10 +7695,10 @@ static int kern_start_falls(kern_model *m, kern_path *path,
     return 1;
 }
 
-/* Returns the verdict on the open part alone at s, with all other blocks held.
-   After KERN_FALLS path->critical is the critical value of the part. Returns
-   KERN_UNDECIDED if the part stands, which proves nothing about the whole.
-   path->holds is unchanged. */
+/* Returns the verdict on the open part at s, with all other blocks held. After
+   KERN_FALLS path->critical is the critical value of the part. If the part
+   stands, which proves nothing about the whole structure, returns
+   KERN_UNDECIDED. Does not change path->holds. */
 static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_real holds = path->holds;
@@ -7529,13 +7714,13 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
         status = kern_path_critical(m, path) == KERN_STANDS ? KERN_FALLS
                                                             : KERN_UNDECIDED;
     path->scope = KERN_SCOPE_WHOLE;
-    path->predicted = path->holds = holds; /* nothing is predicted */
+    path->predicted = path->holds = holds; /* there is no prediction */
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
-/* Returns 1 if the blocks that moved in the known structure, together with the
-   last block, are a small part that falls at s. path->critical is then the
-   critical value of this part. */
+/* Returns 1 if a small part falls at s: the last block together with the blocks
+   that moved in the known structure. Small means at most half of the groups.
+   path->critical is then the critical value of this part. */
 static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_motion *motion = m->answer.known->motion;
@@ -7552,8 +7737,8 @@ static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
         && kern_path_part(m, path, s) == KERN_FALLS;
 }
 
-/* Returns 1 if the known bracket belongs to this path, is narrow and in
-   order. */
+/* Returns 1 if the bracket in path->known can be used: its upper end lies on
+   this path, it is narrow, and its three values are in order. */
 static int kern_known_fits(const kern_path *path)
 {
     const kern_known *known = path->known;
@@ -7562,8 +7747,9 @@ static int kern_known_fits(const kern_path *path)
         && known->holds <= known->margin && known->margin <= known->fails;
 }
 
-/* Returns the place where a search begins. Sets the upper end of the bracket,
-   if one is known. */
+/* Returns the place where the search begins. `first` is the length of the first
+   step of the search. Sets the upper end of the bracket to a place that is
+   proven to fall, if one is found here, and otherwise to infinity. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
@@ -7573,14 +7759,16 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     const kern_real limit = known ? kern_min(place + first, path->end)
                                   : path->end;
     kern_known body;
-    kern_model_weigh(m, &path->q); /* the same for all places */
+    kern_model_weigh(m, &path->q); /* all places have the same loads */
     m->reduction = kern_reduction(&path->q);
 
-    /* 1. The known motion is still a fall: begin just before its value. */
+    /* 1. The known motion still proves a fall: begin just before its critical
+       value. */
     if (known && kern_start_falls(m, path, known))
         return place;
 
-    /* 2. A body tips: begin just before its value, but not before the start. */
+    /* 2. A body tips: begin just before its critical value, but not before the
+       start. */
     kern_body_first(m, path, &body);
     if (body.margin < limit) {
         if (body.holds > path->start)
@@ -7589,22 +7777,23 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     }
 
     /* 3. The blocks that moved in the known structure fall together with the
-       new block: begin just before the value of this part. */
+       last block: begin just before the critical value of this part. */
     if (m->answer.known && kern_known_part(m, path, limit))
         return kern_path_retreat(path, kern_half_width(path));
 
-    /* 4. No fall is known: begin where the known structure stood, or a step
-       from the start. */
+    /* 4. No fall is known: begin where the known structure stood, or without
+       known results one step from the start. */
     path->fails = KERN_INFINITY;
     return place;
 }
 
 /* ---- the search: which method is asked when ---- */
 
-/* Finds the critical value of the whole under a growing load or a tilt by one
-   program: the largest load, or tangent of the angle, for which forces exist.
-   The prices are the mechanism. Returns KERN_UNDECIDED if the path ends before
-   that value. */
+/* Finds the critical value of the whole structure under a growing load or a
+   tilt, by one linear program. The optimum of the program is the largest load
+   factor, or tangent of the angle of tilt, for which forces exist. The prices
+   of the program are the mechanism. Returns KERN_UNDECIDED if the path ends
+   before that value. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path)
 {
     kern_part *p = path->part;
@@ -7626,8 +7815,10 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     return kern_path_critical(m, path);
 }
 
-/* Finds the critical value in the bracket, or by kern_path_climb() if there is
-   no bracket. */
+/* Finds the critical value in the bracket. If there is no bracket, or the
+   search in it is undecided, searches by kern_path_climb() instead. The climb
+   starts at the last place where the whole structure is proven to stand, and
+   takes steps that begin with the lengths `first` and `step`. */
 static kern_status kern_path_narrow(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
@@ -7640,7 +7831,7 @@ static kern_status kern_path_narrow(kern_model *m, kern_path *path,
     return kern_path_climb(m, path, first, step, KERN_R(0));
 }
 
-/* Makes a first basis for the program of all groups from the known forces. */
+/* Makes the first basis of the program of all groups from the known forces. */
 static void kern_known_start(kern_model *m, kern_part *p)
 {
     int k;
@@ -7654,8 +7845,10 @@ static void kern_known_start(kern_model *m, kern_part *p)
     kern_simplex_start(&p->eq.simplex, p->x, KERN_BASIS_NOISE * m->weight);
 }
 
-/* Finds the critical value of the whole beyond path->holds by the interior
-   point. q is the query at path->holds. */
+/* Finds the critical value of the whole structure beyond path->holds by the
+   interior-point method. q is the query at path->holds. `first` and `step` are
+   the lengths of the first steps (kern_path_climb()). Returns KERN_UNDECIDED if
+   the method cannot be opened. */
 static kern_status kern_path_interior(kern_model *m, kern_path *path,
                                       const kern_query *q, kern_real first,
                                       kern_real step)
@@ -7670,9 +7863,11 @@ static kern_status kern_path_interior(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Finds the critical value of the whole beyond path->holds by its linear
-   program. q is the query at path->holds. If the interior point can take over,
-   returns KERN_UNDECIDED at the first place that the program cannot decide. */
+/* Finds the critical value of the whole structure beyond path->holds by the
+   linear program of all groups. q is the query at path->holds. `first` and
+   `step` are the lengths of the first steps (kern_path_climb()). If the
+   interior-point method can take over, returns KERN_UNDECIDED at the first
+   place that the program cannot decide. */
 static kern_status kern_path_program(kern_model *m, kern_path *path,
                                      const kern_query *q, kern_real first,
                                      kern_real step)
@@ -7681,7 +7876,8 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
                                   : kern_model_whole(m, path->part, q);
     if (status != KERN_OK)
         return status;
-    /* the basis could lack columns if points were left out */
+    /* Uses the known forces only if no points are left out: otherwise the basis
+       could lack columns. */
     if (m->answer.known && path->q.carry == KERN_CARRY_ALL)
         kern_known_start(m, path->part);
     if (path->kind != KERN_PATH_SHRINK)
@@ -7691,11 +7887,14 @@ static kern_status kern_path_program(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Finds the critical value of the whole beyond path->holds. Many groups are
-   solved by the interior point, which takes half the first step of shrinkage,
-   since fewer mechanisms fall there, and then by the program. Few groups are
-   solved by the program. If it cannot decide a place, as in a jam, the interior
-   point narrows the remaining bracket. */
+/* Finds the critical value of the whole structure beyond path->holds. `first`
+   and `step` are the lengths of the first steps (kern_path_climb()). More than
+   KERN_SMALL groups are solved by the interior-point method, and by the linear
+   program if that method is undecided. When kerns shrink, the first step of the
+   interior-point method has half the length, since fewer mechanisms fall at a
+   smaller shrinkage. Up to KERN_SMALL groups are solved by the linear program.
+   If the program cannot decide a place, as in a jam, the interior-point method
+   narrows the remaining bracket (only in double). */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
@@ -7703,7 +7902,7 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     const int large = m->graph.groups > KERN_SMALL;
     kern_status status = KERN_UNDECIDED;
 
-    /* Many groups are solved by the interior point. */
+    /* Solves more than KERN_SMALL groups by the interior-point method. */
     if (large && !m->whole)
         status = kern_path_interior(
             m, path, &q, path->kind == KERN_PATH_SHRINK ? first / 2 : first,
@@ -7711,8 +7910,9 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     if (status != KERN_UNDECIDED)
         return status;
 
-    /* Tries the program. For few groups, in double, the interior point
-       continues from a place without a proof. */
+    /* Tries the linear program of all groups. For few groups, in double, the
+       interior-point method takes over at the first place that the program
+       cannot decide. */
     if (!large && KERN_PICK(1, 0) > 0)
         path->scope = KERN_SCOPE_PROGRAM;
     status = kern_path_program(m, path, &q, first, step);
@@ -7722,9 +7922,11 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
              : status;
 }
 
-/* Finds the critical value by the pass. Each part that falls gives a lower
-   value, and the next pass is just before that value, until no part falls. Then
-   the whole is solved. */
+/* Finds the critical value by passes. If a pass finds a part that falls, the
+   next pass is just before the critical value of this part. The search ends
+   when the whole structure stands just before the last of these values. If a
+   pass cannot decide, or after KERN_PARTS parts, kern_path_whole() continues.
+   `step` is the length of the first step. */
 static kern_status kern_path_parts(kern_model *m, kern_path *path,
                                    kern_real step)
 {
@@ -7743,7 +7945,8 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
         else if (status == KERN_FALLS)
             status = kern_path_part(m, path, place);
 
-        /* a part falls: the next pass is just before its critical value */
+        /* If a part falls, makes the next pass just before the critical value
+           of this part. */
         if (status == KERN_FALLS && path->fails > path->start) {
             place = kern_path_retreat(path, kern_half_width(path));
             kern_model_unload(m);
@@ -7752,12 +7955,13 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
             continue;
         }
 
-        /* ends if the whole stands just before the value, if the pass cannot
-           decide, or if a part falls at the start */
+        /* Ends if the whole structure stands just before the critical value, if
+           the pass cannot decide, or if a part falls at the start. */
         if (status != KERN_STANDS || path->fails < KERN_INFINITY)
             break;
 
-        /* the whole stands and no fall is known: takes one more step */
+        /* Takes one more step if the whole structure stands and no fall is
+           known. */
         if (place >= path->end)
             return kern_path_saturate(path);
         place = kern_min(place + step, path->end);
@@ -7768,10 +7972,11 @@ static kern_status kern_path_parts(kern_model *m, kern_path *path,
              : kern_path_whole(m, path, place - path->holds, step);
 }
 
-/* Finds the critical value of a path beyond path->holds. The structure must
-   stand at path->holds, unless kerns are nested: then the search may evaluate
-   that place. `stride` is the step of a walk, or 0 if the verdict changes only
-   once. */
+/* Finds the critical value of a path beyond path->holds. Unless kerns are
+   nested, the structure must be known to stand at path->holds. If kerns are
+   nested, the search evaluates path->holds itself where it needs to. `stride`
+   is the step of a walk, or 0 if the verdict changes only once along the
+   path. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real stride)
 {
@@ -7782,17 +7987,23 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     kern_status status;
     path->start = path->critical = path->predicted = path->holds;
     path->fails = path->proven.high = KERN_INFINITY;
-    if (stride > 0) { /* a tilt takes larger steps where the arc is proven */
+    if (stride > 0) {
+        /* A walk takes steps of `stride`. If gravity turns, the walk takes
+           longer steps, after which kern_turn_holds() proves the arc. */
         const kern_real turn = step * KERN_R(path->kind == KERN_PATH_TILT);
         status = kern_path_climb(m, path, turn, turn, stride);
     } else if (m->whole || !shrinks)
         status = kern_path_whole(m, path, step, step);
-    else /* few groups: a longer step, which a falling part ends */
+    else
+        /* Makes the first step of few groups longer. If the step is too long, a
+           part falls there, and the next pass is just before the critical value
+           of this part. */
         status = kern_path_parts(
             m, path,
             m->graph.groups <= KERN_SMALL ? step * KERN_CLIMB_GROWS : step);
 
-    /* the invariant: the value lies between two ends, each with a proof */
+    /* Checks the invariant: the critical value lies between the two ends of the
+       bracket, and each end has a proof. */
     KERN_ASSERT(status != KERN_STANDS || path->proven.low >= path->holds);
     KERN_ASSERT(status != KERN_STANDS || path->never_falls
                 || path->q.carry == KERN_CARRY_NESTED
@@ -7804,20 +8015,22 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 }
 
 /* ---- nested first ---- */
-/* If points travel, kerns are not nested. Few structures need these points to
-   stand. Without them kerns are nested, and a search replaces the walk. The
-   ends of its bracket mean:
+/* Kerns are not nested if single contact points, which are not the ends of a
+   line, travel as kerns shrink. Few structures need such points to stand.
+   Without these points kerns are nested, and a search replaces the walk. For
+   the structure with all points the proofs at the ends of the bracket mean:
 
-       forces without the points    also hold the whole, at every smaller place
-                                    too: the whole stands up to there
-       a motion without the points  may close one of them. If it is a proof with
-                                    all points, the whole falls there
+       forces without the points    also hold the structure, here and at every
+                                    smaller place: it stands up to here
+       a motion without the points  may close one of the points. If it is also
+                                    a proof with all points, the structure
+                                    falls here
 
-   If that motion is no proof, a walk continues from the last place that is
-   proven to stand. */
+   If the motion is no proof with all points, a walk continues from the last
+   place that is proven to stand. */
 
 /* Leaves points that travel out of the queries of the path, or includes them
-   again. Discards known forces that load a point that is left out. */
+   again. Discards the known forces if they load a point that is left out. */
 static void kern_path_carry(kern_model *m, kern_path *path, kern_carry carry)
 {
     int i;
@@ -7829,8 +8042,9 @@ static void kern_path_carry(kern_model *m, kern_path *path, kern_carry carry)
             m->answer.known = NULL;
 }
 
-/* Finds the critical value if kerns are not nested, first without the points
-   that travel. `stride` is the step of the walk, which begins at 0. */
+/* Finds the critical value if kerns are not nested. First searches without the
+   points that travel. If the result is not proven for the whole structure,
+   walks through the multiples of `stride`. */
 static kern_status kern_path_scan(kern_model *m, kern_path *path,
                                   kern_real stride)
 {
@@ -7841,13 +8055,15 @@ static kern_status kern_path_scan(kern_model *m, kern_path *path,
         return status;
     kern_path_carry(m, path, KERN_CARRY_ALL);
 
-    /* ends if both ends are proven for the whole, or if it falls at 0 */
+    /* Ends if both ends of the bracket are proven for the whole structure, or
+       if it falls at 0. */
     if ((status == KERN_STANDS
          && (path->never_falls || path->proven.high <= path->fails))
         || (status == KERN_FALLS && path->proven.high <= 0))
         return status;
 
-    /* begins the walk at its last step that is proven to stand */
+    /* Begins the walk at 0, or at the last multiple of `stride` at which the
+       whole structure is proven to stand. */
     path->never_falls = 0;
     path->holds = KERN_R(0);
     if (path->proven.low < 0)
@@ -7861,7 +8077,8 @@ static kern_status kern_path_scan(kern_model *m, kern_path *path,
 
 /* ---- The measures --------------------------------------------- >>measure */
 
-/* Sets the path to one along which a load grows or gravity turns. */
+/* Turns a path on which kerns shrink into one along which a load grows or
+   gravity turns. */
 KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
                                        const kern_wrench *pattern,
                                        kern_side side)
@@ -7872,15 +8089,16 @@ KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
     path->unit = 1;
 }
 
-/* State of a call to a measure. */
+/* Data of one call to a measure. */
 typedef struct kern_call {
     kern_model m;
     kern_part part;
     kern_path path;
 } kern_call;
 
-/* Checks the task, charges the check, and opens a path on which kerns shrink.
-   `out` is the address of the caller's result. */
+/* Checks the task, charges the work of the check, and opens a path on which
+   kerns shrink. `out` is the address of the caller's result, which is checked
+   too. */
 static kern_status kern_call_open(kern_call *c, const kern_task *task,
                                   kern_real shrink, const void *out)
 {
@@ -7897,7 +8115,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* Sets a path without a bracket, a proof or known forces. */
+    /* Sets up a path that has no bracket, no proof and no known forces yet. */
     path->kind = KERN_PATH_SHRINK;
     path->part = &c->part;
     path->proof = NULL;
@@ -7913,8 +8131,8 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     return kern_model_open(&c->m, task, &path->q);
 }
 
-/* Opens a call whose result is a number. Sets the number to -1 if the limit
-   ends the call before it has read the task. */
+/* Opens a call whose result is one number. Sets *number to -1 if the limit ends
+   the call before it has read the task. */
 KERN_SHARED static kern_status kern_number_open(kern_call *c,
                                                 const kern_task *task,
                                                 kern_real shrink,
@@ -7941,10 +8159,10 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 }
 
 /* Finds the level by Algorithm 1 of the paper: the first k at which the
-   structure falls with kerns shrunk by k steps. The level is last + 1 if there
-   is no such k, and -1 if a verdict is undecided. The structure stands at all
-   steps up to path->holds. If kerns are nested, it falls at all steps from
-   path->fails on. */
+   structure falls when kerns shrink by k steps of length out->epsilon. The
+   level is last + 1 if there is no such k, and -1 if a verdict is undecided.
+   The structure stands at all steps up to path->holds. If kerns are nested, the
+   structure falls at all steps from path->fails on. */
 static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                             int last, kern_margin *out)
 {
@@ -7963,9 +8181,9 @@ static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                                        : -1;
 }
 
-/* Computes the margin of an open task, starting from the known results of a
-   similar structure. If kerns are not nested, every level is at one of the even
-   steps. */
+/* Computes the margin and the level of an open task, starting from the known
+   results of a similar structure. If kerns are not nested, the search walks in
+   even steps, and every level is at one of these steps. */
 static kern_status kern_measure_task(kern_call *c, const kern_known *known,
                                      kern_margin *out, const kern_proof *proof)
 {
@@ -7994,8 +8212,8 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     last += KERN_R(last) < steps; /* rounded up */
     first = kern_min(r.epsilon, r.most);
 
-    /* Searches the margin. If kerns are not nested the search may walk in even
-       steps, of which a whole number is one step of Algorithm 1. */
+    /* Searches for the margin. If kerns are not nested, the search may walk in
+       even steps. A whole number of these steps is one step of Algorithm 1. */
     status = nested ? kern_path_search(&c->m, path, 0)
                     : kern_path_scan(
                         &c->m, path,
@@ -8025,7 +8243,8 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     return status;
 }
 
-/* Opens a task and computes its margin. */
+/* Opens a task and computes its margin and level. If the limit ends the call
+   before it has read the task, writes -1 and infinite values to *out. */
 static kern_status kern_measure_anew(const kern_task *task,
                                      const kern_known *known, kern_margin *out,
                                      const kern_proof *proof)
@@ -8059,9 +8278,10 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
         return kern_measure_anew(task, &known, out, proof);
     }
 
-    /* Writes the new proof to the arrays of task->known. The search reads the
-       old motion before it overwrites it, but overwrites the old forces too
-       early to use them. */
+    /* Makes the search write its proof to the arrays of task->known. The search
+       reads the old motion in these arrays before it writes the new one. The
+       search would overwrite the old forces before it uses them, so known.force
+       is NULL. */
     kept.force = known.force;
     kept.motion = known.motion;
     known.force = NULL;
@@ -8076,8 +8296,8 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     if (status >= 0 && !out->saturated && proof && proof->motion)
         kern_copy(proof->motion, kept.motion, 3 * task->s.blocks);
 
-    /* Keeps the bracket in task->known. The proof of the bracket is already
-       there. */
+    /* Keeps the bracket in task->known, whose arrays already have the proof of
+       the bracket. */
     if (status == KERN_STANDS) {
         if (out->saturated)
             kern_zero(kept.motion, 3 * task->s.blocks);
@@ -8089,8 +8309,9 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 }
 
 /* Grows the kerns of a structure that falls until it stands, and finds the
-   critical value in between. Returns KERN_FALLS and sets path->critical, to
-   -infinity if the structure falls even at the largest growth (>>rules). */
+   critical value in between. Returns KERN_FALLS if such a growth is found. Then
+   path->critical is minus this growth. If the structure falls even at the
+   largest growth (>>rules), path->critical is -infinity. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     kern_real range[2], length = path->unit * KERN_GROW_FIRST, limit;
@@ -8101,9 +8322,9 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     kern_status status;
     int i;
 
-    /* Computes the largest growth: a multiple of the longest side of the free
-       blocks' box, or with relative kerns of that side divided by the shortest
-       travel. */
+    /* Computes the largest growth: KERN_GROW_MOST times the longest side of the
+       box around the free blocks. If kerns are relative, the largest growth is
+       divided by the shortest travel. */
     for (i = 0; i < 2 * m->graph.groups; i++) {
         const kern_block *b = m->s->block + m->graph.block[i / 2];
         const kern_real way = kern_block_size(b) * KERN_R(i & 1 ? 0.5 : -0.5);
@@ -8118,7 +8339,8 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
         limit = range[0] < KERN_INFINITY ? limit / range[0] : 1;
 
     /* Multiplies the growth by a factor from step to step. The factor is small
-       if the interval of standing may be narrow. */
+       if kerns are not nested, since the structure may then stand only in a
+       narrow interval. */
     path->start = -limit;
     for (;; length = kern_min(length * growth, limit)) {
         status = kern_path_evaluate(m, path, -length);
@@ -8152,8 +8374,9 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
     return status;
 }
 
-/* Returns a length of a contact between lo and hi: the smallest one above the
-   logarithmic middle of all such lengths. Returns 0 if there is none. */
+/* Returns the smallest length of a contact that is at least the logarithmic
+   middle of all lengths between lo and hi. Returns 0 if no length lies between
+   lo and hi. */
 static kern_real kern_length_between(const kern_structure *s, kern_real mean,
                                      kern_real lo, kern_real hi)
 {
@@ -8184,17 +8407,17 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
     if (status != KERN_OK)
         return status;
 
-    /* Evaluates the structure with all contacts in round 0, and only with
-       contacts without a length in round 1. Further rounds bisect the lengths
-       in between, on a logarithmic scale. */
+    /* Evaluates the structure with all contacts in round 0, and in round 1 with
+       only those contacts that have no length. Further rounds bisect the
+       lengths of the contacts, on a logarithmic scale. */
     for (round = 0; round < 2 || shortest > 0; round++) {
         c.path.q.length_min = shortest;
         kern_model_group(&c.m, &c.path.q);
         status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
         kern_proof_write(&c.m, proof, status);
 
-        /* Moves an end of [lo, hi). Ends if the structure falls with all
-           contacts. */
+        /* Moves an end of the interval [lo, hi) of lengths. Ends if the
+           structure falls with all contacts, or after an error. */
         if (status == KERN_STANDS)
             lo = shortest;
         else if (lo < 0 || status < KERN_UNDECIDED)
@@ -8238,8 +8461,9 @@ static kern_real kern_angle_of(kern_real s)
     return 8 * s * sum;
 }
 
-/* Opens a call whose result is the factor of a pattern or, if that is NULL, of
-   a horizontal load or a tilt to a side. */
+/* Opens a call whose result is the factor of a load pattern. If `pattern` is
+   NULL, the result is the factor of a horizontal load to a side, or the tilt to
+   that side. Checks the pattern or the side. */
 KERN_SHARED static kern_status kern_growth_open(kern_call *c,
                                                 const kern_task *task,
                                                 kern_real shrink,
@@ -8275,13 +8499,15 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* under fixed loads a structure may stand again at a larger tilt */
+    /* Under fixed loads a structure that falls may stand again at a larger
+       tilt. */
     loaded = tilt && kern_model_loaded(&c->m);
     kern_path_push(path, kind, pattern, side);
     path->proof = proof;
     path->end = tilt ? 1 : KERN_FACTOR_MOST;
 
-    /* Few groups are solved by one linear program, whose value is exact. */
+    /* Solves up to KERN_SMALL groups by one linear program, which gives the
+       critical value exactly. */
     if (!loaded && c->m.graph.groups <= KERN_SMALL
         && kern_model_has_room(&c->m))
         kern_model_whole(&c->m, path->part, &path->q);
@@ -8321,8 +8547,8 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                    : KERN_BAD_POINTER;
 }
 
-/* Returns the factor of the pattern below which the answer's motion is a fall,
-   or infinity if the pattern does not resist the motion. */
+/* Returns the factor of the load pattern below which the motion in m->answer is
+   a fall, or infinity if the pattern does not resist this motion. */
 static kern_real kern_motion_factor(const kern_model *m, const kern_query *q)
 {
     kern_query unloaded = *q;
@@ -8343,9 +8569,9 @@ static kern_real kern_motion_factor(const kern_model *m, const kern_query *q)
     return resisted > 0 ? power / resisted : KERN_INFINITY;
 }
 
-/* Uses Newton's method from below: each mechanism gives the factor that just
-   stops it. Just above that factor another mechanism falls, or the structure
-   stands. */
+/* Uses Newton's method from below. Each mechanism gives the factor of the
+   pattern at which the pattern just stops it. Just above that factor either
+   another mechanism falls or the structure stands. */
 KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         const kern_wrench *pattern,
                                         kern_real *factor,
@@ -8361,8 +8587,9 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
     if (status != KERN_OK)
         return status;
 
-    /* Evaluates factors just above the value of each mechanism. After a factor
-       without a proof the next one lies twice as far above. */
+    /* Evaluates the structure at a factor just above the value of each
+       mechanism. If a factor gives no proof, the next one lies twice as far
+       above the value. */
     kern_path_push(&c.path, KERN_PATH_LOAD, pattern, KERN_SHRINK);
     for (round = 0; round < KERN_LEAST_ROUNDS && falls < KERN_FACTOR_MOST;
          round++) {
@@ -8377,7 +8604,7 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
         q->factor = falls + offset * (1 + falls);
     }
 
-    /* KERN_FALLS requires that a fall is proven up to the largest factor. */
+    /* Returns KERN_FALLS only if falls are proven up to the largest factor. */
     if (status == KERN_FALLS && falls < KERN_FACTOR_MOST)
         status = KERN_UNDECIDED;
     status = kern_call_status(task, status);
@@ -8408,7 +8635,7 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                      p, kern_part_load(p, &c.path.q, p->dual.load), KERN_BOUND,
                      KERN_START_COLD, KERN_NORM_ROUNDS)
                                          : KERN_NO_SPACE;
-        if (status == KERN_FALLS) /* without a proof */
+        if (status == KERN_FALLS) /* this has no proof */
             status = KERN_UNDECIDED;
         if (status == KERN_STANDS) {
             kern_norm_write(p);
@@ -8422,22 +8649,25 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
 }
 
 /* ---- The profile --------------------------------------------- >>profile */
-/* Progressive collapse: blocks that move at the critical value are removed from
-   the model, and the path continues with the other blocks. */
+/* The profile follows a progressive collapse. The blocks that move at a
+   critical value are removed from the model, and the path continues with the
+   other blocks. */
 
 typedef struct kern_fall {
-    int missing;        /* values of the weaker half still to come     */
-    kern_real weak_sum; /* sum of the values of the weaker half        */
-    kern_real *value;   /* per block: its value, or -1 while it stands */
+    int missing;        /* number of values of the weaker half that are not
+                           known yet; this half of the blocks falls first   */
+    kern_real weak_sum; /* sum of the known values of the weaker half       */
+    kern_real *value;   /* per block: its value, or -1 while it stands      */
 } kern_fall;
 
-/* The remaining blocks that fall. */
+/* Selects which of the remaining blocks kern_fall_add() records as fallen. */
 typedef enum kern_fall_scope {
-    KERN_FALL_MOVING, /* all that move in the mechanism                   */
+    KERN_FALL_MOVING, /* all blocks that move in the mechanism            */
     KERN_FALL_ALL
 } kern_fall_scope;
 
-/* Records `value` for every remaining block that falls. */
+/* Records `value` as the value of every remaining block that falls, and adds it
+   to the sum of the weaker half. */
 static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real value,
                           kern_fall_scope scope)
 {
@@ -8454,8 +8684,8 @@ static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real value,
         }
 }
 
-/* Returns the verdict at path->fails, where the structure fell last. While the
-   verdict is undecided, evaluates places beyond it. */
+/* Returns the verdict at path->fails, where the structure fell last. If the
+   verdict is undecided, evaluates up to KERN_FALL_TRIES places beyond it. */
 static kern_status kern_fall_evaluate(kern_model *m, kern_path *path)
 {
     kern_real place = path->fails;
@@ -8468,11 +8698,12 @@ static kern_status kern_fall_evaluate(kern_model *m, kern_path *path)
     return status;
 }
 
-/* Follows the whole collapse along a path: from one critical value to its
-   mechanism, and on to the next value. The mechanism needs a verdict of its
-   own, since the last verdict of a search may be at another place. Bounds the
-   number of rounds that remove no block, which occur if both verdicts have a
-   proof at one place. */
+/* Follows the whole collapse along a path: finds a critical value, removes the
+   blocks that move in its mechanism, and continues to the next critical value.
+   The mechanism needs a verdict of its own, since the last verdict of a search
+   may be at another place. The number of rounds that remove no block is
+   bounded. Rounds that remove no block occur if the verdicts "stands" and
+   "falls" both have a proof at one place. */
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
@@ -8485,7 +8716,8 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
             return KERN_UNDECIDED;
 
         /* Removes the blocks that move in the mechanism. Then evaluates the
-           remaining blocks just beyond the place at which they fell. */
+           remaining blocks at the place where the structure fell last, or just
+           beyond it. */
         if (status == KERN_FALLS) {
             kern_fall_add(m, fall, place, KERN_FALL_MOVING);
             kern_model_group(m, &path->q);
@@ -8493,8 +8725,8 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                 status = kern_fall_evaluate(m, path);
 
         } else if (status == KERN_STANDS) {
-            /* The remaining blocks stand: searches their critical value, and
-               the mechanism just beyond it. */
+            /* Finds the critical value of the remaining blocks, which stand
+               here, and the mechanism just beyond this value. */
             status = kern_path_search(m, path,
                                       path->kind != KERN_PATH_SHRINK
                                               || kern_is_nested(m, range)
@@ -8507,14 +8739,15 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
             return status;
     }
 
-    /* The remaining blocks stand to the end of the path. */
+    /* Gives the remaining blocks the end of the path as their value, since they
+       stand up to there. */
     kern_fall_add(m, fall, path->end, KERN_FALL_ALL);
     return KERN_OK;
 }
 
 /* Returns e^-x for x >= 0. Computes e^(x / 1024) by its series and squares it
-   ten times, since libm differs between machines. The relative error is at most
-   2e-4 for x up to 10. */
+   ten times, since libm differs between machines. The relative error of the
+   result is at most 2e-4 for x up to 10. */
 static kern_real kern_decay(kern_real x)
 {
     const kern_real t = x / KERN_R(1024);
@@ -8525,8 +8758,10 @@ static kern_real kern_decay(kern_real x)
     return 1 / y;
 }
 
-/* Returns the sum over all free blocks of their chance of falling times their
-   height above the lowest block. */
+/* Returns the expected drop of all free blocks together: the sum, over these
+   blocks, of the chance that the block falls times its height above the lowest
+   block. The height is measured in mean sizes, and is at least
+   KERN_DROP_HEIGHT. */
 static kern_real kern_expected_drop(const kern_model *m, const kern_real *value)
 {
     const kern_structure *s = m->s;
@@ -8559,8 +8794,8 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     int i, free_blocks, half;
     kern_status status = kern_call_open(&c, task, 0, value ? out : NULL);
 
-    /* Sets every value to -1 until its block falls, also if the call ends
-       early. */
+    /* Sets every value to -1, which it keeps while its block stands. Sets the
+       values even if the limit has ended the call. */
     for (i = 0;
          (status == KERN_OK || status == KERN_LIMIT) && i < task->s.blocks; i++)
         value[i] = -1;
@@ -8576,7 +8811,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
         kern_path_push(&c.path, KERN_PATH_LOAD, NULL, side);
     c.path.end = side ? KERN_PROFILE_MOST : range[1];
 
-    /* Queries leave out every block that has a value. */
+    /* Makes queries leave out every block that already has a value. */
     c.path.q.fallen = value;
     free_blocks = c.m.graph.groups;
     fall.missing = half = (free_blocks + 1) / 2;
@@ -8606,8 +8841,8 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 /* ---- What is critical ---------------------------------------- >>critical */
 
 /* Returns how a contact moves in a mechanism: it opens, slides, hinges or
-   rests. u is the velocity of block b relative to block a at the contact, and
-   `turn` the relative spin times the mean size. */
+   rests. u is the velocity of block b relative to block a at the contact.
+   `turn` is the relative spin of the two blocks, times the mean size. */
 static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
                                     kern_vec u, kern_real turn)
 {
@@ -8619,20 +8854,24 @@ static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
     return kern_abs(turn) > KERN_REST ? KERN_HINGES : KERN_RESTS;
 }
 
-/* Writes how each contact moves in the mechanism and how much it limits, and
-   finds the first contact with the largest limit. The limit is the first of
-   these measures that is above 0 for any contact. (0): the power f w that the
-   mechanism gains per length by which the force f moves inward, where w is the
-   relative spin; 0 if the kern is closed. (1): the relative spin at a hinge.
-   (2): the speed at which a contact slides. */
+/* Writes how each contact moves in the mechanism, and its limit, which is
+   larger the more the contact limits the margin. Finds the first contact with
+   the largest limit. The limit is the first of these three measures that is
+   above 0 for any contact:
+     0  the power that the mechanism gains per unit of shrinkage because the
+        force moves inward: the normal force times the relative spin of the
+        blocks (relative: times the travel, too); 0 if the kern is closed or the
+        contact opens
+     1  the relative spin of the blocks, if the contact hinges
+     2  the relative speed of the blocks, if the contact slides */
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
     kern_real largest = 0, reduction = kern_reduction(q), rate;
     int measure, i;
 
-    /* Tries the measures in order until one gives a contact. Measure 0 needs
-       forces. */
+    /* Tries the three measures in order until one is above 0 for a contact.
+       Measure 0 needs the forces of the proof. */
     for (measure = !proof->force; measure < 3 && out->contact < 0; measure++)
         for (i = 0; i < s->contacts; i++) {
             const kern_contact *c = s->contact + i;
@@ -8666,7 +8905,7 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
         out->limit[i] /= largest;
 }
 
-/* Returns 1 if two blocks move as one rigid body. */
+/* Returns 1 if the blocks i and j move as one rigid body. */
 static int kern_as_one(const kern_structure *s, const kern_motion *motion,
                        int i, int j)
 {
@@ -8731,12 +8970,15 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 }
 
 /* ---- Sensitivity ------------------------------------------- >>sensitivity */
-/* At the margin d* the power G of forces and loads on the mechanism is 0. G
-   stays 0 when an input q changes, so the derivative of d* is -G_q / G_d.
-   Forces and motion are those of the proof. */
+/* At the margin d* the power G that forces and loads have in the mechanism is
+   0. If an input q changes, such as the place of a contact or the mass of a
+   block, d* changes so that G stays 0. So the derivative of d* with respect to
+   q is -G_q / G_d, where G_q and G_d are the derivatives of G with respect to q
+   and to the shrinkage d. Forces and mechanism are those of the proof. */
 
-/* Writes G_q for all data q of contact i. Returns the contact's term of G_d.
-   G_q and G_d are 0 for a contact without a force or a motion. */
+/* Writes the derivatives G_q (>>sensitivity) with respect to all data q of
+   contact i. Returns the contribution of the contact to G_d. G_q and G_d are 0
+   if the contact has no force or its blocks do not move. */
 static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
                                    int i, const kern_proof *proof,
                                    kern_contact_rate *out)
@@ -8764,12 +9006,14 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
     return -rate * spin * f;
 }
 
-/* Moving a block moves its contacts. Adds this effect on contact i to the rates
-   of both blocks, with the contact as the search would find it. `pair` is the
-   other end of its line, or i. For a line, a corner moves its end along the
-   line. The ends stay midway between the edges, so that normal and middle
-   change by half as much as an end. For a point, the block of the corner moves
-   the point and the block of the edge turns the normal. */
+/* Adds to the rates of the two blocks of contact i the contribution of this
+   contact: if a block moves, the contact moves as the contact search would find
+   it. `pair` is the other end of the line, or i for a point. At an end of a
+   line, the block whose corner is there moves the end along the line. Across
+   the line, each block moves the end by half of its own motion and turns the
+   normal by half, since the line stays midway between the two edges. At a
+   point, the block with the corner moves the point, and the block with the edge
+   turns the normal. */
 KERN_SHARED static void kern_pose_gain(const kern_task *task,
                                        const kern_contact_rate *rate, int i,
                                        int pair, kern_block_rate *out)
@@ -8779,15 +9023,15 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
     const kern_real rate_t = kern_vec_dot(rate[i].p, t)
                            + (rate[pair].travel - rate[i].travel) / 2;
     const kern_real rate_n = kern_vec_dot(rate[i].p, c->n);
-    kern_real nearest[2]; /* distance along the contact to the nearest corner */
+    kern_real nearest[2]; /* per block: distance along t to the next corner */
     int end, k;
 
     if (!(kern_abs(rate_t) + kern_abs(rate_n) + kern_abs(rate[i].turn) > 0))
         return;
 
-    /* Finds for each block the distance along the contact to its nearest vertex
-       that is close to the line of the contact. The nearer vertex is the corner
-       at this end. */
+    /* Finds for each block the vertex that is nearest to the contact point,
+       measured along the contact, of those close to the line of the contact.
+       The nearer of the two vertices is the corner at this end. */
     for (end = 0; end < 2; end++) {
         const kern_block *b = task->s.block + (end ? c->b : c->a);
         nearest[end] = KERN_INFINITY;
@@ -8802,10 +9046,11 @@ KERN_SHARED static void kern_pose_gain(const kern_task *task,
         }
     }
 
-    /* The block of the corner moves the end along the contact. Across the
-       contact, each block of a line moves the end by half, and for a point only
-       the block of the corner moves it. The remaining share turns the
-       normal. */
+    /* Adds the contribution to each block. The block with the corner moves the
+       contact point along the contact. Across the contact, `part` is the share
+       by which the block moves it: half for a line, and for a point 1 for the
+       block with the corner and 0 for the other one. The normal turns with the
+       block by the remaining share, 1 - part. */
     for (end = 0; end < 2; end++) {
         const int owner = end ? c->b : c->a;
         const kern_block *b = task->s.block + owner;
@@ -8843,7 +9088,8 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
     if (status != KERN_OK)
         return status;
 
-    /* Writes G_q for the data of the contacts, and sums their terms of G_d. */
+    /* Writes G_q for the data of the contacts, and sums their contributions to
+       G_d. */
     for (i = 0; i < task->s.contacts; i++) {
         const kern_real g = kern_contact_gain(&task->s, &q, i, proof,
                                               contact + i);
@@ -8851,7 +9097,8 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         total += kern_abs(g);
     }
 
-    /* There is no derivative if the power does not change along the path. */
+    /* Returns KERN_UNDECIDED if the power does not change along the path: then
+       the margin has no derivative. */
     if (margin->saturated || !(kern_abs(gain) > KERN_RATE_LEAST * total))
         return KERN_UNDECIDED;
 
@@ -8869,15 +9116,15 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         block[i].mass = g.x * v->vx + g.y * v->vy;
     }
 
-    /* Adds G_q for the poses of blocks, from the rates of contacts. The two
-       ends of a line are treated together. */
+    /* Adds G_q for the poses of the blocks, which follows from G_q of the
+       contacts. Treats the two ends of a line together. */
     for (i = 0; i < task->s.contacts; i += 1 + line) {
         line = kern_line_begins(task->s.contact, task->s.contacts, i);
         for (end = 0; end <= line; end++)
             kern_pose_gain(task, contact, i + end, i + line - end, block);
     }
 
-    /* Turns G_q into the rates of the margin, -G_q / G_d. */
+    /* Computes the rates of the margin, -G_q / G_d. */
     kern_scale(contact, 5 * task->s.contacts, -1 / gain);
     kern_scale(block, 9 * task->s.blocks, -1 / gain);
     return KERN_OK;
