@@ -22,11 +22,15 @@ block_of() { # block_of WORD: the block of code in README with that word
         on = !on; text = ""; next } on { text = text $0 "\n" }' README.md
 }
 
-three_stones() { # a report, of which it has some lines; its file, its program
+three_stones() { # a report, of which it has some lines; its file, its programs
     local kern
     kern=$(program kern examples/kern.c) || return 1
     block_of "block beam" >"$out/mine.kern"
     block_of "int main" >"$out/mine.c"
+    { echo '#define KERN_IMPLEMENTATION'
+      echo '#include "examples/copy/wall.hpp"'
+      echo '#include <cstdio>'
+      echo 'int main() {' && block_of "kern::Wall" && echo '}'; } >"$out/mine.cpp"
     block_of "irregular-wall.kern: stands" >"$out/lines"
     "$kern" examples/structures/irregular-wall.kern |
         diff - tests/report.txt || return 1
@@ -35,7 +39,9 @@ three_stones() { # a report, of which it has some lines; its file, its program
     "$kern" --svg "$out/mine.svg" "$out/mine.kern" | grep -q ": stands" &&
         $judge svg "$out/mine.svg" &&
         gcc -std=c99 -Wall -Wextra -Werror -I. -o "$out/mine" "$out/mine.c" \
-            -lm && "$out/mine" | grep -qx "stands, margin 0.5 m"
+            -lm && "$out/mine" | grep -qx "stands, margin 0.5 m" &&
+        g++ -std=c++17 -Wall -Wextra -Werror -I. -o "$out/places" \
+            "$out/mine.cpp" && [ "$("$out/places" | wc -l)" -gt 20 ]
 }
 
 firmware() { # its commands; ticks, stack and flash are not compared. The page
