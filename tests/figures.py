@@ -25,7 +25,7 @@ ROWS = (
      r"`\./exact %s`: none wrong" % N),
     (r"never said `stays` on %s slopes with too little" % N, TRUST,
      r"\| %s slopes at 0\.9 and 0\.99 .* 0 of 720" % N),
-    (r"threshold of %s accepts %s %% .* rejects %s %%" % (N, N, N), TRUST,
+    (r"threshold of %s kern accepts %s %% .* rejects %s %%" % (N, N, N), TRUST,
      r"\n\| (0\.5) \| %s \| %s \|" % (N, N)),
     (r"same step as kern for all of %s structures" % N, TRUST,
      r"level on all %s structures" % N),
@@ -50,7 +50,7 @@ ROWS = (
      r"(?s)up\s+to\s+(31)\s+%% too\s+low\..*?friction of (\.44)\s+where\s+%s" % N),
     (r"up to %s times too high on random brick" % N, "tests/DESIGN.md",
      r"random ones by up to %s times" % N),
-    (r"up to %s times on %s rows of toppling columns, and" % (N, N), TRUST,
+    (r"up to %s times too high on %s rows of toppling" % (N, N), TRUST,
      r"(?s)\n\| %s rows of 20 to 90 columns, .*?load factor of limit analysis / "
      r"limit equilibrium \| most \| %s" % (N, N)),
     (r"and %s times on another row" % N, MANUAL,
