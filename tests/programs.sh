@@ -10,9 +10,9 @@ in_a_copy() { # in_a_copy FILE: runs commands where nothing was built
         (cd "$out/fresh" && timeout 300 bash -e "$1")
 }
 
-readme() { # its first two blocks of commands, and its figures
-    awk '/^```sh/ { on = 1; n++; next } /^```/ { on = 0 } on && n <= 2' \
-        README.md >"$out/readme.sh"
+readme() { # its commands, and its figures
+    awk '/^```sh/ { on = 1; next } /^```/ { on = 0 } on' README.md \
+        >"$out/readme.sh"
     grep -q kern_test "$out/readme.sh" && in_a_copy "$out/readme.sh" &&
         python3 tests/figures.py
 }
@@ -22,33 +22,26 @@ block_of() { # block_of WORD: the block of code in README with that word
         on = !on; text = ""; next } on { text = text $0 "\n" }' README.md
 }
 
-three_stones() { # its output, its file, its program and its loop in C
+three_stones() { # a report, of which it has some lines; its file, its programs
     local kern
     kern=$(program kern examples/kern.c) || return 1
     block_of "block beam" >"$out/mine.kern"
     block_of "int main" >"$out/mine.c"
-    { echo '#include <stddef.h>
-            #include "kern.h"
-            kern_place loop(kern_plan *wall, const kern_block *stone,
-                            double low, double high, kern_vec *vertex);
-            kern_place loop(kern_plan *wall, const kern_block *stone,
-                            double low, double high, kern_vec *vertex)
-            {
-                static const kern_vec upright = {1, 0};
-                kern_margin alone, m;
-                kern_pose pose;
-                kern_place best = {0, 0, 0, 0, 0, 0};
-                int i, found = 0;
-                kern_measure(&wall->task, &alone, NULL);' &&
-        block_of kern_rest && echo 'return best; }'; } >"$out/plan.c"
+    { echo '#define KERN_IMPLEMENTATION'
+      echo '#include "examples/copy/wall.hpp"'
+      echo '#include <cstdio>'
+      echo 'int main() {' && block_of "kern::Wall" && echo '}'; } >"$out/mine.cpp"
+    block_of "irregular-wall.kern: stands" >"$out/lines"
     "$kern" examples/structures/irregular-wall.kern |
-        diff - <(block_of "irregular-wall.kern: stands") || return 1
+        diff - tests/report.txt || return 1
+    [ -s "$out/lines" ] && ! diff tests/report.txt "$out/lines" | grep "^>" ||
+        { echo "these lines of README are not in the report"; return 1; }
     "$kern" --svg "$out/mine.svg" "$out/mine.kern" | grep -q ": stands" &&
         $judge svg "$out/mine.svg" &&
         gcc -std=c99 -Wall -Wextra -Werror -I. -o "$out/mine" "$out/mine.c" \
             -lm && "$out/mine" | grep -qx "stands, margin 0.5 m" &&
-        gcc -std=c99 -Wall -Wextra -Werror -I. -c -o "$out/plan.o" \
-            "$out/plan.c"
+        g++ -std=c++17 -Wall -Wextra -Werror -I. -o "$out/places" \
+            "$out/mine.cpp" && [ "$("$out/places" | wc -l)" -gt 20 ]
 }
 
 firmware() { # its commands; ticks, stack and flash are not compared. The page
