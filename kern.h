@@ -35,14 +35,16 @@
      ==================             d             |======|     what is left: the
                                     d*              |==|       kern of a contact
 
-   "Kern" is the paper's word for the shrunk contact, not the middle third of a
-   section. If contacts shrink by more than the margin d*, no contact forces
-   hold every stone.
+   "Kern" is the word for the shrunk contact in the paper on which this library
+   is based (>>references). It does not mean the middle third of a section here.
+   If contacts shrink by more than the margin d*, no contact forces hold every
+   stone.
 
    HOW TO USE IT                                                        >>use
 
    Define KERN_IMPLEMENTATION in exactly one C or C++ file before including
-   kern.h. All other files only include kern.h. Only sqrt() is needed (-lm).
+   kern.h. All other files only include kern.h. The library needs no function of
+   the C library but sqrt() (-lm).
 
        kern_vec ground[4] = {{-5, -1}, {5, -1}, {5, 0}, {-5, 0}};
        kern_vec stone[4]  = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
@@ -63,11 +65,12 @@
            printf("level %d, margin %g m\n", m.level, m.margin);
 
    Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too.
-   kern_contacts() returns a status if it fails, which is negative; the next
-   call returns it again. examples/copy/one_block.c is this program with all
-   checks. If the linker reports "multiple definition", KERN_IMPLEMENTATION is
-   in two files. If it reports "undefined reference", it is in none, or in a
-   file of the other precision.
+   If kern_contacts() fails it returns a negative status. A call that gets this
+   status as the number of contacts returns it again. examples/copy/one_block.c
+   is this program with all checks. If the linker reports "multiple definition",
+   KERN_IMPLEMENTATION is in two files. If the linker reports "undefined
+   reference", KERN_IMPLEMENTATION is in no file, or only in a file that was
+   compiled in the other precision (KERN_SINGLE).
 
    CONVENTIONS                                                  >>conventions
 
@@ -75,7 +78,7 @@
    and s. Angles are in radians, counter-clockwise positive. Blocks are polygons
    in world coordinates of a plane, with a depth of one unit and a density per
    area. To add a stone, append the contacts that kern_touch() finds. To remove
-   the last stone, reduce `blocks` and `contacts`.
+   the last stone, reduce the counts `blocks` and `contacts` of the structure.
 
    MEMORY                                                            >>memory
 
@@ -83,26 +86,28 @@
    nothing between calls. Threads need no locks if each has its own work memory.
    Work memory is two arrays, of KERN_REALS(blocks, contacts) and of
    KERN_INTS(blocks, contacts) numbers (kern_work_need() at run time).
-   `contacts` counts contact points. A running bond has seven for each block, or
-   twelve with joints between neighbours. KERN_CONTACTS(blocks) is enough for
-   both. Stones with many short edges may need twice as many; kern_contacts()
-   then returns KERN_NO_SPACE. Bytes in double (float: about half):
+   `contacts` counts contact points. A wall in running bond has seven contact
+   points for each block, or twelve if neighbours in a course touch, too.
+   KERN_CONTACTS(blocks) is enough for both. Stones with many short edges may
+   need twice as many points; if the array is too short, kern_contacts() returns
+   KERN_NO_SPACE. Bytes in double (float: about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
        KERN_REALS and KERN_INTS     9,124    21,496    66,296   359,616
        both KERN_LEAN_ sizes        9,124    12,364    20,204    64,404
 
-   KERN_LEAN_REALS and KERN_LEAN_INTS are smaller from 10 blocks on. These sizes
-   suffice if few blocks move at the margin, as in most walls: 0.7 MB instead of
-   11 MB for 1000 blocks and 7000 points. If many blocks move, as in arches, a
-   call with this memory returns KERN_NO_SPACE.
+   KERN_LEAN_REALS and KERN_LEAN_INTS are smaller from 10 blocks on. For 1000
+   blocks and 7000 points they are 0.7 MB instead of 11 MB. These sizes suffice
+   if few blocks move in the mechanism at the margin, as in most walls. If many
+   blocks move, as in arches, a call with these smaller arrays returns
+   KERN_NO_SPACE.
 
    VERDICTS AND PROOFS                                             >>verdicts
 
    KERN_STANDS: kern found forces that pass kern_check_forces(). KERN_FALLS:
    kern found a motion that passes kern_check_motion(). These checks are
-   independent of the solver. KERN_UNDECIDED: kern found neither (>>limits). It
-   never guesses.
+   independent of the solver. KERN_UNDECIDED: kern found neither such forces nor
+   such a motion (>>limits). It never guesses.
 
    options.limit bounds the work of one call, reading the input included. Work
    that would exceed the limit is not begun: the call returns KERN_LIMIT and
@@ -111,32 +116,39 @@
    instructions plus 2,000 for each unit of its limit. A call that completes
    takes 550 to 2,000 instructions for each unit in work->units, or 0.1 to 0.6
    microseconds on a desktop computer (tests/work.sh limits). If most blocks
-   have a single contact, as in a fill that is pushed, these 2,000 become 3,100
-   of the limit and 2,230 of a completed call. A Cortex-M4F took up to 2,520.
+   have a single contact, as in a loose fill that is pushed, a call takes up to
+   3,100 instructions for each unit of its limit, and a call that completes up
+   to 2,230 for each unit in work->units. On a Cortex-M4F a unit took up to
+   2,520 instructions.
 
    CONFIGURATION                                                     >>config
 
    KERN_STATIC          makes every function static: this file has its own copy
                         of the library
-   KERN_API             linkage of public functions; default: extern
+   KERN_API             is the linkage of public functions; default: extern
    KERN_SINGLE          makes kern_real a float; define it in every file
-   KERN_SQRT(x)         replaces sqrt or sqrtf; <math.h> is not included
+   KERN_SQRT(x)         replaces sqrt or sqrtf; <math.h> is then not included
    KERN_NO_INTERIOR     leaves out the interior-point method (>>ipm), for
-                        firmware. Above 64 free blocks the simplex method is
-                        used, which may take minutes
-   KERN_USE_GLPK        GLPK (under the GPL) solves large programs (kern_lp.h)
-   KERN_GLPK_ROWS       programs with more rows are large; default: 96. A free
-                        block has three rows
+                        firmware. Structures of more than 64 free blocks are
+                        then solved by the simplex method, which may take
+                        minutes
+   KERN_USE_GLPK        lets GLPK (under the GPL) solve large linear programs,
+                        through kern_lp.h
+   KERN_GLPK_ROWS       GLPK solves programs with more rows than this number;
+                        default: 96. A program has three rows for each free
+                        block
 
    Without a C library, compile with -Os -fno-tree-loop-distribute-patterns;
    otherwise gcc inserts calls of memcpy and memset. With -fno-math-errno the
-   square root is one instruction.
+   compiler makes one instruction of a square root.
 
    METHOD                                                            >>method
 
-   Every free block is in equilibrium, Eqs. (1) to (3), under contact forces
-   without tension and within friction, Eq. (4), with the weight at the centre c
-   of the block and the contact at p, its normal n and its tangent t:
+   A structure stands if there are contact forces under which every free block
+   is in equilibrium, Eqs. (1) to (3), and which are without tension and within
+   friction, Eq. (4). The equations are numbered as in the paper. The weight
+   acts at the centre c of the block. Contact point p has the normal n, the
+   tangent t, and the force f n + r t:
 
        sum f n + r t + weight = 0,     sum (p - c) x (f n + r t) = 0,
        f >= 0,  |r| <= mu f.
@@ -149,52 +161,61 @@
 
    A verdict tries these methods in order until one gives a proof:
 
-       top-down     >>pass    forces are passed on from top to bottom, a block
-         |                    by three equations, a cluster where it cannot
-         |-- every block balanced ------------------------> STANDS
-         |-- some blocks cannot be held, all others fixed:
-         |   simplex method on these (>>lp) --------------> FALLS
-       whole        >>ipm     above 64 free blocks the interior-point method,
-                    >>lp      otherwise the simplex method. In double the
-                              interior point is the last resort of up to 64
-                              blocks
+       top-down     >>pass    balances one block after the other, from top to
+         |                    bottom, by three equations each. Blocks that
+         |                    cannot be balanced alone are balanced together,
+         |                    as a cluster
+         |-- every block is balanced ---------------------> STANDS
+         |-- some blocks cannot be held, even if all
+         |   others are fixed: the simplex method (>>lp)
+         |   proves this for these blocks ----------------> FALLS
+       whole        >>ipm     solves all blocks at once: more than 64 free
+                    >>lp      blocks by the interior-point method, fewer by the
+                              simplex method. If the simplex method decides
+                              nothing, the interior point is tried, too (only in
+                              double)
 
    A measure is the critical value of a path (kerns shrink, a load grows,
    gravity turns): the first value at which the structure falls. Fixing blocks
    never lowers the critical value, so any part, with all other blocks fixed,
    gives an upper bound. The search (>>search) begins at the least critical
-   value of a body (a block and the blocks that rest on nothing else) and runs
-   the pass there. If a part falls, the search continues at the critical value
-   of that part, until no part falls. If the pass gives no proof, the search
-   solves the whole structure. Load factor and tilt of up to 64 free blocks are
-   one linear program with the value as a column. If that program cannot decide,
-   as in jams, the interior-point method narrows the bracket of the critical
-   value, which has a proof at each end. tests/DESIGN.md says why each step is
-   there, and what it costs to leave it out.
+   value of a body, which is a block together with the blocks that rest only on
+   it. There it runs the top-down pass. If a part falls, the search continues at
+   the critical value of that part, until no part falls. If the pass gives no
+   proof, the search solves the whole structure. For up to 64 free blocks, load
+   factor and tilt are computed by one linear program in which the critical
+   value is a variable. If that program cannot decide, as in jams, the
+   interior-point method narrows the bracket of the critical value, which has a
+   proof at each end. tests/DESIGN.md says why each step is there, and what it
+   costs to leave it out.
 
    RULES                                                               >>rules
 
    This chapter defines each number exactly, so that another program can
-   reproduce it. RULES in tests/kern_test.c names the tests of each rule.
+   reproduce it. The table RULES in tests/kern_test.c names the tests of each
+   rule.
 
    Contacts are found for each pair of polygons that are not both fixed. `gap`
-   and `angle` are those of the options. No tolerance is below 64 roundings of
-   the largest coordinate. "Size" is that of the pair's smaller free block.
-   Vertices at which the outline turns by less than 1e-6 rad are ignored. Each
-   remaining edge has its own contacts, even a step of one pixel, so simplify
-   raw outlines first (kern_outline_simplify()).
+   and `angle` are fields of kern_options. No tolerance is below 64 times the
+   machine epsilon times the largest coordinate. "Size" is the size of the
+   pair's smaller free block: the square root of its area. Vertices at which the
+   outline turns by less than 1e-6 rad are ignored. Each remaining edge has its
+   own contacts, even a step of one pixel, so simplify raw outlines first
+   (kern_outline_simplify()).
      line      Two edges, one of each block, that are antiparallel within
                `angle`. The edges must be within the gap over a stretch that is
                longer than the least of three lengths: the gap, 1e-3 of the
                size, half of the longer edge. The contact points are the ends of
                the stretch, midway between the edges. n is the mean of the
                edges' normals.
-     point     A convex vertex within the gap of an edge. Its foot must be more
-               than 1e-6 of the size from both ends of the edge, and both edges
-               of the vertex must be on the outer side of that edge, within
-               `angle`. The contact point is the vertex, and n is the normal of
-               the edge. There is no point contact if a line contact of the pair
-               passes within the gap and its normal is within 10 degrees of n.
+     point     A convex vertex within the gap of an edge. The foot of the
+               perpendicular from the vertex to the edge must be more than 1e-6
+               of the size from both ends of the edge. Both edges that meet at
+               the vertex must be on the outer side of the edge that it touches,
+               within `angle`. The contact point is the vertex, and n is the
+               normal of the edge. There is no point contact if a line contact
+               of the pair passes within the gap and its normal is within 10
+               degrees of n.
      corner    A convex vertex within the gap of a reflex vertex, with both its
                edges on the outer side of both edges of the reflex vertex. It
                gives a point contact with each of these two edges. Two convex
@@ -207,13 +228,15 @@
                first and points last.
      overlap   KERN_OVERLAP is returned if a point of one outline is deeper
                inside the other block than the gap, if a block is inside
-               another, if edges cross by more than the gap with all ends, or if
-               no motion by the gap separates two convex blocks.
+               another, if two edges cross and all four of their ends are
+               farther than the gap from the other edge's line, or if two convex
+               blocks cannot be separated by a motion as short as the gap.
    A larger gap never removes a support. Contacts that the caller makes are used
    as they are, with unit normals. A line contact whose direction differs from t
    by more than `angle` is refused.
 
-   Shrinkage. A contact point has a direction u = t or -t, a travel l >= 0:
+   Shrinkage. As kerns shrink, a contact point moves in a direction u = t or -t,
+   by at most its travel l >= 0:
      line      The two ends move toward each other; l is half the length.
      points    Two or more points of one pair move toward the middle q of the
                two that are farthest apart, each along its own t. Their travel
@@ -224,8 +247,8 @@
                middle of the contacts that carry its block, as in Fig. 2 c, d of
                the paper. A contact carries the block that its normal pushes up,
                or none if the normal is horizontal within 1e-6. The middle is
-               that of the two points farthest apart that carry the same block.
-               Kerns are then not nested (>>limits).
+               the midpoint of the two contact points that carry the block and
+               are farthest apart. Kerns are then not nested (>>limits).
    The point acts at p + min(d, l) u, or with options.relative at p + d l u, d
    <= 1. d_max is the largest l (relative: 1). Normals do not change. If all
    contacts are lines, kerns are nested: a structure that falls at one d falls
@@ -238,19 +261,20 @@
                epsilon) + 1 and the margin is saturated. The level is 0 if the
                structure falls at d = 0.
      margin    The largest d* such that the structure stands at every d below
-               d*. If it stands at every d, the margin is d_max and is
-               saturated.
+               d*. If the structure stands at every d, the margin is d_max and
+               is saturated.
      deficit   For a structure that falls at d = 0: the least growth d at which
                it stands with contact points at p - d u (relative: p - d l u).
-               The deficit is infinite if a growth of 1000 times the longest
-               side of the free blocks' box (relative: divided by the smallest
-               l) is not enough.
+               The deficit is infinite if the structure still falls at a growth
+               of 1000 times the longest side of the box around the free blocks
+               (relative: that length divided by the smallest l).
      load      The largest factor f such that the structure stands under the
      factor    load pattern times every factor up to f. A horizontal load is f m
                |g| at every centre, to the right (gravity turned by +90 degrees)
                or to the left.
      tilt      The first angle at which the structure falls when gravity turns
-               to the side; pi if there is none. Loads do not turn.
+               to the side, or pi if it falls at no angle. Loads of blocks do
+               not turn with gravity.
      profile   d grows from 0. When the structure falls, the blocks that move in
                the mechanism get the present d as their value and are removed,
                and d continues to grow. A block that never moves gets d_max, and
@@ -265,21 +289,27 @@
 
    margin      compares structures, and places for a stone. The margin is the
                distance of the force on the worst stone from the edge of its
-               support: a length, so large stones count more (relative: a share
-               of half of each contact)
+               support. It is a length, so large stones count more. With
+               options.relative it is a share of half the length of a contact
    level       is the paper's measure: the margin in steps of epsilon, rounded
                up
-   load factor is the largest sideways acceleration, in units of gravity
-   raised load is the load factor of Coulomb friction, from rest (>>limits)
-   tilt        tells how far the ground may turn: without loads, atan of the
-               load factor
+   load factor is the largest sideways acceleration that the structure bears, in
+               units of gravity
+   raised load is the load factor under Coulomb friction, for a load that grows
+               from 0 (>>limits)
+   tilt        tells how far the ground may tilt before the structure falls.
+               Without loads it is the arc tangent of the load factor
    deficit     tells how far the contacts of a structure that falls must grow
+               until it stands
    bearing     is the length of the shortest contact that the structure needs
    mechanism   is how the stones move first, with the velocity of each
-   profile     gives every stone's margin or load factor while others fall,
-               their mean, the mean of the weaker half, and the expected drop
-   raised      tells whether the load itself raises forces that hold the
-               structure, and the reserve that it has for a push
+   profile     gives the margin or load factor at which each stone falls, while
+               the stones that fall before it are removed. Gives also the mean
+               of these values, the mean of their lower half, and the expected
+               drop
+   raised      tells whether the load, applied to unstressed contacts, causes
+               ("raises") forces that hold the structure. The reserve tells how
+               large a push the structure bears in addition
    stays       is the chance that a stone stays where it is released
    rest        finds where a stone comes to rest, and compares places
                (kern_rest(), kern_place_compare(), examples/place.c)
@@ -287,13 +317,14 @@
                must lie (examples/nudge.c)
    push        is the load factor of a force on one stone (examples/push.c)
 
-   The margin does not show a sliver of support. A kern shrinks to a point, and
-   a point still carries: if one end of a stone rests on 2 micrometres, the
-   margin is that of the other end. The bearing length shows the sliver. A robot
-   that places stones less exactly than the bearing length cannot rely on the
-   shortest contact. Compute the bearing length with the contacts of
-   kern_stretches(), since kern_contacts() joins the two feet of a block to one
-   contact from end to end. A saturated margin is half the length of the longest
+   The margin does not show that a support is very short. A contact shrinks to a
+   point, and a point still carries: if one end of a stone rests on a contact of
+   2 micrometres, the margin is that of the other end. The bearing length
+   (kern_bearing()) shows such a short support. A robot whose stones lie off by
+   more than the bearing length cannot rely on the shortest contact. Compute the
+   bearing length with the contacts of kern_stretches(), since kern_contacts()
+   makes one contact of the two feet of a block, from the outer end of one foot
+   to that of the other. A saturated margin is half the length of the longest
    contact and says nothing about safety.
 
    Collapse under shaking. Every measure but the profile says when the first
@@ -305,17 +336,18 @@
        kern_profile(&task, side, value, &c) for KERN_LEFT and KERN_RIGHT,
        and add both c.drop, the expected drop: larger is worse
 
-   This sum ranks structures by their level of collapse better than any other
-   measure (README; examples/laboratory/STUDY.md). Where stones slide before
-   they tip, as in low walls, all load factors end at mu and rank less well. Do
-   not use near contacts for a verdict: a gap carries nothing until it is
-   closed.
+   This sum ranks structures by the shaking at which they collapse, and does so
+   better than any other measure (README; examples/laboratory/STUDY.md). Where
+   stones slide before they tip, as in low walls, no load factor exceeds mu, so
+   load factors rank less well. Do not use the contacts of kern_near() for a
+   verdict: a gap carries nothing until it is closed.
 
    Whether a stone stays where it is released. kern_stays() returns the chance.
    Suppose that a planner releases a stone if the chance is at least a
    threshold. Of 969 placements 835 are clear: they stay, or they move, in all
-   of six noisy runs of a simulator. The table gives shares of these. Each half
-   uses the law that was fitted to the other half:
+   of six noisy runs of a simulator. The table gives shares of these 835. They
+   were split in two halves, and the chances of each half follow from the law
+   that was fitted to the other half:
 
        threshold                       0.3    0.5    0.7    0.9
        630 that stay: released         0.96   0.95   0.93   0.83
@@ -323,8 +355,8 @@
 
    The chance is computed from the distance by which stones move until the
    forces hold them, and from the reserve (kern_raised()). The larger that
-   distance, the more equilibria are possible, and friction decides between
-   them.
+   distance, the more equilibria are possible; friction decides which of them is
+   reached.
 
    Whether a finished structure stays. kern_let_go() releases all blocks at
    once, so the order of the blocks does not matter. kern_least_load_of() and
@@ -332,39 +364,41 @@
    which the structure stands.
 
    Forces. Many sets of forces can hold a structure. No measure depends on the
-   choice of a set, and a proof has the first set that was found. For pictures
-   use the minimum-norm forces (kern_forces()). This set is unique, is symmetric
-   if the structure is, and loads every contact that can carry. The forces of
-   kern_raised() are closer to real friction, but not unique. Neither set tells
-   how elastic stones share a load.
+   choice of a set, and a proof contains the first set that was found. For
+   pictures use the minimum-norm forces (kern_forces()). This set is unique, is
+   symmetric if the structure is, and loads every contact that can carry. The
+   forces of kern_raised() are closer to real friction, but not unique. Neither
+   set tells how elastic stones share a load.
 
    STONES FROM A CAMERA OR A SCANNER                               >>measured
 
    Outline. Simplify each outline first, within 1.5 to 3 pixels
    (kern_outline_simplify()). Raw points on a grid touch each other
    (KERN_CROSSING), and each step of one pixel would hold like a shear key. With
-   1.5 pixels and more a straight joint becomes one edge; below 1.42 pixels its
-   steps may remain. Simplification may open gaps of twice its tolerance. Set
-   options.gap to that width, or include it in the error of
-   kern_measured_options(). Outlines of drawings and of polygon clipping have
-   steps of rounding: simplify them within half a gap. The density is that of
-   the material times the thickness. examples/copy/contour.c shows these steps.
+   a tolerance of 1.5 pixels or more a straight joint becomes one edge; with
+   less than 1.42 pixels its steps may remain. Simplification may open gaps as
+   wide as twice its tolerance. Set options.gap to that width, or include it in
+   the error of kern_measured_options(). Outlines from drawings and from polygon
+   clipping have tiny steps that come from rounding: simplify them with a
+   tolerance of half of options.gap. The density is that of the material times
+   the thickness. examples/copy/contour.c shows these steps.
 
    Error. kern_measured_options() takes the standard errors of a stone's place
    and of its angle. To combine the errors of pixel, simplification and
-   registration, add their squares. With these options margins of a stone with
-   40, 200 or 1000 vertices agree within 2 %; without them margins depend on the
-   number of vertices. Overlaps beyond the error (kern_overlaps()) are modelling
-   errors: measure again, or set options.overlap.
+   registration, take the square root of the sum of their squares. With these
+   options margins of a stone with 40, 200 or 1000 vertices agree within 2 %;
+   without them margins depend on the number of vertices. Overlaps beyond the
+   error (kern_overlaps()) are modelling errors: measure again, or set
+   options.overlap.
 
    Certainty. A structure at rest is measured with errors, so its stones must
    settle by a few errors before they rest again. kern_certain() computes this
    settling. It returns a lower and an upper end of the margin, whether the
    verdict is certain within the error, and how far stones may settle. A
-   structure certainly stands if it passes two tests. It stands on stretches of
-   contact that are longer than the errors. It also comes to rest after a small
-   motion if every third stretch is open. tests/TRUST.md tells how often these
-   answers are right.
+   structure certainly stands if it passes the tests of kern_certain(). For
+   example, it must stand on those stretches of contact that are longer than the
+   errors, and it must come to rest again after a small motion if every third
+   stretch is open. tests/TRUST.md tells how often these answers are right.
 
    LIMITS                                                            >>limits
 
@@ -373,61 +407,66 @@
              for standing still, but not sufficient: a cube held between two
              walls by friction alone counts as standing. kern_raised() tells
              whether the load raises such forces.
-   Unsafe    Mechanisms are those of limit analysis: blocks that slide also part
-             (dilatant sliding). Where a wall's own joints slide, load factor
-             and tilt are too high. Compared with a simulator they were too high
-             by 11 to 26 % on four published brick walls with openings
+   Unsafe    Mechanisms are those of limit analysis: blocks that slide also move
+             apart (dilatant sliding). If a wall slides in its own joints, load
+             factor and tilt are too high. Compared with a simulator they were
+             too high by 11 to 26 % on four published brick walls with openings
              (tests/PUBLISHED.md), by a factor of up to 2.5 on random brick
-             walls, and never on settled rubble. For rows of columns that topple
-             they are up to five times too high, and the least friction of the
-             verdict is up to 31 % too low. If the base of a row slopes as the
-             row does, the error has no bound: one load factor was 100 times too
-             high, and one verdict was "stands" with a friction of .44 where
-             2.07 is needed.
+             walls, and never on settled rubble. For rows of columns that
+             topple, load factor and tilt are up to five times too high, and the
+             least friction at which the verdict is "stands" is up to 31 % too
+             low. If such a row stands on a base that slopes as the row does,
+             the error has no bound: one load factor was 100 times too high, and
+             one verdict was "stands" with a friction of .44 where 2.07 is
+             needed.
              kern_raised_load() has no dilatancy. kern_let_go() tells whether
              such a row stays: it returned KERN_STANDS for none of 600 random
              slopes with less friction than limit equilibrium needs. Both
-             functions follow one path of loading: rely on the less favourable
-             answer. A flat arch with hanging bricks is never raised, although
-             it may stay.
+             functions follow one path of loading. If they or other functions
+             disagree, rely on the less favourable answer. A flat arch with
+             hanging bricks is never raised, although it may stay.
    Search    KERN_NOT_SHOWN is no proof of falling. kern_work.end tells whether
-             no equilibrium was found, or a limit of work ended the search. The
-             raised load of 90 rows of 20 to 90 columns is at least 87 % of that
-             of limit equilibrium, and at least 97 % for 75 of them. The raised
-             load is at least 97 % of that of limit equilibrium for 326 of 360
-             slopes within 10 % of critical friction. For one of these slopes
-             kern_raised() returns KERN_NOT_SHOWN. Near critical friction, or if
-             a structure has several equilibria close to each other, the raised
-             load may change when the input is turned, mirrored or rounded. The
-             raised load changed by more than 2 % for 28 of these slopes, and
-             for 13 of 969 placements, 10 of which move in the simulator.
+             the search found no equilibrium or was ended by a limit of work.
+             The raised load of 90 rows of 20 to 90 columns is at least 87 % of
+             that of limit equilibrium, and at least 97 % for 75 of them. The
+             raised load is at least 97 % of that of limit equilibrium for 326
+             of 360 slopes within 10 % of critical friction. For one of these
+             slopes kern_raised() returns KERN_NOT_SHOWN. Near critical
+             friction, or if a structure has several equilibria close to each
+             other, the raised load may change when the input is turned,
+             mirrored or rounded. The raised load changed by more than 2 % for
+             28 of these 360 slopes, and for 13 of 969 placements, 10 of which
+             move in the simulator.
    Ambiguous The reserve does not cover equilibria that depend on the history of
    forces    loading. Of 181 rows of wedges between cliffs that fall in a
-             simulator although forces exist, 2 have the largest reserve, 0.1 g
-             (tests/TRUST.md). A stone that is pushed beneath a longer one may
-             rely on weight that the longer stone can shift elsewhere: of 51
-             walls under .6 to .9 of their raised load, 7 move in a simulator.
+             simulator although forces exist that hold them, 2 have the largest
+             reserve, 0.1 g (tests/TRUST.md). A stone that is pushed out from
+             under a longer one may count on weight of the longer stone that can
+             shift to other supports. Of 51 such walls under .6 to .9 of their
+             raised load, 7 move in a simulator.
    Loads     Loads of kern_block_load() neither grow with a horizontal load nor
              turn with gravity.
    Not       If kerns are not nested (points of different normals), the path
-   nested    is first searched without these points. If that answer does not
-             hold with these points, the path is searched in steps of at most
-             d_max / 1001. Tilts with loads are searched in steps of pi / 1001.
-             An interval in which the structure falls may be missed if it is
-             narrower than a step.
-   Undecided A verdict may be undecided closer to the critical value than 1e-9
-             mean sizes. In jams, whose forces grow without bound toward the
-             critical value, this distance may be 1e-7, and rarely 1e-4. Four
-             measures were undecided among 800 hoppers, rows between walls,
-             zigzag beds and packed discs of up to 120 stones, and one of twenty
-             of rows of skew stones between walls, with brackets of 1e-4 to 1e-2
-             mean sizes. In a jam both proofs may pass within 1e-6 of each
-             other, since they bound the forces by different weights (>>proof).
-             The distance may be larger if one block weighs more than 1e4 times
-             another. Of bricks held by loads up to 1000 times their weight,
-             none of 288 was undecided with mu up to 100, and 2 of 96 with mu
-             1000. A level is undecided only if it depends on an undecided
-             verdict.
+   nested    is first searched without these points. If the value that is found
+             does not hold with these points, the path is searched in steps of
+             at most d_max / 1001. Tilts with loads are searched in steps of pi
+             / 1001. An interval in which the structure falls may be missed if
+             it is narrower than a step.
+   Undecided A verdict may be undecided if the shrinkage is closer than 1e-9
+             mean sizes to the critical value. In jams, whose forces grow
+             without bound toward the critical value, this distance may be 1e-7,
+             and rarely 1e-4. It may be larger if one block weighs more than 1e4
+             times another. Among 800 hoppers, rows between walls, zigzag beds
+             and packed discs of up to 120 stones, four measures were undecided,
+             and among rows of skew stones between walls one of twenty. The
+             brackets of these measures were 1e-4 to 1e-2 mean sizes wide. In a
+             jam a proof of standing and a proof of falling may overlap: a
+             structure may have a proof of standing at a shrinkage up to 1e-6
+             beyond one with a proof of falling. The reason is that the two
+             proofs bound the forces by different weights (>>proof). Of bricks
+             held by loads up to 1000 times their weight, none of 288 was
+             undecided with mu up to 100, and 2 of 96 with mu 1000. A level is
+             undecided only if it depends on an undecided verdict.
    Brackets  Brackets are at most 2e-6 mean sizes wide (load factor 2e-6, tilt
              8e-6 rad), in jams up to 50 times as wide, and up to 3e-5 if there
              are more than 256 blocks and many of them move at once. If more
@@ -436,30 +475,33 @@
    Slow      Structures in which many blocks move at the margin take long:
              ragged walls, fitted masonry, long arches (tests/BENCH.md).
    Float     Proofs are weaker (>>tune), and more verdicts near critical are
-             undecided. A deficit is exact to 3e-6 sizes. Above 64 blocks a
-             value is exact to 0.05. If wedges jam, a margin may be wrong by 1/3
-             size. Use coordinates near the origin.
+             undecided. A deficit is exact to 3e-6 sizes. For more than 64
+             blocks a measure is exact to 0.05 of its unit, which is the mean
+             size for a margin. If wedges jam, a margin may be wrong by 1/3
+             size. Choose coordinates close to the origin.
 
    DETERMINISM                                                  >>determinism
 
    The same input gives the same bits on every machine if the compiler follows
    IEEE arithmetic. Flags:
 
-       -ffp-contract=off     where the target has fused multiply-add (AArch64,
-                             PowerPC, s390x, x86 with -mfma). By default gcc
-                             contracts in GNU modes, and clang from version 14
-       -fno-tree-vectorize   also with gcc where the target has fused
-                             multiply-add for vectors, since gcc fuses pairs of
+       -ffp-contract=off     is needed if the target has fused multiply-add
+                             (AArch64, PowerPC, s390x, x86 with -mfma). Without
+                             it gcc (in GNU modes) and clang (from version 14)
+                             fuse products and sums
+       -fno-tree-vectorize   is needed, too, if gcc compiles for a target with
+                             fused multiply-add for vectors: gcc fuses pairs of
                              products despite the first option. On x86 kern.h
                              sets this option for its own code
-       -msse2 -mfpmath=sse   on 32-bit x86
+       -msse2 -mfpmath=sse   are needed on 32-bit x86
        never -ffast-math, -Ofast or -funsafe-math-optimizations, not even when
                              the program is linked: they flush small numbers to
                              0
 
    kern uses only + - * / and square root, which must round as IEEE 754
-   requires. Sums of doubles by libgcc for ARM do not always do so.
-   tests/golden.c detects wrong flags. */
+   requires. On ARM without a unit for doubles, sums of doubles are computed by
+   libgcc, which does not always round so. tests/golden.c detects wrong
+   flags. */
 
 /* ==== Part II: Declarations ======================================== >>decl */
 
@@ -476,9 +518,10 @@
 
 #ifdef KERN_SINGLE
 typedef float kern_real;
-/* Gives public functions other names in float. A file compiled in the other
-   precision then fails when it is linked, not when it runs, and one program may
-   use both precisions. */
+/* Gives public functions other names in float. If two files of a program
+   disagree about the precision, the linker then reports an error; otherwise the
+   program would fail only when it runs. One program may also use both
+   precisions. */
 #define kern_bearing kern_bearing_f32
 #define kern_block_init kern_block_init_f32
 #define kern_block_load kern_block_load_f32
@@ -557,10 +600,11 @@ typedef struct kern_box {
     kern_vec low, high;
 } kern_box;
 
-/* A positive status is a verdict or the result of a linear program. KERN_OK
-   means success without either. A negative status means failure. The call has
-   then changed nothing of the caller's except the counters and the fault in the
-   work memory, and after KERN_LIMIT the results that the function names. */
+/* Result of a call. A positive status is a verdict or the result of a linear
+   program. KERN_OK means success of a function that returns neither of these. A
+   negative status means failure. A failed call has changed no data of the
+   caller except the counters and the fault in the work memory, and after
+   KERN_LIMIT the results that the comment of the function names. */
 #define KERN_STATUS_LIST(X)                                                  \
     X(KERN_OK, 0, "done")                                                    \
     X(KERN_STANDS, 1, "stands: forces were found that hold every block")     \
@@ -605,9 +649,14 @@ typedef enum kern_status {
 typedef struct kern_fault {
     int block;         /* index of the block at fault; -1: none             */
     int other;         /* the other block of an overlap; -1: none           */
-    int index;         /* vertex of the polygon or contact point; -1: none  */
-    kern_real value;   /* the overlap is at least this deep [m]; 0: none    */
-    kern_real allowed; /* deepest overlap that is allowed [m]; 0: none      */
+    int index;         /* index of the vertex or contact point, or for
+                          kern_lp_solve() of the number in a, then rhs, then
+                          cost; -1: none                                    */
+    kern_real value;   /* the overlap is at least this deep [m]; for
+                          kern_lp_solve() the number that is not finite; 0:
+                          neither                                           */
+    kern_real allowed; /* deepest overlap that is allowed [m]; 0: the fault is
+                          no overlap                                        */
 } kern_fault;
 
 /* A force [N] and a counter-clockwise torque [N m] about a centre of mass. */
@@ -618,24 +667,29 @@ typedef struct kern_wrench {
 /* A stone or the ground, made by kern_block_init() or kern_ground_init(). Mass,
    centre and load may change later. */
 typedef struct kern_block {
-    const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none   */
-    int vertices;           /* >= 3; 0 if vertex is NULL; -1: was refused     */
+    const kern_vec *vertex; /* simple polygon in an array of the caller [m];
+                               NULL: the block has no polygon                 */
+    int vertices;           /* >= 3; 0 if vertex is NULL; -1 if the block was
+                               refused when it was made                       */
     int fixed;              /* nonzero: ground; it bears any force and rests  */
-    kern_real area;         /* [m^2], < 0: clockwise; "size": sqrt(|area|)    */
-    kern_box box;           /* bounds of the polygon; read if it has vertices */
+    kern_real area;         /* area of the polygon [m^2], negative if its
+                               vertices turn clockwise. The "size" of a block
+                               is sqrt(|area|)                                */
+    kern_box box;           /* bounds of the polygon; not read if vertex is
+                               NULL                                           */
     kern_real mass;         /* [kg] > 0; not read if the block is fixed       */
     kern_vec centre;        /* centre of mass [m]                             */
     kern_wrench load;       /* [N], [N m]: added to the weight, at the centre */
 } kern_block;
 
-/* A contact point. Block b feels the force  f n + r t  at p and block a the
-   opposite force, with t = (-n.y, n.x). A line contact is two points,
-   neighbours in the array. The statics knows only points: for it a line is no
-   different from two points. */
+/* A contact point. The force  f n + r t  acts at p on block b, and the opposite
+   force on block a, with t = (-n.y, n.x). A line contact is two points that are
+   neighbours in the array. Equilibrium depends only on the points: the ends of
+   a line act like any two points. */
 typedef struct kern_contact {
-    int a, b;         /* blocks, a != b                                   */
+    int a, b;         /* indices of the two blocks, a != b                */
     int line;         /* nonzero: one end of a line contact               */
-    kern_vec p;       /* place [m]                                        */
+    kern_vec p;       /* place of the contact point [m]                   */
     kern_vec n;       /* unit normal from a into b                        */
     kern_real mu;     /* coefficient of friction >= 0                     */
     kern_real travel; /* signed distance along t to the closed kern [m]   */
@@ -643,8 +697,8 @@ typedef struct kern_contact {
 
 /* Two blocks that overlap deeper than the options allow. */
 typedef struct kern_overlap {
-    int a, b;          /* blocks, a < b                                    */
-    kern_real depth;   /* of the overlap [m], at most 1/8 too small        */
+    int a, b;          /* indices of the two blocks, a < b                 */
+    kern_real depth;   /* depth of the overlap [m], at most 1/8 too small  */
     kern_real allowed; /* deepest overlap that would be a contact [m]      */
 } kern_overlap;
 
@@ -656,27 +710,33 @@ typedef struct kern_structure {
     kern_vec gravity; /* acceleration [m/s^2], on Earth (0, -9.81)        */
 } kern_structure;
 
-typedef struct kern_options { /* start from kern_defaults(); defaults are 0
-                                 unless a comment names one                   */
-    kern_real mu;         /* friction of contacts that are found; default 0.4 */
+typedef struct kern_options { /* start from kern_defaults(): the default of a
+                                 field is 0 unless its comment names another  */
+    kern_real mu;         /* coefficient of friction that is given to contacts
+                             when they are found; default 0.4                 */
     kern_real gap;        /* widest gap that is a contact [m]; 0: 1e-3 of the
                              size of the pair's smaller free block            */
     kern_real angle;      /* widest angle between touching edges [rad], < 0.5;
                              default 0.0174533                                */
-    kern_real epsilon;    /* step of Algorithm 1 [m; relative: share of the
-                             travel]; 0: 0.02 mean sizes [relative: 0.05]     */
+    kern_real epsilon;    /* step of a level in Algorithm 1 [m; relative: share
+                             of the travel]; 0: 0.02 mean sizes [relative:
+                             0.05]                                            */
     int relative;         /* nonzero: shrinkage is a share of each travel     */
     int limit;            /* most units of work of one call (>>verdicts);
-                             default 10,000,000; largest, as 0: 2e9           */
-    kern_real overlap;    /* deepest overlap that is a contact [m]; 0: gap    */
-    kern_real pose_error; /* standard error of the blocks' places [m] and     */
-    kern_real pose_turn;  /* angles [rad]: kern_measured_options(); 0: exact  */
+                             default 10,000,000, at most 2e9; 0 means 2e9     */
+    kern_real overlap;    /* deepest overlap that is still a contact [m]; 0:
+                             as deep as the gap                               */
+    kern_real pose_error; /* standard error of the places of blocks [m], set by
+                             kern_measured_options(); 0: places are exact     */
+    kern_real pose_turn;  /* standard error of the angles of blocks [rad], set
+                             by kern_measured_options(); 0: angles are exact  */
     kern_real narrow;     /* rate at which friction cones narrow as kerns shrink
                              [1/m; relative: 1]: kern_measure()               */
-    kern_real reserve;    /* largest push of kern_raised(), <= 0.1; 0: 0.1    */
-    kern_vec lone;        /* direction of gravity, any length: a single contact
-                             point of two blocks travels (>>rules); (0, 0): it
-                             stays                                            */
+    kern_real reserve;    /* largest push that kern_raised() tries, in shares of
+                             gravity, at most 0.1; 0: 0.1                     */
+    kern_vec lone;        /* if not (0, 0): the direction of gravity, of any
+                             length; then a contact point moves, too, if it is
+                             the only one of its two blocks (>>rules)         */
 } kern_options;
 
 /* The force at a contact point [N], along n and t. */
@@ -692,18 +752,24 @@ typedef struct kern_motion {
    arrays for intermediate results, so after a negative status their contents
    mean nothing. */
 typedef struct kern_proof {
-    kern_force *force;   /* one per contact point: written with KERN_STANDS  */
-    kern_motion *motion; /* one per block, 0 for fixed ones: with KERN_FALLS */
+    kern_force *force;   /* one per contact point, written with KERN_STANDS  */
+    kern_motion *motion; /* one per block, written with KERN_FALLS; 0 for
+                            fixed blocks                                     */
 } kern_proof;
 
+/* Result of kern_measure(): margin and level, with the bracket of the margin.
+   Shrinkages are in metres, or with options.relative shares of the travel. */
 typedef struct kern_margin {
-    kern_real margin;  /* d* [m]: it stands at all smaller shrinkages      */
-    kern_real holds;   /* largest shrinkage at which it provably stands    */
-    kern_real fails;   /* smallest at which it provably falls; or `most`   */
-    kern_real most;    /* d_max: every kern is closed [m]; relative: 1     */
-    kern_real epsilon; /* step of Algorithm 1 that was used [m]            */
-    int level;         /* of Algorithm 1; -1: a verdict is missing         */
-    int saturated;     /* nonzero: it stands even with every kern closed   */
+    kern_real margin;  /* d*: the structure stands at every smaller shrinkage */
+    kern_real holds;   /* largest shrinkage at which it is proven to stand    */
+    kern_real fails;   /* smallest shrinkage at which it is proven to fall, or
+                          `most` if there is none                             */
+    kern_real most;    /* d_max: shrinkage at which every kern is closed;
+                          relative: 1                                         */
+    kern_real epsilon; /* step of Algorithm 1 that was used                   */
+    int level;         /* level of Algorithm 1; -1: a verdict that it needs is
+                          missing                                             */
+    int saturated;     /* nonzero: it stands even with every kern closed      */
 } kern_margin;
 
 /* Result of kern_certain(): an interval of the margin of a measured structure
@@ -711,21 +777,23 @@ typedef struct kern_margin {
 typedef struct kern_interval {
     kern_real low;     /* lower end; 0: the structure may fall            */
     kern_real high;    /* upper end; 0: it falls; KERN_INFINITY: unknown  */
-    kern_real settles; /* how far its blocks may move [m]; KERN_INFINITY:
-                          unknown, or too far                             */
+    kern_real settles; /* how far its blocks may move as they settle [m];
+                          KERN_INFINITY: unknown, or too far              */
 } kern_interval;
 
-/* Derivatives of the margin with respect to the data of a contact point: its
-   place, the angle of its normal [1/rad], friction, and the travel of a kern
-   that is closed there. */
+/* Derivatives of the margin with respect to the data of a contact point: `p` to
+   its place, `turn` to the angle of its normal [m/rad], `mu` to its friction,
+   and `travel` to its travel. The last one is 0 unless the kern is closed at
+   the point or options.relative is set. */
 typedef struct kern_contact_rate {
     kern_vec p;
     kern_real turn, mu, travel;
 } kern_contact_rate;
 
 /* Derivatives of the margin with respect to the data of a block. `centre` moves
-   the centre of mass alone. `place` moves the block and `turn` turns it about
-   its centre; contacts follow as the search would find them, and loads stay. */
+   the centre of mass alone. `place` moves the block, and `turn` turns it about
+   its centre: the contacts then move to where the search would find them, and
+   the loads do not change. */
 typedef struct kern_block_rate {
     kern_vec centre, place;
     kern_real turn, mass; /* [m/rad], [m/kg] */
@@ -734,10 +802,11 @@ typedef struct kern_block_rate {
 
 /* Result of kern_raised(). */
 typedef enum kern_raising {
-    KERN_NOT_SHOWN, /* neither of these; this is no proof of falling    */
+    KERN_NOT_SHOWN, /* neither KERN_RAISED nor KERN_HANGS is shown. This is no
+                       proof of falling                                 */
     KERN_RAISED,    /* the load raises forces that hold the structure   */
     KERN_HANGS      /* some blocks rest on nothing; the others stand without
-                       these                                            */
+                       them                                             */
 } kern_raising;
 
 /* Why a search for forces that the load raises ended (kern_work.end). */
@@ -754,7 +823,8 @@ typedef enum kern_end {
    of the free blocks. */
 typedef struct kern_collapse {
     kern_real least; /* smallest value: the margin or the load factor    */
-    kern_real mean;  /* mean value: progressive margin or load factor    */
+    kern_real mean;  /* mean of all values: the margin or load factor of
+                        progressive collapse                             */
     kern_real weak;  /* mean of the lower half of the values             */
     kern_real drop;  /* expected drop: mean of h exp(-value / 0.07), where h is
                              the height of the centre above the lowest block in
@@ -763,39 +833,42 @@ typedef struct kern_collapse {
 
 /* Motion of the two blocks at a contact point. */
 typedef enum kern_meeting {
-    KERN_RESTS,  /* they move as one body, or not at all             */
-    KERN_HINGES, /* they turn relative to each other about the point */
-    KERN_SLIDES, /* they slide, and part at the friction angle (dilatancy:
-                    >>limits)                                        */
-    KERN_OPENS   /* they part                                        */
+    KERN_RESTS,  /* the blocks move as one body, or not at all       */
+    KERN_HINGES, /* the blocks turn relative to each other about the point */
+    KERN_SLIDES, /* the blocks slide on each other, and move apart at the
+                    friction angle (dilatancy: >>limits)             */
+    KERN_OPENS   /* the blocks move apart                            */
 } kern_meeting;
 
 /* Result of kern_critical_of(): the contacts that limit a measure, and the
    blocks that move. The arrays are the caller's, and each may be NULL. */
 typedef struct kern_critical {
-    kern_meeting *meeting; /* per contact point                               */
-    kern_real *limit;      /* per contact point: how much it limits, as a
-                              share of the limit of point `contact`; up to
-                              1.0001                                          */
-    int *group;            /* per block: its group, which moves as one body;
-                              0: the fastest; -1: the block rests             */
-    int contact; /* first point of the largest limit (to 1e-4); -1: none     */
-    int groups;  /* number of groups; 0 if `group` is NULL              */
+    kern_meeting *meeting; /* per contact point: how its two blocks move      */
+    kern_real *limit;      /* per contact point: how much it limits the measure
+                              (kern_critical_of()), divided by the same number
+                              of point `contact`; up to 1.0001                */
+    int *group;            /* per block: the number of its group, whose blocks
+                              move as one body; 0: the fastest group; -1: the
+                              block rests                                     */
+    int contact; /* index of the point with the largest limit, the first of
+                    those that are equal to 1e-4; -1: none                    */
+    int groups;  /* number of groups; 0 if `group` is NULL                    */
 } kern_critical;
 
 /* Work memory: two arrays of the caller. Nothing in them needs to be set. */
 typedef struct kern_work {
     kern_real *real;
-    int reals; /* KERN_REALS(blocks, contacts)                     */
+    int reals; /* length of `real`: KERN_REALS(blocks, contacts)   */
     int *index;
-    int indices; /* KERN_INTS(blocks, contacts)                      */
+    int indices; /* length of `index`: KERN_INTS(blocks, contacts)   */
     /* counters: the library adds to them, the caller may set them to 0       */
-    int pivots;       /* pivots of the simplex method                     */
-    int solves;       /* top-down passes and linear programs solved       */
-    int units;        /* work of the last call, without a plan's search for
-                         contacts; limit + 1 after KERN_LIMIT             */
-    kern_real error;  /* largest error of a proof, as a share of the allowed
-                         error: <= 1                                      */
+    int pivots;       /* number of pivots of the simplex method           */
+    int solves;       /* number of top-down passes and of linear programs
+                         that were solved                                 */
+    int units;        /* work of the last call, not counting the search of a
+                         plan for contacts; limit + 1 after KERN_LIMIT    */
+    kern_real error;  /* largest error of a proof so far, as a share of the
+                         allowed error: at most 1                         */
     kern_fault fault; /* fault of the last call with a negative status    */
     kern_end end;     /* why the last search for raised forces ended      */
 } kern_work;
@@ -806,37 +879,40 @@ typedef struct kern_work {
    Their contents are verified before use: they change the time of an answer,
    not the answer. */
 typedef struct kern_known {
-    kern_motion *motion; /* per block: the mechanism at `fails`              */
-    kern_force *force;   /* one per contact point: forces at `holds`        */
-    kern_real holds, margin, fails; /* of the last kern_measure(); fails = 0:
-                                       none                                   */
+    kern_motion *motion; /* one per block: the mechanism at `fails`           */
+    kern_force *force;   /* one per contact point: the forces at `holds`      */
+    kern_real holds, margin, fails; /* results of the last kern_measure();
+                                       fails = 0: there are none              */
 } kern_known;
 
 /* Arguments of a call, from kern_task_of(). Fields may be changed between
    calls. */
 typedef struct kern_task {
     kern_structure s;
-    kern_options options; /* kern_defaults()                                  */
-    kern_work *work;      /* not NULL                                         */
-    kern_known known;     /* warm start; arrays NULL: none                    */
+    kern_options options; /* at first kern_defaults()                         */
+    kern_work *work;      /* work memory; not NULL                            */
+    kern_known known;     /* warm start; none if its arrays are NULL          */
 } kern_task;
 
-/* A structure that a planner changes by one block at a time: kern_plan_of().
-   Set task.options and task.s.gravity before you add blocks. You may append
-   contacts of your own to contact[task.s.contacts]. */
+/* A structure that a planner changes by one block at a time; kern_plan_of()
+   makes it. Set task.options and task.s.gravity before you add blocks. You may
+   append contacts of your own: write them to contact[task.s.contacts] and later
+   places of the array, and raise task.s.contacts. */
 typedef struct kern_plan {
     kern_task task;    /* the present structure                            */
     kern_block *block; /* the caller's array, which task.s reads           */
-    int block_room;
-    kern_contact *contact;
-    int contact_room;
+    int block_room;    /* length of the array `block`                      */
+    kern_contact *contact; /* the caller's array, which task.s reads       */
+    int contact_room;      /* length of the array `contact`                */
 } kern_plan;
 
 /* Where a stone comes to rest: kern_rest(). */
 typedef struct kern_pose {
     kern_block block; /* the stone at rest, with vertices of its own   */
-    kern_vec turn;    /* cosine and sine of the angle of its turn      */
-    int motions;      /* number of motions, the first one downward     */
+    kern_vec turn;    /* cosine and sine of the angle by which the stone has
+                         been turned                                   */
+    int motions;      /* number of motions until rest, counting the first
+                         one straight down                             */
 } kern_pose;
 
 /* A place for a stone, and the numbers by which kern_place_compare() ranks it.
@@ -852,7 +928,8 @@ typedef struct kern_place {
 /* Sides of a horizontal load or tilt: right is +x for gravity (0, -9.81). */
 typedef enum kern_side {
     KERN_LEFT = -1,
-    KERN_SHRINK = 0, /* only for kern_profile(): kerns shrink, no load   */
+    KERN_SHRINK = 0, /* only for kern_profile(): kerns shrink, and no load
+                        grows                                            */
     KERN_RIGHT = 1
 } kern_side;
 
@@ -876,11 +953,13 @@ typedef struct kern_lp {
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
 /* Constant expressions (>>memory). Blocks include fixed ones. KERN_ROOM is the
-   room for the factors of a basis with fill-in (>>lp), KERN_LP_ROOM that for a
-   dense program. KERN_ROOM is a square up to 300 blocks, which are 458 extras,
-   and its tangent above. If it is full the basis is factored again. If it is
-   full after that, as may happen for large structures near critical, the call
-   returns KERN_NO_SPACE. */
+   number of reals for the factors of a basis (>>lp) of a structure, and
+   KERN_LP_ROOM for those of a dense program. KERN_ROOM grows with the square of
+   `extras` up to 458, which is KERN_EXTRAS of 300 blocks, and beyond that along
+   the tangent of the square. If this room is full, the basis is factored again.
+   If it is full after that, as may happen for large structures near critical,
+   the call returns KERN_NO_SPACE. The lean sizes have room for parts of
+   KERN_LEAN_PART blocks. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
@@ -903,16 +982,17 @@ typedef struct kern_lp {
 #define KERN_LP_INTS(rows, cols) (9 * (rows) + (cols) + 30)
 
 /* ---- Functions ----------------------------------------------------- >>api */
-/* B is the number of blocks, C that of contact points. No pointer may be NULL
-   unless its function says so: KERN_BAD_POINTER. Every function that takes work
-   memory may return KERN_NO_SPACE. Every function that takes a structure may
-   return KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000, contacts up to
-   1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL, _SHARE (a relative
-   shrinkage above 1), KERN_SAME_BLOCK, KERN_NO_BLOCK, KERN_NO_AREA,
+/* In the comments below, B is the number of blocks and C the number of contact
+   points. No pointer may be NULL unless the comment of the function says so;
+   otherwise the function returns KERN_BAD_POINTER. Every function that takes
+   work memory may return KERN_NO_SPACE. Every function that takes a structure
+   may return KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000, contacts
+   up to 1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL, _SHARE (a
+   relative shrinkage above 1), KERN_SAME_BLOCK, KERN_NO_BLOCK, KERN_NO_AREA,
    KERN_NO_FREE, KERN_NO_LOAD and KERN_LIMIT. A number of contacts below -1 is a
-   status of kern_contacts(): every function returns it and keeps its fault.
-   After KERN_LIMIT a measure is the largest value at which the structure is
-   proven to stand so far, or negative if there is none.
+   status of kern_contacts(): every function returns this status and keeps its
+   fault in the work memory. After KERN_LIMIT a measure is the largest value at
+   which the structure is proven to stand so far, or negative if there is none.
 
    Numbers that cannot be squared or multiplied safely are refused, and the
    fault names the block. With F = 1e60 (float: 1e10) the bounds are
@@ -923,8 +1003,8 @@ typedef struct kern_lp {
                       sum of weight and load of a block above F [N], or below 1
                       / F [N] and not 0 */
 
-/* Returns the meaning of a status in words. A negative count is a status,
-   too. */
+/* Returns the meaning of a status in words. If a function that returns a count
+   returns a negative number, that number is a status, too. */
 KERN_API const char *kern_status_text(int status);
 
 /* Returns the default options. The comments of kern_options name them. */
@@ -944,22 +1024,25 @@ KERN_API kern_options kern_near(const kern_options *options,
      gap      5.25 e, to which 1e-3 of the size is added. At a contact at
               distances r_a and r_b from the centres of its blocks the gap g
               becomes sqrt(g^2 + (3.5 theta)^2 (r_a^2 + r_b^2)) (>>tol)
-     angle    7 theta, at least 1 degree and below 0.5. A corner may lie 3 e
+     angle    heta, at least 1 degree and below 0.5 rad. A corner may lie 3 e
               beyond the end of an edge
-     overlap  8 e, and 3.5 theta r for r the diagonal of the smaller box;
-              contacts lie at half the depth, inside both blocks, and none goes
-              through a part of a block that is thinner. A larger value accepts
-              deeper overlaps
+     overlap  8 e, or options->overlap if that is larger. To this 3.5 theta r
+              is added for each pair, where r is the diagonal of the smaller of
+              its two boxes. Contacts of blocks that overlap lie at half the
+              depth of the overlap, inside both blocks. No contact lies where
+              one block has passed through a thin part of the other
    Verdicts are then those of the structure as it most likely rests. Every call
    refuses these options (KERN_BAD_OPTION) unless e > 0 and theta >= 0. */
 KERN_API kern_options kern_measured_options(const kern_options *options,
                                             kern_real e, kern_real theta);
 
-/* Returns work memory of two arrays, with its counters at zero. */
+/* Returns work memory that consists of these two arrays, with its counters at
+   zero. */
 KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
                                 int indices);
 
-/* Writes KERN_REALS and KERN_INTS, computed at run time. Writes 0 if a count is
+/* Writes the lengths KERN_REALS(blocks, contacts) and KERN_INTS(blocks,
+   contacts), for counts that are known only at run time. Writes 0 if a count is
    out of range. */
 KERN_API void kern_work_need(int blocks, int contacts, int *reals,
                              int *indices);
@@ -971,11 +1054,12 @@ KERN_API void kern_work_need(int blocks, int contacts, int *reals,
    The block points to the caller's vertices, which must live as long as the
    block. If the vertices move, call this function again. fault may be NULL; its
    index is the vertex. After a failed call other functions refuse the block
-   with KERN_NO_BLOCK. Errors, by the bounds above: KERN_FEW_VERTICES,
-   KERN_BAD_COUNT (above 1,000,000), KERN_BAD_NUMBER, KERN_NO_AREA,
-   KERN_CROSSING (also if the last vertex repeats the first, as in closed rings
-   of other formats), KERN_BAD_MASS (also a density not above 0). Time: O(n) for
-   n vertices of a convex polygon; otherwise O(n^2) tests of boxes. */
+   with KERN_NO_BLOCK. Errors (the bounds of numbers are given at the head of
+   this chapter): KERN_FEW_VERTICES, KERN_BAD_COUNT (above 1,000,000),
+   KERN_BAD_NUMBER, KERN_NO_AREA, KERN_CROSSING (also if the last vertex repeats
+   the first, as in closed rings of other formats), KERN_BAD_MASS (also a
+   density not above 0). Time: O(n) for a convex polygon of n vertices;
+   otherwise O(n^2) tests of whether the boxes of two edges meet. */
 KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
                                      int vertices, kern_real density,
                                      kern_fault *fault);
@@ -989,21 +1073,20 @@ KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
    while none is farther than the tolerance [m] from the edge that replaces it
    (Douglas and Peucker 1973). A step lower than the tolerance is removed,
    unless one of its vertices is the farthest from a longer edge. A step higher
-   than twice the tolerance is kept. Corners follow the same rule.
+   than twice the tolerance is kept. The same holds for corners.
    Writes the vertices that stay to out[0..room), beginning with the one
    farthest from the centroid, and their indices in `vertex` to kept[0..room).
-   Returns the number of these vertices, which is the least `room` that is
-   enough. They form a simple polygon, ready for kern_block_init(): if edges
-   would cross, the tolerance is halved, up to eight times, and then set to 0.
-   The result does not depend on the vertex with which the outline begins. If
-   two vertices are equally far from an edge, a mirrored or turned outline may
-   keep the other one. `vertex` may touch or cross itself. `vertex` must not
-   overlap `out`.
+   Returns the number of these vertices; `room` must not be less. They form a
+   simple polygon, ready for kern_block_init(): if edges would cross, the
+   tolerance is halved, up to eight times, and then set to 0. The result does
+   not depend on the vertex with which the outline begins. If two vertices are
+   equally far from an edge, a mirrored or turned outline may keep the other
+   one. `vertex` may touch or cross itself. `vertex` must not overlap `out`.
    Errors: KERN_NO_SPACE, KERN_FEW_VERTICES, KERN_NO_AREA or KERN_CROSSING (no
    polygon remains; out means nothing), KERN_BAD_COUNT (above 1,000,000),
    KERN_BAD_POINTER, KERN_BAD_NUMBER, KERN_BAD_OPTION (the tolerance is negative
    or not a number). Time: O(n log n) for most outlines of n vertices; at worst
-   O(n) for each vertex that stays. */
+   O(n) for each vertex that is kept. */
 KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
                                    kern_real tolerance, kern_vec *out,
                                    int *kept, int room);
@@ -1021,17 +1104,18 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
 
 /* Finds the contacts between all blocks (>>rules) and writes them to
    out[0..room): those of block 1 with block 0, of block 2 with 0 and with 1,
-   and so on. A block without vertices has no contacts. Returns how many contact
-   points there are. Errors: KERN_NO_SPACE (out means nothing; the search itself
-   needs about seven points for each short edge of an outline), KERN_OVERLAP
-   (the first pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
-   KERN_FEW_VERTICES, KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the block's
-   vertices have moved, or their array was used for another block), KERN_LIMIT
-   (vertices that are only read are not counted). Uses only the fault and the
-   units of the work memory. Time: one test of boxes for each pair of blocks.
-   Blocks that meet take a few products for each pair of close edges, or tens of
-   products if no edge separates the blocks. The worst case, as of two saws,
-   takes the square of the edges and contacts of a pair. */
+   and so on. A block without vertices has no contacts. Returns the number of
+   contact points. Errors: KERN_NO_SPACE (`out` then means nothing; the search
+   itself needs room for about seven points for each short edge of an outline),
+   KERN_OVERLAP (the fault names the first pair that overlaps),
+   KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES,
+   KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the block's vertices have moved, or
+   their array was used for another block), KERN_LIMIT (vertices that are only
+   read are not counted). Of the work memory it uses only the fields fault and
+   units. Time: one test of boxes for each pair of blocks. For blocks whose
+   boxes meet, a few products for each pair of close edges, or tens of products
+   if no edge separates the blocks. In the worst case, such as two saws, the
+   time grows with the square of the number of edges and contacts of a pair. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
                            int room, kern_work *work);
@@ -1043,15 +1127,16 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work);
 
-/* Finds the stretches of the contacts: contacts that are divided at hollows.
-   From these kern_bearing() computes which lengths of contact the structure
-   needs. kern_stretches() works as kern_contacts(), with two differences. A
-   hollow wider than the gap divides a line: a block on two feet has one contact
-   from the outer end of one foot to that of the other, but two stretches.
-   Contacts with any fixed block are written as contacts with the first of
-   these, so that cutting a fixed block in two changes nothing. For margins use
-   kern_contacts() instead. Time: that of kern_contacts(), plus O(C) for each
-   interface of points and, with several fixed blocks, for each contact. */
+/* Finds the stretches of the contacts, which are contacts divided at hollows.
+   Pass stretches to kern_bearing(), which computes the length of contact that
+   the structure needs. kern_stretches() works as kern_contacts(), with two
+   differences. A hollow wider than the gap divides a line: a block on two feet
+   has one contact from the outer end of one foot to that of the other, but two
+   stretches. Also, all contacts with fixed blocks are written as contacts with
+   the first fixed block, so that cutting a fixed block in two changes nothing.
+   For margins use kern_contacts() instead. Time: that of kern_contacts(), plus
+   O(C) for each pair of blocks that has point contacts and, if there are
+   several fixed blocks, for each contact. */
 KERN_API int kern_stretches(const kern_block *block, int blocks,
                             const kern_options *options, kern_contact *out,
                             int room, kern_work *work);
@@ -1059,20 +1144,21 @@ KERN_API int kern_stretches(const kern_block *block, int blocks,
 /* Finds the contacts of block b with the blocks of lower index. These contacts
    equal those of kern_contacts(), unless a later block lies so far out that the
    rounding of its coordinates matters. Return values are those of
-   kern_contacts(). KERN_STALE is found only for block b and the blocks that it
-   may touch. With options.lone, only these contacts count as carrying a block.
-   Time: O(b) tests of boxes, and for blocks that meet as kern_contacts(). */
+   kern_contacts(). KERN_STALE is returned only for block b and the blocks that
+   it may touch. If options.lone is set, only the contacts found here count as
+   contacts that carry a block. Time: O(b) tests of boxes, and for blocks whose
+   boxes meet the time of kern_contacts(). */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options, kern_contact *out,
                         int room, kern_work *work);
 
 /* Makes a contact that the caller defines. Set a, b, p, mu and the normal n in
    *out first; n points from a into b and may have any length. The contact is
-   the line from p to q, or the point p if q equals p. Writes one or two contact
-   points to out and returns how many. Errors: KERN_SAME_BLOCK, KERN_BAD_BLOCK
-   (a negative index), KERN_BAD_NUMBER, KERN_BAD_FRICTION, KERN_BAD_NORMAL (no
-   length), KERN_BAD_LINE (p to q leaves the tangent by more than
-   options->angle), KERN_BAD_OPTION. When all contacts are made, call
+   the line from out->p to q, or the point out->p if q equals it. Writes one or
+   two contact points to out and returns how many. Errors: KERN_SAME_BLOCK,
+   KERN_BAD_BLOCK (a negative index), KERN_BAD_NUMBER, KERN_BAD_FRICTION,
+   KERN_BAD_NORMAL (no length), KERN_BAD_LINE (p to q leaves the tangent by more
+   than options->angle), KERN_BAD_OPTION. When all contacts are made, call
    kern_contact_travels(). */
 KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
                                const kern_options *options);
@@ -1080,8 +1166,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
 /* Sets the travel of every contact point (>>rules). The travel of a point
    depends on the other points of its interface, which are the points between
    the same two blocks, in either order. Does nothing if `contact` is NULL.
-   Time: O(C) times the number of points, for each run of points of one
-   interface. */
+   Time: O(C n) for each n points of one interface that follow each other in the
+   array. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
 /* Returns the place at which a contact point acts at a shrinkage [m]. A
@@ -1101,14 +1187,15 @@ KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
                                 const kern_contact *contact, int contacts,
                                 kern_work *work);
 
-/* Returns a warm start for task.known, still empty. The arrays have room for
-   one motion of each block and one force of each contact point. */
+/* Returns an empty warm start for task.known. The arrays must have room for one
+   motion of each block and one force of each contact point. */
 KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 
 /* Returns whether the structure stands: KERN_STANDS, KERN_FALLS or
    KERN_UNDECIDED. Time: O(B + C) if forces can be passed on from the top down,
-   as in most walls. Otherwise each pivot takes O(C + F) for F entries of the
-   factors (>>lp), F at most B^2. */
+   as in most walls. Otherwise the simplex method needs pivots, each of which
+   takes O(C + F) for F entries of the factors (>>lp), where F is at most
+   B^2. */
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
@@ -1180,13 +1267,14 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   int room);
 
 /* Finds whether the load, applied to unstressed contacts, raises forces that
-   hold the structure. At every contact with a force the two blocks approach. If
-   the force is inside the friction cone the contact sticks, and otherwise it
-   slides against the friction. If no such forces are found for the whole load
-   at once, the load grows from 0, as in kern_raised_load(). KERN_STANDS: writes
-   *out and both arrays of the proof, which passes kern_check_raised(). For
-   KERN_NOT_SHOWN it writes only the forces. KERN_FALLS: the motion is that of
-   kern_verdict(), and *out is unchanged.
+   hold the structure. Such forces come with a motion of the blocks. At every
+   contact that has a force, the motion brings the two blocks closer. If the
+   force is inside the friction cone the contact sticks, and otherwise it slides
+   against the friction. If no such forces are found for the whole load at once,
+   the load is increased from 0 in steps, as in kern_raised_load(). KERN_STANDS:
+   writes *out and both arrays of the proof, which passes kern_check_raised().
+   If *out is KERN_NOT_SHOWN, only the forces are written. KERN_FALLS:
+   proof->motion is that of kern_verdict(), and *out is unchanged.
    *reserve (may be NULL) is the largest of the shares of gravity 0, .001 ...
    .005, .0055, .006, .007, .008, .01, .015, .02, .03, .05 and .1 for which the
    structure stays raised under a push of that share to either side, with kerns
@@ -1194,8 +1282,9 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
    *reserve is 0 if the structure is not raised. Shares above options.reserve
    are not tried. KERN_BAD_OPTION: `reserve` is not NULL, but there is no
    gravity. work->end tells why the search without a push ended. KERN_NO_SPACE
-   also if a structure is much wider than a wall of squares. Time: 3 times that
-   of kern_measure() in the mean of 969 walls, 6 times with the reserve. */
+   also for structures much wider than a wall of square blocks, whose matrix
+   does not fit. Time: 3 times that of kern_measure() in the mean of 969 walls,
+   and 6 times if the reserve is computed. */
 KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof);
@@ -1232,8 +1321,9 @@ KERN_API kern_status kern_stays(const kern_task *task, int i,
    stays, and otherwise KERN_NOT_SHOWN. To find the least friction with which
    the structure stays, bisect options.mu, finding the contacts again at each
    step. To find its tilt, bisect the angle of s.gravity. Begin the bisection at
-   a value at which the structure stays. The least friction is not below that of
-   the verdict, and the tilt is not above it. Time: that of kern_raised(). */
+   a value at which the structure stays. The least friction with which the
+   structure stays is not below the least friction of the verdict, and the tilt
+   is not above that of kern_tilt(). Time: that of kern_raised(). */
 KERN_API kern_status kern_let_go(const kern_task *task, kern_raising *how,
                                  const kern_proof *proof);
 
@@ -1259,15 +1349,16 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                     limit ended the call before it read the input, then fails,
                     most and epsilon are infinite. The proof means nothing.
      KERN_UNDECIDED As for KERN_LIMIT. No verdict between holds and fails is
-     proven. KERN_BAD_STEP most / epsilon > 1,000,000. *out is unchanged.
+                    proven.
+     KERN_BAD_STEP  most / epsilon is above 1,000,000. *out is unchanged.
    The width of [holds, fails] is given in >>limits. If kerns are nested, the
    proofs of the margin also prove the level. Otherwise each step has a proof of
    its own.
    If options.narrow = k, a shrinkage d > 0 also reduces friction from mu to
    max(0, (mu - k d) / (1 + mu k d)), the tangent of the friction angle minus
    atan(k d). A robot that places stones within e and theta sets k = tan(theta)
-   / (2 e). Then margin / (2 e) estimates, but does not bound, how many times
-   the error e the structure can bear. If k is so large that kerns hardly
+   / (2 e). Then margin / (2 e) estimates, but does not bound, the multiple of
+   the error e that the structure can bear. If k is so large that kerns hardly
    shrink, the reduced friction at the margin is the least friction with which
    the structure stands. Warm start: the search begins from task->known and
    remembers its result there. After KERN_UNDECIDED and KERN_LIMIT task->known
@@ -1278,10 +1369,10 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 /* Computes the derivatives of the margin with respect to every contact point
    and block, from the proof that kern_measure() wrote. Writes them to
    contact[0..contacts) and block[0..blocks). The derivatives are exact if only
-   one mechanism is critical, the contacts stay the same and no kern that
-   carries is about to close. Otherwise the derivatives hold only for the
-   mechanism of the proof. If corners of two blocks coincide at the end of a
-   contact, either corner moves the end. The travel of single points
+   one mechanism is critical, the contacts stay the same and no contact that
+   carries is about to shrink to a point. Otherwise the derivatives hold only
+   for the mechanism of the proof. If corners of two blocks coincide at the end
+   of a contact, either corner moves the end. The travel of single points
    (options.lone) is treated as constant. options.narrow must be 0. Returns
    KERN_OK, or KERN_UNDECIDED if the margin is saturated or does not change.
    Time: O(B + C), 0.03 of that of kern_measure(). */
@@ -1313,9 +1404,11 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
 
 /* Computes the largest factor of a horizontal load to a side, on top of weights
    and loads. KERN_STANDS: writes *factor, which is KERN_INFINITY if the
-   structure stands at 1,000,000. The proof is that of kern_measure(), for the
-   loads at the factor. KERN_FALLS: the structure falls at a factor of 0.
-   KERN_BAD_OPTION: no gravity, or the side is neither left nor right. */
+   structure stands at 1,000,000. As in kern_measure(), proof->force holds the
+   structure under the loads at the factor or just below it, and proof->motion
+   moves it just above. KERN_FALLS: the structure falls at a factor of 0.
+   KERN_BAD_OPTION: there is no gravity, or the side is neither left nor
+   right. */
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof);
@@ -1348,17 +1441,18 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
    unlike in kern_load_factor(), stones that slide need not part. *factor is the
    largest multiple of the load that raises forces which hold the structure, as
    in kern_raised(). Each step of the load (>>tune) is proven, starting from the
-   step before. With friction equilibrium is not unique: another path of loading
-   may collapse earlier (by 5 % in one case) or later. *factor is never above
-   the load factor, which is computed first. The load is `pattern`, or if that
-   is NULL, horizontal to the side. KERN_STANDS: writes *factor, KERN_INFINITY
-   if the load is raised at 1,000,000. Both arrays of the proof pass
-   kern_check_raised() with the loads at the factor. work->end is KERN_END_SHOWN
-   if *factor is the load factor; otherwise work->end tells why *factor is less.
-   KERN_FALLS: the structure falls at a factor of 0. KERN_UNDECIDED also if the
-   weight alone is not shown to raise forces; *factor is unchanged. Time, in
-   multiples of kern_load_factor(): 8 in the median of settled stones, 13 on
-   walls that slide (9.5 on those of 40 to 60 blocks). */
+   step before. With friction equilibrium is not unique: on another path of
+   loading the structure may collapse earlier (by 5 % in one case) or later.
+   *factor is never above the load factor, which is computed first. The load is
+   `pattern`, or if that is NULL, horizontal to the side. KERN_STANDS: writes
+   *factor, which is KERN_INFINITY if forces are raised even at a factor of
+   1,000,000. Both arrays of the proof pass kern_check_raised() with the loads
+   at the factor. work->end is KERN_END_SHOWN if *factor is the load factor;
+   otherwise work->end tells why *factor is less. KERN_FALLS: the structure
+   falls at a factor of 0. KERN_UNDECIDED also if the weight alone is not shown
+   to raise forces; *factor is unchanged. Time, in multiples of
+   kern_load_factor(): 8 in the median of settled stones, 13 on walls that slide
+   (9.5 on those of 40 to 60 blocks). */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
@@ -1386,8 +1480,8 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
    measure's proof. proof->motion, not NULL, moves the structure at about
    `shrink`. proof->force holds the structure at `shrink`, or is NULL. After
    kern_measure() pass out->margin and its proof. If the structure falls, pass 0
-   and only the motion. The limit of a contact point is the first of these
-   quantities that is above 0 at any contact:
+   and only the motion. How much a contact point limits the measure is told by
+   the first of these quantities that is above 0 at any contact:
      1. if there are forces: the increase of the mechanism's power per length
         [m] by which the contact point moves inward
      2. the spin of its two blocks relative to each other about the point
@@ -1401,14 +1495,15 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
                                       kern_critical *out);
 
 /* -- planning -- */
-/* A plan is a structure that changes by one stone at a time. No contact is
-   searched twice. kern_measure(&plan.task, ...) and the queries below start
-   from the last measure of the plan. Without such a measure the answers are the
-   same, but slower. Queries leave the plan unchanged. Negative statuses of a
-   query include those of kern_plan_add(). The proof of a query is for the
-   structure with the block added: the proof has one more motion, and the forces
-   of the block's contacts follow those of the plan. The search for these
-   contacts may use options.limit units, and the query itself as many again. */
+/* A plan is a structure that changes by one stone at a time. Contacts that have
+   been found are not searched again. kern_measure(&plan.task, ...) and the
+   queries below start from the results of the last kern_measure() of the plan.
+   Without such results the answers are the same, but take longer. Queries leave
+   the plan unchanged. Negative statuses of a query include those of
+   kern_plan_add(). The proof of a query is for the structure with the block
+   added: the proof has one more motion, and the forces of the block's contacts
+   follow those of the plan. The search for these contacts may use options.limit
+   units, and the query itself as many again. */
 
 /* Returns an empty plan under gravity (0, -9.81). All arrays, also those of
    kern_known_of() and of the work memory, must be long enough for these numbers
@@ -1432,15 +1527,16 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 KERN_API kern_status kern_plan_remove(kern_plan *plan, int i);
 
 /* Computes the results of kern_measure() with the block added. Time: that of
-   one verdict, if the weakest stones stay the weakest. The search starts at an
-   upper bound: if options.limit ends the call, out->fails is an upper bound,
-   but out->holds is above 0 only if the search was nearly done. Shares of 963
-   tries on walls that had these bounds after half of the work that they need:
+   one verdict, if the stones that limit the margin do not change. The search
+   starts at an upper bound: if options.limit ends the call, out->fails is an
+   upper bound, but out->holds is above 0 only if the search was nearly done.
+   Shares of 963 tries on walls that had these bounds after half of the work
+   that they need:
      upper bound, at most 2 margins    0.73      none       0.06
                   at most 1.1 margins  0.53      any lower  0.03
-   For a lower bound use kern_plan_bears(). With half of the margin,
-   kern_plan_bears() takes 0.44 of the work of a try in the median, and 0.13
-   where a try takes 1,500 units. */
+   For a lower bound use kern_plan_bears(). For half of the margin,
+   kern_plan_bears() takes 0.44 of the work of kern_plan_try() in the median,
+   and 0.13 of it where kern_plan_try() takes 1,500 units. */
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof);
 
@@ -1450,8 +1546,8 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
    margin, unless options.narrow is set. If kerns are not nested, KERN_FALLS
    also if the margin of kern_plan_try() is smaller; the motion is then the one
    at that margin. KERN_BAD_NUMBER also for a negative margin. Time: that of a
-   verdict. For a margin above the measured one it is O(B + C) if the block does
-   not touch the blocks that limit the margin. */
+   verdict. If `margin` is above the margin that was measured last, the time is
+   O(B + C) if the block does not touch the blocks that limit that margin. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof);
 
@@ -1497,29 +1593,30 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
    gravity. KERN_BAD_NUMBER also for a bad x or stone's centre, and for a `turn`
    whose length is not 1. Blocks and stone are checked as by kern_touch(). In
    the fault the stone has the index B. Time: O(B) for each motion, plus the
-   edges near it. The mean is 32,000 instructions on a wall of 30 rough stones,
-   19,000 on a bond of 36 bricks. */
+   time for the edges close to the stone. A call takes 32,000 instructions in
+   the mean on a wall of 30 rough stones, and 19,000 on a bond of 36 bricks. */
 KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
                                kern_real x, kern_vec turn, kern_vec *vertex,
                                kern_pose *out);
 
 /* Compares two places for a stone. Returns 1 if a is better, -1 if b is better,
    and 0 if no number differs. NULL is worse than any place. `alone` is the
-   margin of the structure without the stone; most places do not change it. The
-   first of these numbers that differs decides:
+   margin of the structure without the stone. At most places the stone does not
+   change this margin. The first of these numbers that differs decides:
      stays   the larger chance; all from 0.9 on count as equal
      margin  the larger; all within 1e-4 (float: 1e-3) of `alone` count as equal
      own     the larger
      load    the larger
      x turn  the smaller, so that any order of places gives the same best
    All but x and turn are first rounded to 13 bits, 1e-4 of the number. So
-   rounding hardly ever decides, and moving a structure does not change its best
-   place. Mirroring a structure mirrors its best place, unless x decides between
-   two places. NaN is worse than any number.
-   Tested on 111 walls under construction: at each, some of eight places of
-   kern_rest() stay in all six runs of the simulator of examples/laboratory, and
-   some do not. The best place stays on 107 of these walls, and the place of the
-   largest margin on 96. */
+   rounding errors hardly ever decide, and moving a structure does not change
+   its best place. Mirroring a structure mirrors its best place, unless x
+   decides between two places. NaN is worse than any number.
+   Tested on 111 walls under construction, for each of which kern_rest() found
+   eight places. At some of these the stone stays in all six runs of the
+   simulator of examples/laboratory, and at others it does not. The stone stays
+   at the best place on 107 of these walls, and at the place of the largest
+   margin on 96. */
 KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
                                 kern_real alone);
 
@@ -1529,10 +1626,10 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
    if the result is at most 1. Return KERN_INFINITY if the forces or the motion
    prove nothing, and for bad input (NULL, NaN). In each equation of a block
    forces may leave a residual of 1e-9 (float: 1e-4) of the load on the block,
-   plus the rounding of the largest force there. The sum of all forces may be
-   1e6 (float: 1e3) times the total weight. A motion must be one that such
-   forces could not stop, whatever rounding does. Time: O(B + C).
-   kern_check_forces() needs work memory of 4 B reals. */
+   plus the rounding of the largest force there. The sum of all forces may be at
+   most 1e6 (float: 1e3) times the total weight. A motion proves a fall only if
+   such forces could not stop it, even with the largest rounding errors. Time:
+   O(B + C). kern_check_forces() needs work memory of 4 B reals. */
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
                                      const kern_force *force);
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
@@ -1555,9 +1652,9 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 
 /* Solves a small dense linear program. x has room for lp->cols numbers, y for
    lp->rows.
-     KERN_LP_OPTIMAL     x is a solution. If there are costs, it is one of least
-                         cost and y are its prices: cost - y.A >= 0, 0 where x >
-                         0
+     KERN_LP_OPTIMAL     x is a solution. If there are costs, x has the least
+                         cost and y are its prices: cost - y.A >= 0, and = 0
+                         where x > 0
      KERN_LP_INFEASIBLE  no x exists: y.A >= 0 and y.rhs < 0
      KERN_LP_UNBOUNDED   the cost falls along x: A x = 0, x >= 0, cost.x < 0
      KERN_UNDECIDED      the method did not end, or the check failed, as it may
@@ -1575,7 +1672,8 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #endif
 #endif /* KERN_H */
 
-/* Users of the library can stop here. The rest is the implementation. */
+/* Users of the library can stop reading here. The rest is the
+   implementation. */
 
 /* ==== Part III: Statics and proofs ================================= >>impl */
 
@@ -1615,9 +1713,9 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 extern "C" {
 #endif
 
-/* KERN_ASSERT checks a condition that holds for all arguments of a caller.
-   KERN_AUDIT checks the internal state of an engine (tests/audit.h). Both do
-   nothing unless a test build defines them. */
+/* KERN_ASSERT checks a condition that must hold whatever arguments a caller
+   passes. KERN_AUDIT checks the internal state of a method, such as the simplex
+   method (tests/audit.h). Both do nothing unless a test build defines them. */
 #ifndef KERN_ASSERT
 #define KERN_ASSERT(condition) ((void)0)
 #endif
