@@ -1480,8 +1480,8 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
    measure's proof. proof->motion, not NULL, moves the structure at about
    `shrink`. proof->force holds the structure at `shrink`, or is NULL. After
    kern_measure() pass out->margin and its proof. If the structure falls, pass 0
-   and only the motion. How much a contact point limits the measure is told by
-   the first of these quantities that is above 0 at any contact:
+   and only the motion. How much a contact point limits the measure is the first
+   of these quantities that is above 0 for at least one contact point:
      1. if there are forces: the increase of the mechanism's power per length
         [m] by which the contact point moves inward
      2. the spin of its two blocks relative to each other about the point
@@ -1530,10 +1530,10 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i);
    one verdict, if the stones that limit the margin do not change. The search
    starts at an upper bound: if options.limit ends the call, out->fails is an
    upper bound, but out->holds is above 0 only if the search was nearly done.
-   Shares of 963 tries on walls that had these bounds after half of the work
-   that they need:
-     upper bound, at most 2 margins    0.73      none       0.06
-                  at most 1.1 margins  0.53      any lower  0.03
+   Of 963 tries on walls, each ended after half of the work that it needs, these
+   shares had such a bound:
+     an upper bound of at most 2 margins    0.73    no upper bound   0.06
+     an upper bound of at most 1.1 margins  0.53    any lower bound  0.03
    For a lower bound use kern_plan_bears(). For half of the margin,
    kern_plan_bears() takes 0.44 of the work of kern_plan_try() in the median,
    and 0.13 of it where kern_plan_try() takes 1,500 units. */
@@ -1746,27 +1746,39 @@ extern "C" {
    constant has one job. Lengths are shares of a block's size and forces are
    shares of the total weight, unless a unit is given in brackets. KERN_PICK(a,
    b) is a in double and b in float. A constant defined by another constant
-   bounds the same rounding. */
+   bounds the same rounding.
+
+   Words that the constants use. A group is a free block in the model, with its
+   three equations of equilibrium. A ray is a force along one edge of a friction
+   cone: each contact point has two. A cluster is a set of groups that the
+   top-down pass balances together. A part is a set of groups that is solved
+   while all other blocks are held. A place is a value on the path of a measure:
+   a shrinkage, a load factor, or the tangent of a quarter of the angle by which
+   gravity has turned. A jam is a structure whose forces grow without bound
+   toward the critical value. */
 
 /* ---- what a proof allows ---- */
 
 /* Largest residual of an equation of equilibrium in a proof, as a share of the
-   loads on the block. Coordinates and masses are known far less exactly. */
+   loads on the block. Coordinates and masses of real stones are known far less
+   exactly. */
 #define KERN_TOL KERN_PICK(1e-9, 1e-4)
 /* Largest sum of forces in a proof, as a multiple of the total weight. The
    bound excludes jams, whose forces are arbitrarily large. A motion proves a
    fall only if its power exceeds this sum times the fastest speed at which it
    closes a contact. */
 #define KERN_BOUND KERN_PICK(1e6, 1e3)
-/* Rounding of a sum in a proof, as a share of its terms: a row has some tens of
-   terms. In Part VI two points are the same if they are closer than twice this
-   share of the largest coordinate. */
+/* Largest rounding error of a sum in a proof, as a share of the sum of the
+   magnitudes of its terms: an equation has some tens of terms. In Part VI two
+   points are the same if they are closer than twice this share of the largest
+   coordinate. */
 #define KERN_ROUNDING (32 * KERN_EPS)
-/* Largest share by which a tangential force may exceed its friction cone, which
-   is the rounding of mu f. */
+/* Largest share by which a tangential force r may exceed its bound mu f. It is
+   the rounding error of mu f. */
 #define KERN_CONE_TOL (8 * KERN_EPS)
-/* Least power [W] of a motion in a proof, and an addend to each closing speed
-   [m/s]: products of smaller numbers may lose digits by underflow. */
+/* Least power [W] that a motion must have to prove a fall. The same number
+   [m/s] is added to each closing speed. Products of smaller numbers may lose
+   digits by underflow. */
 #define KERN_POWER_LEAST (1 / (KERN_FAR * KERN_FAR))
 /* Largest residual of a row or column in the proof of a caller's linear
    program, as a share of the terms. */
@@ -1774,16 +1786,18 @@ extern "C" {
 /* Raised forces: a contact must stick if its tangential force is below mu f by
    more than this share of mu f. */
 #define KERN_SLIDES_TOL KERN_TOL
-/* Raised forces: least force, as a share of the least load of a block, of a
-   contact that must approach. Equilibrium holds without smaller forces. */
+/* Raised forces: the blocks of a contact must approach each other if its force
+   is above this share of the least load of a block. Equilibrium does not need
+   smaller forces. */
 #define KERN_PRESSED_LEAST KERN_TOL
 /* Raised forces: largest slide of a contact that must stick, as a share of its
-   approach. The inverse of KERN_STICKS is the stiffness along t in >>raised. */
+   approach. The stiffness along t in >>raised (kern_dual.shear) is 1.1 /
+   KERN_STICKS. */
 #define KERN_STICKS KERN_PICK(2e-3, 0.2)
 /* Least cosine between a contact's normal and gravity at which the contact can
    hold a block up. A contact with a smaller cosine counts as a vertical joint
-   whose coordinates have few digits. As a wedge it would press with thousands
-   of times the weight that it holds. */
+   whose coordinates were rounded. If such a contact held a block up, it would
+   act as a wedge and press with thousands of times the weight that it holds. */
 #define KERN_HOLDS_UP KERN_R(1e-4)
 
 /* ---- what may be asked ---- */
@@ -1826,25 +1840,31 @@ extern "C" {
    2,000 instructions (>>verdicts). A constant *_UNIT is the number of items
    that one unit of work processes. */
 
-/* Entries of sparse columns that are added up in a unit. For a dense factor the
-   number is 8/3 times as large, since no indices are read. */
+/* Number of entries of sparse columns that are added up in one unit of work.
+   For a dense factor the number is 8/3 times as large, since no indices are
+   read. */
 #define KERN_UNIT 64
-/* Blocks and contacts that a call reads and checks in a unit. */
+/* Number of blocks and contacts that a call reads and checks in one unit of
+   work. */
 #define KERN_CALL_UNIT 5
-/* Blocks and contacts that the check of a proof reads in a unit. Each proof
-   costs three more units. */
+/* Number of blocks and contacts that the check of a proof reads in one unit of
+   work. Each proof costs three units in addition. */
 #define KERN_QUERY_UNIT 14
-/* Groups and contacts that are ordered for a short skyline in a unit. */
+/* Number of groups and contacts that are ordered in one unit of work, so that
+   the rows of the skyline matrix become short. */
 #define KERN_ORDER_UNIT 4
-/* Groups and contacts whose known forces are copied in a unit. */
+/* Number of groups and contacts whose known forces are copied in one unit of
+   work. */
 #define KERN_KNOWN_UNIT 32
-/* Contacts that the line search evaluates at one place in a unit. */
+/* Number of contacts whose forces the line search computes in one unit of
+   work. */
 #define KERN_PLACE_UNIT 16
-/* Products of a step of Newton's method for one contact: its row, its law and
-   its block of the matrix. */
+/* Number of multiplications for one contact in a step of Newton's method: for
+   its row, its law and its blocks of the matrix. */
 #define KERN_CONTACT_PRODUCTS KERN_R(100)
-/* Multiplications of the Cholesky factor for one row, divided by the square of
-   its number of 3 x 3 blocks. Half of all pairs take 27 each. */
+/* Number of multiplications for one row of a Cholesky factor, divided by the
+   square of its number of 3 x 3 blocks. Half of all pairs of blocks are
+   multiplied, which takes 27 multiplications for each pair. */
 #define KERN_PAIR_PRODUCTS KERN_R(14)
 
 /* ---- model ---- */
@@ -1853,10 +1873,12 @@ extern "C" {
    the shortest line is rounding. */
 #define KERN_TRAVEL_LEAST (KERN_R(1e-6) * KERN_R(1e-3))
 /* Slope of the lines along which blocks count as equally high (only in double).
-   A flat arch is then ordered from side to side and not by rounding. */
+   The blocks of a flat arch are then ordered from side to side, and not by
+   their rounding errors. */
 #define KERN_LEVEL_SLOPE KERN_R(1e-6)
-/* Longest run of blocks that is sorted by insertion: with shorter runs the
-   passes of Shell's sort cost more than they save. */
+/* Longest run of blocks that is sorted by insertion. If shorter runs were
+   divided further, the passes of Shell's sort would cost more than they
+   save. */
 #define KERN_SORT_RUN 32
 
 /* ---- measures ---- */
@@ -1866,37 +1888,39 @@ extern "C" {
    up to all of it may lie above. With a narrower bracket fewer verdicts near
    critical have a proof. A wider bracket exceeds the promised 2e-6. */
 #define KERN_WIDTH KERN_PICK(1.26e-6, 1.8e-3)
-/* Largest distance between the two places beside a critical value that the
-   search tries, in KERN_WIDTH. Beyond it the search cuts the bracket
-   instead. */
+/* The search tries a place on each side of a critical value. This is their
+   largest distance from each other, in units of KERN_WIDTH. If they would have
+   to be farther apart, the search cuts the bracket instead. */
 #define KERN_WIDEST KERN_R(20)
-/* Widest bracket that is accepted as an answer, in KERN_WIDTH: in jams no proof
-   comes closer. */
+/* Widest bracket that is accepted as an answer, in units of KERN_WIDTH. In jams
+   no proof is found closer to the critical value. */
 #define KERN_ANSWER KERN_PICK(80, 20)
-/* Most groups that are solved as one linear program, whose margins are exact.
-   With more groups the factor of the program costs more than the interior
-   point. */
+/* Largest number of groups that are solved as one linear program, which gives
+   exact margins. With more groups, factoring this program costs more than the
+   interior-point method. */
 #define KERN_SMALL 64
-/* Steps of a walk to the largest travel if kerns are not nested, or through
-   half a circle of tilt under fixed loads. An interval of falling that is
-   narrower than a step may be missed. A walk or a climb takes at most five
-   times as many steps. */
+/* Number of even steps in which a path is searched whose verdict may change
+   more than once: a shrinkage up to the largest travel if kerns are not nested,
+   or a tilt through half a circle under fixed loads. An interval in which the
+   structure falls may be missed if it is narrower than a step. Since steps may
+   be halved, a search takes at most five times as many steps. */
 #define KERN_SCAN 1001
 /* Default step of a level [mean size]: the paper's steps are of this order. */
 #define KERN_LEVEL_STEP KERN_R(0.02)
 /* Default step of a level where kerns are relative [share of the travel]. */
 #define KERN_LEVEL_SHARE KERN_R(0.05)
-/* Largest load factor that is searched. A structure that stands there stands
-   under any multiple of the load. */
+/* Largest load factor that is searched. A structure that stands at this factor
+   counts as standing under any multiple of the load. */
 #define KERN_FACTOR_MOST KERN_R(1e6)
 /* Deficit: first growth of the kerns that is tried [mean size; share of the
    travel], smaller than any deficit that matters. */
 #define KERN_GROW_FIRST KERN_R(0.001)
-/* Deficit: factor from one growth to the next if kerns are nested; few verdicts
-   suffice. */
+/* Deficit: factor from one growth that is tried to the next if kerns are
+   nested. The factor is large, so that few verdicts suffice. */
 #define KERN_GROW_NESTED KERN_R(4)
-/* Deficit: factor from one growth to the next if kerns are not nested, small so
-   that an interval of standing is seldom missed. */
+/* Deficit: factor from one growth that is tried to the next if kerns are not
+   nested. The factor is small, so that an interval in which the structure
+   stands is seldom missed. */
 #define KERN_GROW_EVEN KERN_R(1.1)
 /* Deficit: largest growth that is tried, in longest sides of the free blocks'
    box (>>rules). */
@@ -1904,30 +1928,34 @@ extern "C" {
 
 /* ---- profile, mechanism, sensitivity ---- */
 
-/* Profile: largest load factor; a stone that reaches it counts as unlimited. */
+/* Profile: largest load factor that is tried. A stone that still stands at this
+   factor gets it as its value. */
 #define KERN_PROFILE_MOST KERN_R(10)
 /* Most places above a critical value, KERN_WIDTH apart, at which the search
    tries to prove a mechanism. */
 #define KERN_FALL_TRIES 8
-/* Most steps of a collapse that remove no block, besides three for each group.
-   Such steps occur since both verdicts may have a proof at one place. */
+/* A collapse may take three rounds for each group plus this number. Some rounds
+   remove no block, since both verdicts may have a proof at one place. */
 #define KERN_FALL_IDLE 8
-/* Expected drop: load factor at which a stone falls with a chance of 1/e.
-   Values from 0.05 to 0.1 rank structures as well. */
+/* Expected drop: a stone with this load factor falls with a chance of 1/e.
+   Constants from 0.05 to 0.1 rank structures equally well. */
 #define KERN_DROP_LOAD KERN_R(0.07)
-/* Expected drop: least height that counts [mean block size], since the lowest
-   stones fall, too. */
+/* Expected drop: least height with which a stone counts [mean block size],
+   since even the lowest stones fall. */
 #define KERN_DROP_HEIGHT KERN_R(0.3)
-/* Speed, as a share of the highest, below which blocks count as resting or as
-   not approaching. */
+/* Blocks count as resting, or as not approaching each other, if their speed is
+   below this share of the highest speed. */
 #define KERN_REST KERN_R(1e-4)
-/* Limits or speeds that differ by at most this share count as equal. The first
-   of equals is then reported, and not the one that rounding makes largest. */
+/* Two limits of contact points (kern_critical_of()), or two speeds, count as
+   equal if they differ by at most this share. The first of equal ones is then
+   reported, and not the one that rounding makes largest. */
 #define KERN_TIE KERN_R(1e-4)
-/* Sensitivity: a sum of powers below this share of its terms is rounding. */
+/* Sensitivity: a sum of powers counts as 0 if it is below this share of the sum
+   of the magnitudes of its terms. */
 #define KERN_RATE_LEAST KERN_PICK(1e-10, 1e-5)
-/* Sensitivity: largest distance from a corner to the end of a contact at which
-   the corner moves the end [size], the length of the shortest line. */
+/* Sensitivity: the corner of a block moves the end of a contact if it is not
+   farther from it than this [size]. The distance is the length of the shortest
+   line contact. */
 #define KERN_CORNER_NEAR KERN_R(1e-3)
 /* Sensitivity: two distances from corners to an end count as equal if they
    differ by less than this [size]. */
@@ -1949,20 +1977,22 @@ extern "C" {
 
 /* ---- minimum-norm forces ---- */
 
-/* Shift of the diagonal of Newton's matrix, as a share of its mean. Without it
-   a row has no pivot if no ray of the group presses. */
+/* Number that is added to the diagonal of Newton's matrix, as a share of the
+   mean of the diagonal. Without this shift the rows of a group would be 0 if no
+   contact presses on the group, and the matrix would be singular. */
 #define KERN_DUAL_SHIFT KERN_ROUNDING
-/* Most rounds of Newton's method. The method takes far fewer, unless rounding
-   spoils it. */
+/* Most rounds of Newton's method for minimum-norm forces. The method takes far
+   fewer, unless rounding errors spoil it. */
 #define KERN_NORM_ROUNDS 100
 /* Line search: factor by which the derivative must fall. Newton's next step
    makes up for the rest. */
 #define KERN_SHARE_TOL 8
-/* Line search with prices: factor by which the derivative must fall. This
-   factor is larger since the next prices are computed from the result. */
+/* Line search if contacts have prices (>>raised): factor by which the
+   derivative must fall. This factor is larger than KERN_SHARE_TOL, since the
+   next prices are computed from the result. */
 #define KERN_SHARE_TOL_PRICED 1000
-/* Line search: most steps until the maximum has been passed, each four times
-   the last. */
+/* Line search: most steps until the maximum has been passed. Each step is four
+   times as long as the last. */
 #define KERN_SHARE_GROWS 13
 /* Line search: most places that regula falsi tries after the maximum has been
    passed. Usually few are enough. */
@@ -1976,16 +2006,17 @@ extern "C" {
 /* A pivot of a 3 x 3 matrix above this share of its trace needs no refinement
    of the solution. */
 #define KERN_THREE_GOOD KERN_PICK(1e-4, 1e-2)
-/* Most contacts of a group that is balanced alone; length of arrays on the
-   stack. */
+/* A group is balanced alone only if it is carried by at most this number of
+   contacts, which is the length of arrays on the stack. */
 #define KERN_ROWS_MOST 12
 /* Most rounds of Newton's method for one group. Usually it ends in four. */
 #define KERN_ALONE_ROUNDS 10
-/* Factor by which a residual must fall in a round; otherwise no forces
-   exist. */
+/* If the same rays press in two rounds, the second one must divide the residual
+   by this factor. Otherwise no forces balance the group. */
 #define KERN_ALONE_PACE 8
-/* Load that a joint within 30 degrees of upright takes, as a share of the load
-   that a bed takes. With 0.3, verdicts on 126 courses of bricks take eight
+/* Unit of the forces of a joint within 30 degrees of upright, as a share of the
+   unit of a bed. For the same approach the joint takes the square of this share
+   of the load of a bed. With 0.3, verdicts on 126 courses of bricks take eight
    times the work, and with 1 they take 900 times. */
 #define KERN_SIDE_SHARE KERN_R(0.1)
 /* Norm of the forces, as a multiple of the cluster's loads, above which the
@@ -1993,20 +2024,21 @@ extern "C" {
    Newton's method takes more steps: without a bound kern_plan_try() costs 4 %
    more. */
 #define KERN_CLUSTER_NORM KERN_R(100)
-/* Closing speed, as a share of the largest speed, below which a contact counts
-   as parting. */
+/* A contact counts as one that does not close if its closing speed is below
+   this share of the largest speed. */
 #define KERN_PARTS_TOL KERN_R(1e-4)
-/* Number of groups divided by the largest size of a cluster in a verdict. In a
-   search the number is KERN_CLUSTER + 1, and in a search from known forces
-   KERN_CLUSTER + 3. With 5 verdicts take 7 % more work. With 4 in a search
-   measures take 6 % more. With 5 in a search from known forces kern_plan_try()
-   takes 6 % more. */
+/* In a verdict on at most KERN_SMALL groups, a cluster may have the number of
+   all groups divided by KERN_CLUSTER, plus one. In a search the divisor is
+   KERN_CLUSTER + 1, and in a search from known forces KERN_CLUSTER + 3. If the
+   divisor of verdicts were 5, they would take 7 % more work. If that of
+   searches were 4, measures would take 6 % more. If that of searches from known
+   forces were 5, kern_plan_try() would take 6 % more. */
 #define KERN_CLUSTER 4
-/* Most groups of a cluster if the structure has more than KERN_SMALL groups.
-   With smaller clusters some measures of 100 blocks take four times the
-   work. */
+/* Number of groups that a cluster may have if the structure has more than
+   KERN_SMALL groups, before KERN_CLUSTER_MORE is counted. With smaller clusters
+   some measures of 100 blocks take four times the work. */
 #define KERN_CLUSTER_MOST 20
-/* The largest number of groups in a cluster grows by one for each
+/* A cluster may have one group more than KERN_CLUSTER_MOST for each
    KERN_CLUSTER_MORE groups of the structure. */
 #define KERN_CLUSTER_MORE 32
 /* Largest work of a pass for each group and contact [units]. With 30, measures
@@ -2018,27 +2050,30 @@ extern "C" {
 /* Critical values that differ by less count as equal [mean block size]. With a
    smaller difference Newton's method would follow rounding. */
 #define KERN_VALUE_SAME KERN_PICK(1e-10, 1e-5)
-/* A negative force of a known basis below this share of the weight is
-   rounding. */
+/* A negative force of a known basis counts as rounding if its magnitude is
+   below this share of the weight. */
 #define KERN_BASIS_NOISE KERN_PICK(1e-10, 1e-5)
-/* Most places at which one bracket is cut. Four to eight suffice, unless
-   rounding spoils the proofs. */
+/* Most places at which the search evaluates a verdict to narrow one bracket.
+   Four to eight suffice, unless rounding spoils the proofs. */
 #define KERN_BRACKET_ROUNDS 100
 /* Most verdicts of kern_least_load_of(): it takes one for each mechanism. */
 #define KERN_LEAST_ROUNDS 100
-/* Most places where a kern closes that Newton's method for the critical value
-   passes. */
+/* Most steps of Newton's method for the shrinkage at which a mechanism stops
+   falling. The power of a mechanism has a kink wherever a kern closes, so that
+   one step is not always enough. */
 #define KERN_BENDS 8
-/* Most falling parts that a search follows before it solves the whole. */
+/* Most falling parts that a search follows before it solves the whole
+   structure. */
 #define KERN_PARTS 8
 /* A bracket without a predicted value is cut at 1 / KERN_CUT of its width,
    since mechanisms are found near its lower end more often. */
 #define KERN_CUT KERN_R(4)
-/* Largest step of Halley's method, in steps of Newton's. */
+/* Largest step of Halley's method, as a multiple of the step of Newton's
+   method. */
 #define KERN_HALLEY_MOST KERN_R(4)
 /* First step of a search: KERN_CLIMB [mean size], KERN_CLIMB_PUSH [load factor,
    tangent of a quarter of the angle]. Both are tuned on the odd half of the
-   corpus and on walls of 100 to 200 blocks. */
+   corpus (tests/CORPUS.md) and on walls of 100 to 200 blocks. */
 #define KERN_CLIMB KERN_R(0.1)
 #define KERN_CLIMB_PUSH KERN_R(0.5)
 /* Factor from one step of a search to the next. */
@@ -2046,144 +2081,162 @@ extern "C" {
 
 /* ---- interior point ---- */
 
-/* Most steps of the interior point. Ten usually suffice, unless rounding spoils
-   it. */
+/* Most steps of the interior-point method. Ten usually suffice, unless rounding
+   spoils the method. */
 #define KERN_IPM_ROUNDS 100
-/* Shift of the diagonal of M where M is singular, as a share of its mean. */
+/* Number that is added to the diagonal of the matrix M (>>ipm) if M is
+   singular, as a share of the mean of the diagonal. */
 #define KERN_IPM_SHIFT KERN_PICK(1e-10, 1e-5)
-/* Share of the way to the boundary (x or z = 0) that a step leaves, less as the
-   gap closes. From the boundary itself no step is possible. */
+/* A step of the interior point stops short of the boundary, x = 0 or z = 0, by
+   at most this share of the way, and by less as the gap closes. From the
+   boundary itself no further step is possible. */
 #define KERN_IPM_BACKOFF KERN_R(1e-3)
-/* Least share of its force that a ray keeps in a step, since a force that
-   rounds to 0 would never grow again. */
+/* Least share of its force that a ray keeps in a step of the interior point. A
+   force that became 0 by rounding would never grow again. */
 #define KERN_IPM_KEEP KERN_EPS
-/* Least share of its force that a ray keeps when forces are balanced. */
+/* Least share of its force that a ray keeps when kern_ipm_balance() corrects
+   the forces. */
 #define KERN_IPM_BALANCE KERN_R(1e-3)
 /* Starting point (Mehrotra): if the least entry of x or z is negative, the
    vector is raised by this multiple of that entry's magnitude. */
 #define KERN_IPM_LIFT_LEAST KERN_R(1.5)
-/* Starting point: the vector is also raised by this share of its largest
-   entry. */
+/* Starting point (Mehrotra): x and z are also raised by this share of their
+   largest entry. */
 #define KERN_IPM_LIFT_SHARE KERN_R(1e-3)
-/* Least -s with which a query continues from the solution of the last one. From
-   s = 0 the query could not find that the structure falls. */
+/* A query that continues from the solution of the last query sets s to at most
+   minus this number. From s = 0 it could not find that the structure falls. */
 #define KERN_IPM_S KERN_R(1e-3)
-/* Least gap with which a query continues from the last solution. Closer to the
-   boundary the method makes no progress in a new direction. */
+/* A query that continues from the solution of the last query raises the gap to
+   at least this number. Closer to the boundary the method makes no progress in
+   a new direction. */
 #define KERN_IPM_GAP KERN_R(1e-3)
-/* Least product x z after a step, as a share of the mean product. */
+/* Least product x z of a ray after a step, as a share of the mean product of
+   all rays. */
 #define KERN_IPM_CENTRE KERN_R(0.03)
-/* Least share of the gap that a step aims at. With a smaller share fewer
+/* Least share of the gap that the predictor is assumed to leave. The step aims
+   at the cube of the share that it leaves. With a smaller constant fewer
    verdicts are decided. */
 #define KERN_IPM_AIM KERN_R(0.03)
-/* Gap below which a solution is exact but for rounding: the square of the shift
-   of the diagonal. */
+/* Gap below which a solution of the interior point is exact except for
+   rounding: the square of the shift of the diagonal. */
 #define KERN_IPM_GAP_LEAST (KERN_IPM_SHIFT * KERN_IPM_SHIFT)
-/* Largest gap at which the method continues: beyond it the solution has no
-   digits left. */
+/* Largest gap at which the interior point continues. At a larger gap the
+   solution has no correct digits left. */
 #define KERN_IPM_GAP_MOST KERN_BOUND
-/* A continued query restarts if after k steps its gap exceeds the first gap
-   times KERN_IPM_SLACK * KERN_IPM_PACE^k. Without the restart some walls take
-   three times the work. */
+/* A query that continues from the solution of the last query begins again from
+   scratch if, after k steps, its gap is above KERN_IPM_SLACK * KERN_IPM_PACE^k
+   times its first gap. Without this restart some walls take three times the
+   work. */
 #define KERN_IPM_PACE KERN_R(0.95)
-/* The factor of that bound on the gap before the first step. */
+/* Constant factor in the bound on the gap that the comment of KERN_IPM_PACE
+   gives. */
 #define KERN_IPM_SLACK KERN_R(1.1)
 
 /* ---- simplex method ---- */
 
-/* Least violation of x >= 0 that counts, as a share of the largest load. */
+/* Least violation of x >= 0 that counts in the simplex method, as a share of
+   the largest load. */
 #define KERN_VALUE_TOL KERN_PICK(1e-10, 1e-5)
 /* Least gain of a column that enters, as a share of the largest price. Smaller
    gains are rounding. */
 #define KERN_PRICE_TOL KERN_VALUE_TOL
 /* Least pivot, as a share of the largest entry of the entering column. */
 #define KERN_PIVOT_LEAST KERN_VALUE_TOL
-/* Rounding of a price, of a slope and of an entry of x or y, as a share of the
-   largest of its kind. */
+/* Prices, slopes and entries of x and y count as rounding below this share of
+   the largest of their kind. */
 #define KERN_LP_ROUNDING KERN_ROUNDING
-/* Amount by which a certificate's y.A_j is raised for basic columns, as a share
-   of its largest entry: the rounding that the check of a motion allows for. */
+/* Amount by which y.A_j is raised for the basic columns of a certificate y, as
+   a share of the largest entry of y. It is the rounding that the check of a
+   motion allows for. */
 #define KERN_LIFT KERN_ROUNDING
 /* Largest residual of a basic solution, as a share of its largest value, before
    the basis is factored again. */
 #define KERN_BASIS_TOL KERN_PASS_TOL
-/* Number of refinements of a basic solution. Each one gains most of the digits
-   of a number. */
+/* Most refinements of a basic solution. Each one adds almost as many correct
+   digits as a number has. */
 #define KERN_REFINES 3
 /* Least pivot of a column that is factored after all own columns (>>lp), as a
-   share of its largest entry. Below it the column depends linearly on earlier
-   columns. */
+   share of its largest entry. If its pivot is smaller, the column counts as
+   linearly dependent on earlier columns. */
 #define KERN_LATE_PIVOT KERN_PICK(1e-4, 1e-2)
 /* Least pivot of a column in its own group, where its entries are about 1. With
-   0.01 the inverse grows from course to course, and a call may take more than
-   2,000 instructions for a unit of its limit. With a larger value the inverse
-   has more entries. */
+   0.01 the entries of the inverse grow from course to course of a wall, and a
+   call may take more than 2,000 instructions for a unit of its limit. With a
+   larger constant the inverse has more entries. */
 #define KERN_OWN_TOL KERN_R(0.03)
-/* Crash basis: most columns of a group that are tried; length of arrays on the
-   stack. */
+/* Crash basis (kern_crash_choose()): most columns of a group that are tried,
+   which is the length of arrays on the stack. */
 #define KERN_CRASH_COLUMNS 12
 /* Crash basis: least determinant of three columns with entries of about 1. */
 #define KERN_CRASH_DET KERN_LATE_PIVOT
 /* Crash basis: largest tension in a column, as a multiple of its group's
    load. */
 #define KERN_CRASH_PULL KERN_R(2)
-/* Budget of pivots: KERN_PIVOTS + KERN_PIVOTS_ROW for each row. When a budget
-   is used up, prices are refined. Most programs take fewer pivots. */
+/* One budget of pivots is KERN_PIVOTS plus KERN_PIVOTS_ROW for each row of the
+   program. When the first budget is used up, prices are refined in every pivot.
+   Most programs take fewer pivots. */
 #define KERN_PIVOTS 50
-/* Pivots of the budget for each row. */
+/* Pivots for each row of the program in one budget of pivots (KERN_PIVOTS). */
 #define KERN_PIVOTS_ROW 2
-/* Number of budgets of pivots after which Bland's rule is used. Bland's rule
-   cannot cycle, but is slow. */
+/* Number of budgets of pivots (KERN_PIVOTS) after which Bland's rule chooses
+   the pivots. Bland's rule cannot cycle, but is slow. */
 #define KERN_PIVOTS_BLAND 5
-/* Number of budgets of pivots after which a program of a structure ends, plus
-   one pivot for each column. Only jams take more than two budgets, and the
-   interior point solves jams sooner. */
+/* The simplex method on a structure ends after this number of budgets of pivots
+   (KERN_PIVOTS) plus one pivot for each column. Only jams take more than two
+   budgets, and the interior point solves jams sooner. */
 #define KERN_PIVOTS_JAM 3
 /* Most pivots of a caller's program are this number plus KERN_PIVOTS_EACH for
    each row and column. The bound ends cycles that rounding causes. */
 #define KERN_PIVOTS_MOST 200
-/* Pivots of that bound for each row and column. */
+/* Pivots for each row and column of a caller's program, in the bound that
+   KERN_PIVOTS_MOST begins. */
 #define KERN_PIVOTS_EACH 20
 
 /* ---- raised ---- */
 
-/* Norm of the forces, as a multiple of the loads of all groups, above which the
-   search ends. */
+/* Norm of the forces, as a multiple of the loads of all groups, above which a
+   search for raised forces ends. */
 #define KERN_RAISE_NORM KERN_R(200)
-/* Largest slide of a contact in a proof, as a multiple of its approach. A stone
-   that falls into a jam slides farther. */
+/* Largest slide of any contact in raised forces, as a multiple of the largest
+   approach of any contact. A stone that falls into a jam slides farther. */
 #define KERN_SLIDE_MOST KERN_R(100)
-/* Most rounds of Newton's method for one set of prices. Usually it takes 4. */
+/* Most rounds of Newton's method for minimum-norm forces under one set of
+   prices (>>raised). Usually it takes 4. */
 #define KERN_PRICED_ROUNDS 10
-/* A search is lost if the displacement u exceeds (KERN_RUNS_AWAY + number of
-   groups) times that of the first round, since slides add up along a row of
-   groups. It is also lost if u differs from the last u with a proof by more
-   than KERN_JUMPS times the size of that u. */
+/* A search for raised forces is lost if the displacement u is larger than
+   (KERN_RUNS_AWAY + number of groups) times the u of the first round. The
+   number of groups is added since slides add up along a row of groups. The
+   search is also lost if u differs from the last u that had a proof by more
+   than KERN_JUMPS times the size of that last u. */
 #define KERN_RUNS_AWAY KERN_R(30)
 #define KERN_JUMPS KERN_R(2)
-/* A search is also lost after this many rounds, plus one for every two groups,
-   in which the change of prices has not become smaller. With fewer rounds the
-   search of a long row ends before the far end of the row has moved. */
+/* A search for raised forces is also lost if the change of prices does not
+   become smaller in this number of rounds, plus one for every two groups. With
+   fewer rounds the search of a long row ends before the far end of the row has
+   moved. */
 #define KERN_PATIENCE 20
-/* Most work of one search, as a multiple of the cost of a factorisation. */
+/* Most work of one search for raised forces, as a multiple of the cost of one
+   step of Newton's method, which is mostly a factorisation. */
 #define KERN_SEARCH_COSTS 3000
-/* Prices are extrapolated by KERN_FORWARD times their last change if the cosine
-   between the last two changes is larger than KERN_COHERENT. */
+/* The prices of a search for raised forces are extrapolated by KERN_FORWARD
+   times their last change if the cosine between their last two changes is
+   larger than KERN_COHERENT. */
 #define KERN_FORWARD KERN_R(2)
 #define KERN_COHERENT KERN_R(0.7)
-/* Share of the difference to its new value by which a falling price changes in
-   a round. */
+/* A price that falls is not set to its new value, but changes in a round by
+   this share of the difference. */
 #define KERN_PRICE_FALL KERN_R(0.3)
-/* Newton's method begins if at most KERN_FEW_CHANGES contacts changed in the
-   last round, and takes at most KERN_NEWTON_ROUNDS steps. More steps cost more
-   and find no more solutions. */
+/* A search for raised forces tries Newton's method if at most KERN_FEW_CHANGES
+   contacts have changed between open, sticking and sliding in the last round.
+   The method takes at most KERN_NEWTON_ROUNDS steps. More steps cost more and
+   find no more solutions. */
 #define KERN_FEW_CHANGES 2
 #define KERN_NEWTON_ROUNDS 3
-/* A load grows to the load factor in KERN_LOAD_STEPS steps. A step that fails,
-   which takes the work of ten others, is divided by KERN_LOAD_FINER. The least
-   step is the share KERN_LOAD_NARROW of the largest load with a proof. As a
-   share of the load factor, which may be several times too high, it would end
-   the search 3 % below limit equilibrium. */
+/* kern_raised_load() raises a load to the load factor in KERN_LOAD_STEPS steps.
+   A step that fails, which takes the work of ten others, is divided by
+   KERN_LOAD_FINER. The least step is the share KERN_LOAD_NARROW of the largest
+   load with a proof. If it were a share of the load factor, which may be
+   several times too high, the search would end 3 % below limit equilibrium. */
 #define KERN_LOAD_STEPS 10
 #define KERN_LOAD_FINER 4
 #define KERN_LOAD_NARROW KERN_R(0.005)
@@ -2191,9 +2244,9 @@ extern "C" {
    which blocks are free. All other blocks are held. With 3 or 5 the chance
    separates stones that stay from stones that move less well. */
 #define KERN_STAYS_NEAR 4
-/* kern_stays(): stiffness of contacts along t, as kern_dual.shear. The
-   stiffness for a proof is larger, since contacts must then stick within
-   KERN_STICKS. */
+/* kern_stays(): stiffness of contacts along t, in mu times their stiffness
+   along n (kern_dual.shear). The stiffness for a proof is larger, since
+   contacts must then stick within KERN_STICKS. */
 #define KERN_STAYS_STIFF KERN_R(4)
 /* kern_stays(): constants of its law, fitted to placements. KERN_STAYS_MOST is
    the largest reserve that counts, KERN_STAYS_ADD is added to the reserve, and
