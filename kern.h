@@ -2374,7 +2374,8 @@ static void kern_clip(kern_real *low, kern_real *high, kern_real offset,
     }
 }
 
-/* Returns the velocity of a point of a body, at an arm from its centre. */
+/* Returns the velocity of the point at `arm` from the centre of a body that has
+   the motion v. */
 static inline kern_vec kern_velocity(const kern_motion *v, kern_vec arm)
 {
     return kern_vec_make(v->vx - v->spin * arm.y, v->vy + v->spin * arm.x);
@@ -2433,7 +2434,7 @@ static kern_real kern_largest(const kern_real *v, int n)
     kern_real size = 0;
     int i;
     for (i = 0; i < n; i++)
-        if (!(size > kern_abs(v[i]))) /* no call: it would cost a third */
+        if (!(size > kern_abs(v[i]))) /* a call would take a third of a solve */
             size = kern_abs(v[i]);
     return size;
 }
@@ -2482,7 +2483,8 @@ static void kern_box_add(kern_box *box, kern_vec p)
    columns for each contact point. The unit of a length is the size of the
    block, and the unit of a force is the total weight. */
 
-/* Contacts that may carry: all, or only those with nested kerns. */
+/* Which contacts may carry: all, or only those whose kerns are nested (lines,
+   and points that do not move). */
 typedef enum kern_carry { KERN_CARRY_ALL, KERN_CARRY_NESTED } kern_carry;
 
 /* A query: the weights and loads that the structure has to carry, and the
@@ -2493,14 +2495,17 @@ typedef struct kern_query {
     kern_real narrow;    /* options.narrow of the task                    */
     kern_real mean_size; /* mean size of the free blocks                  */
     kern_vec gravity;
-    const kern_wrench *pattern; /* NULL: side * m |g| horizontally          */
+    const kern_wrench *pattern; /* load pattern; NULL: a horizontal force of
+                                   side * m |g| on each block               */
     kern_real factor;           /* factor of the pattern                    */
     kern_real loads;            /* factor of the loads of the blocks        */
-    int side;                   /* 1 or -1: side of a NULL pattern or tilt  */
+    int side;                   /* right (1) or left (-1): side of the tilt,
+                                   or of the load if pattern is NULL        */
     const kern_real *fallen;    /* block i has been removed if fallen[i] >=
-                                   0; NULL: no block                        */
-    kern_real length_min;       /* [m]: shorter contacts carry nothing      */
-    kern_carry carry;           /* contacts that may carry                  */
+                                   0; NULL: no block has been removed       */
+    kern_real length_min;       /* contacts shorter than this carry nothing
+                                   [m]                                      */
+    kern_carry carry;           /* which contacts may carry                 */
 } kern_query;
 
 /* Returns the tangent of the angle by which a query narrows friction cones. */
@@ -2533,8 +2538,9 @@ KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
     return kern_abs(c->travel) < KERN_TRAVEL_LEAST * mean ? 0 : c->travel;
 }
 
-/* Returns the length of a contact's line, or the approximate length of the
-   interface of its points. Returns 0 for a single point. */
+/* Returns the length of the line contact to which a contact point belongs. For
+   a point of an interface of several points, returns the approximate length of
+   the interface. Returns 0 for a single point. */
 static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
 {
     return 2 * kern_abs(kern_travel(c, mean));
@@ -2554,7 +2560,7 @@ static inline int kern_is_idle(const kern_query *q, const kern_contact *c)
         || kern_is_gone(q, c->b);
 }
 
-/* Writes the weight of a mass. */
+/* Writes the weight of a mass to *w. */
 static void kern_weigh(kern_vec gravity, kern_real mass, kern_wrench *w)
 {
     w->fx = gravity.x * mass;
@@ -2573,8 +2579,8 @@ static void kern_pattern_wrench(const kern_structure *s, const kern_query *q,
                    s->block[i].mass * KERN_R(q->side), w);
 }
 
-/* Returns the magnitude of a force. The result is not 0 if only the squares of
-   the components underflow. */
+/* Returns the magnitude of a force. If the squares of the components underflow,
+   the result is the larger component, and not 0. */
 static kern_real kern_force_size(const kern_wrench *w)
 {
     const kern_vec f = kern_vec_make(w->fx, w->fy);
@@ -2594,8 +2600,8 @@ static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
 }
 
 /* Writes the sum of all wrenches on block i except those of its contacts to
-   *sum. Returns the sum of their magnitudes, the scale of the block's
-   residual. */
+   *sum. Returns the sum of their magnitudes, by which the residual of the block
+   is scaled. */
 static inline kern_real kern_block_wrench(const kern_structure *s,
                                           const kern_query *q, int i,
                                           kern_wrench *sum)
@@ -2611,8 +2617,8 @@ static inline kern_real kern_block_wrench(const kern_structure *s,
     return size + kern_wrench_add(sum, b, &pattern, q->factor);
 }
 
-/* Returns how far along t a shrinkage moves a contact point. Writes the rate of
-   that motion to *rate. */
+/* Returns how far along t a shrinkage moves a contact point. Writes the
+   derivative of this distance by the shrinkage to *rate. */
 static kern_real kern_shift(kern_real travel, kern_real shrink, int relative,
                             kern_real *rate)
 {
@@ -2636,8 +2642,9 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
 
 /* Writes the arms from the centres of blocks a and b to the place where contact
    c acts. Returns how far along t the shrinkage has moved the contact. The
-   centre is subtracted before that motion is added, since far from the origin a
-   place has fewer digits than an arm. A tenth of the time is spent here. */
+   centre of a block is subtracted from the place of the contact before the
+   motion of the contact is added, since far from the origin a place has fewer
+   digits than an arm. The library spends a tenth of its time here. */
 static inline kern_real kern_arms(const kern_structure *s,
                                   const kern_contact *c, const kern_query *q,
                                   kern_vec arm[2])
@@ -2696,7 +2703,7 @@ typedef struct kern_take {
     int reals, indices;
 } kern_take;
 
-/* Opens the whole work memory of a call. */
+/* Writes to *take that the whole work memory of a call is free. */
 KERN_SHARED static void kern_take_open(kern_take *take, const kern_work *work)
 {
     const kern_take memory = {work->real, work->index, work->reals,
@@ -2756,8 +2763,9 @@ static void kern_work_begin(kern_work *work)
     work->units = 0;
 }
 
-/* Counts work before it is done. Returns 0 if the work exceeds the limit of the
-   call: this and all further work is refused, and the call ends. */
+/* Adds the units of some work to work->units before it is done. Returns 0 if
+   the limit of the call is then exceeded: this work and all further work is
+   refused, and the call ends. */
 static int kern_spend(kern_work *work, int limit, int units)
 {
     const int rest = kern_limit_of(limit) - work->units;
@@ -2869,7 +2877,7 @@ static kern_status kern_structure_check(const kern_structure *s,
 }
 
 /* Checks all arguments except the contents of the arrays. `out` is the address
-   of the caller's result; a query without a result passes the task instead.
+   of the caller's result; a function without a result passes the task instead.
    Clears the units and the fault of the work memory. The other counters of the
    work memory add up over calls. */
 static kern_status kern_task_check(const kern_task *task, kern_real shrink,
@@ -2954,24 +2962,29 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
-/* Proofs read only the caller's data. The error of a proof is a share of the
-   allowed error. A proof holds if its error is at most 1.
+/* The check of a proof reads only the caller's data and the proof. The error of
+   a proof is a share of the allowed error. A proof holds if its error is at
+   most 1.
 
-   Forces prove "stands". Each force lies in its friction cone. The residual of
-   each row of equilibrium is at most KERN_TOL times the loads on the block plus
-   the rounding of the contact forces there. The sum of all forces is at most
-   KERN_BOUND times the weight.
+   Forces prove that a structure stands if three conditions hold. Each force
+   lies in its friction cone. The residual of each equation of equilibrium of a
+   block is at most KERN_TOL times the loads on the block plus the rounding of
+   its contact forces. The sum of all forces is at most KERN_BOUND times the
+   weight.
 
-   A motion proves "falls". The power of the loads exceeds its own rounding
-   error plus KERN_BOUND times the moving weight times the highest speed at
-   which the motion closes a contact. So contact forces with a sum of up to
-   KERN_BOUND weights cannot stop it. The speed includes a bound of its own
-   rounding error, so the proof also holds in exact arithmetic. */
+   A motion proves that a structure falls if the power of the loads is larger
+   than the sum of two terms. The first is the rounding error of the power. The
+   second is KERN_BOUND times the weight of the blocks that move, times the
+   highest speed at which the motion closes a contact. So contact forces with a
+   sum of up to KERN_BOUND weights cannot stop the motion. The speed includes a
+   bound of its own rounding error, so the proof also holds in exact
+   arithmetic. */
 
-/* Returns the error of equilibrium as a share of the allowed error. Two errors
-   count: the largest residual of a free block, and the sum `total` of all
-   normal forces. `sum` has four numbers per block, as kern_prove_end() adds
-   them up. An error above 1 is returned as at least 2. */
+/* Returns the error of equilibrium as a share of the allowed error. This is the
+   larger of two shares: the largest residual of a free block divided by the
+   allowed residual, and the sum `total` of all normal forces divided by the
+   allowed sum. `sum` has four numbers per block, which kern_prove_end() has
+   added up. If the error is above 1, the result is at least 2. */
 static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                                  const kern_real *sum, kern_real total)
 {
@@ -3000,7 +3013,7 @@ static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
 
     /* Computes the sum of the forces as a share of the largest allowed sum. */
     weight *= KERN_BOUND;
-    if (!kern_is_finite(weight)) /* it allows any forces                */
+    if (!kern_is_finite(weight)) /* a bound that would allow any forces */
         return KERN_INFINITY;
     if (total > 0)
         error = kern_max(error, total / weight);
@@ -3122,7 +3135,7 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
                                    const kern_motion *motion)
 {
     kern_real power = 0, terms = power, weight = power, closing = power;
-    int i, first = -1; /* block that moves */
+    int i, first = -1; /* the first block that moves */
 
     /* Sums the power of the loads on the moving blocks, the magnitudes of its
        terms, which bound its rounding, and the weight of the moving blocks. */
@@ -3166,10 +3179,11 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
 }
 
 /* Returns the error of forces and of the displacement that raises them, as a
-   share of the allowed error. The proof requires that each loaded contact
-   approaches, and that it slides only against its friction, on the cone. Forces
-   and displacement are then a solution for some stiffness of each contact: its
-   force divided by its approach. */
+   share of the allowed error. The proof requires that the blocks of each loaded
+   contact approach each other. It also requires that a contact slides only if
+   its force lies on the edge of the friction cone, and only against the
+   friction. Forces and displacement are then a solution for some stiffness of
+   each contact, which is its force divided by its approach. */
 static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
                                    const kern_force *force,
                                    const kern_motion *motion, kern_real *sum)
@@ -3211,9 +3225,10 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
     return error;
 }
 
-/* Finds the blocks that hang, in the set of blocks i with value[i] >= 0:
-   removes those that are fixed or loaded, or that a block outside of the set
-   holds up against gravity. Returns the number of blocks that are left. */
+/* Finds the blocks that hang among the set of blocks i with value[i] >= 0.
+   Removes from this set each block that is fixed, that has a load, or that a
+   block outside of the set holds up against gravity. Returns the number of
+   blocks that are left. */
 static int kern_unsupported(const kern_structure *s, kern_real *value)
 {
     const kern_real pull = kern_vec_length(s->gravity);
@@ -3304,28 +3319,32 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 
 /* ---- The model ------------------------------------------------- >>model */
 /* Each free block becomes a group of three rows. Groups are numbered along
-   gravity from top to bottom, so a group has a larger number than those that it
-   carries. Fixed blocks and blocks that have been removed are the ground, whose
-   number follows the last group. A contact belongs to its upper group, which is
-   the group that it carries. */
+   gravity from top to bottom, so a group has a larger number than the groups
+   that it carries. Fixed blocks and blocks that have been removed form the
+   ground, whose number follows that of the last group. A contact belongs to its
+   upper group, which is the group that it carries. */
 
 /* Groups and the contacts between them.
 
-   `local` has the groups of the open part. This array has three phases. While
-   no part is open it is KERN_OUT for every group. Before a part is opened it is
-   KERN_MARKED for the groups of the next part. While a part is open it is the
-   number of a group in the part, and KERN_OUT for all other groups. Exception:
-   kern_norm_open() opens the groups with KERN_OUT and holds all others. */
+   `local` tells which groups belong to the open part (>>part). This array has
+   three phases. While no part is open it is KERN_OUT for every group. Before a
+   part is opened it is KERN_MARKED for the groups of the next part. While a
+   part is open it is the number of a group in the part, and KERN_OUT for all
+   other groups. Exception: kern_norm_open() opens the groups with KERN_OUT and
+   holds all others. */
 typedef struct kern_graph {
     int groups;
-    int *group;        /* per block                                       */
-    int *block;        /* per group                                       */
-    int *ends;         /* groups of b (2 i) and a (2 i + 1), contact i    */
-    int *first_end;    /* per group: first end of a contact at it         */
+    int *group;        /* per block: the number of its group              */
+    int *block;        /* per group: the index of its block               */
+    int *ends;         /* two per contact i: the groups of its blocks b
+                          (2 i) and a (2 i + 1)                           */
+    int *first_end;    /* per group: first end of a contact at this group */
     int *next_end;     /* per end: the next end at the same group         */
-    kern_real *torque; /* two per end: torques of n and t, as in kern_row */
+    kern_real *torque; /* two per end: torques of unit forces along n and
+                          t, as in kern_row                               */
     int *local;        /* per group: its number in the open part          */
-    int *carrier;      /* per group: its only carrier, or KERN_OUT        */
+    int *carrier;      /* per group: the only group that carries it, or
+                          KERN_OUT                                        */
 } kern_graph;
 
 /* The forces and the motion of the last verdict.
@@ -3351,17 +3370,18 @@ enum { KERN_MARKED = 0 };
 /* Disjoint sets of groups that are balanced together. */
 typedef struct kern_clusters {
     int *last;      /* per group: the last group of its cluster              */
-    int *next;      /* per group: the next of its cluster, cyclic            */
-    int *flags;     /* per last group of a cluster: its state                */
-    int front;      /* no open cluster ends before this group                */
-    int groups_max; /* largest number of groups of a cluster                 */
+    int *next;      /* per group: the next group of its cluster, in a ring   */
+    int *flags;     /* per last group of a cluster: state of the cluster     */
+    int front;      /* the last group of every open cluster is this group or
+                       a later one                                           */
+    int groups_max; /* largest number of groups that a cluster may have      */
     int budget_end; /* value of work->units at which the pass ends           */
     int unbalanced; /* the only group that the known forces may not balance;
-                       KERN_OUT: all may not                                 */
+                       KERN_OUT: they may not balance any group              */
 } kern_clusters;
 
 typedef struct kern_model {
-    const kern_task *task; /* its task */
+    const kern_task *task; /* the caller's task */
     const kern_structure *s;
     kern_graph graph;
     kern_answer answer;
@@ -3369,14 +3389,16 @@ typedef struct kern_model {
     kern_real mean_size;     /* mean size of the free blocks                */
     kern_real weight;        /* unit of force: sum of the loads on free
                                 blocks [N]                                  */
-    kern_real *torque_scale; /* per group: 1 / unit of its torques [1/m]    */
-    kern_real *load;         /* three per group: wrench of its contacts [N] */
+    kern_real *torque_scale; /* per group: factor that makes forces of its
+                                torques [1/m]                               */
+    kern_real *load;         /* three per group: wrench that its contacts must
+                                exert [N]                                   */
     kern_real *load_size;    /* per group: magnitude of its loads [N]       */
-    kern_real shrunk;        /* shrinkage for which graph.torque is set; or
-                                infinity                                    */
+    kern_real shrunk;        /* shrinkage for which graph.torque is set;
+                                infinity: none                              */
     kern_real reduction;     /* kern_reduction() of the last query          */
     kern_clusters cluster;
-    int whole;        /* nonzero: all groups are one part        */
+    int whole;        /* nonzero: all groups are open as one part */
     kern_take common; /* work memory for a program of all groups */
     kern_take rest;   /* work memory for parts                   */
 } kern_model;
@@ -3435,10 +3457,10 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
 }
 
 /* Sorts the blocks of all groups along gravity, and blocks of equal height from
-   side to side. If rounding ordered blocks of equal height, few columns of a
-   flat arch would be own columns of their groups (>>lp). In float, rounding is
-   too large for an order from side to side, and the index decides. Shell's sort
-   needs neither memory nor recursion. */
+   side to side. If rounding errors decided the order of blocks of equal height,
+   few columns of a flat arch would be own columns of their groups (>>lp). In
+   float, rounding is too large for an order from side to side, and the index
+   decides. Shell's sort needs neither memory nor recursion. */
 static void kern_model_order(const kern_model *m)
 {
     const kern_block *block = m->s->block;
@@ -3589,8 +3611,9 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
    for forces uses it. Proofs have code of their own, so that they share no
    fault with it. */
 typedef struct kern_row {
-    kern_real n[3];   /* wrench of a unit of normal force    */
-    kern_real torque; /* unit along t: (-n[1], n[0], torque) */
+    kern_real n[3];   /* wrench of a unit force along n           */
+    kern_real torque; /* torque of a unit force along t, whose wrench is
+                         (-n[1], n[0], torque)                    */
 } kern_row;
 
 /* Returns the row of a normal n that acts at an arm. Torques are multiplied by
@@ -3602,7 +3625,8 @@ static inline kern_row kern_row_of(kern_vec n, kern_vec arm, kern_real unit)
     return row;
 }
 
-/* w += the speeds of motion v along n and t. */
+/* w += the speeds along n and t that motion v of the group gives to the
+   contact. */
 static inline void kern_row_speed(const kern_row *c, const kern_real *v,
                                   kern_real w[2])
 {
@@ -3651,8 +3675,8 @@ static inline kern_row kern_model_row(const kern_model *m, int end)
     return row;
 }
 
-/* Sets the reduction of cones for a query. Sets the torques of all rows, unless
-   they are already those of this shrinkage. */
+/* Sets the reduction of friction cones for a query. Sets the torques of all
+   rows, unless they have already been set for this shrinkage. */
 static void kern_model_arms(kern_model *m, const kern_query *q)
 {
     kern_real *torque = m->graph.torque;
@@ -3733,10 +3757,11 @@ static int kern_model_loaded(const kern_model *m)
     return 0;
 }
 
-/* Returns 1 if kerns are nested: a larger kern carries every load that a
-   smaller one carries. Kerns of lines are nested. Kerns of points that move
-   toward each other along different tangents are not. Writes the shortest
-   travel and the longest, d_max, to range. */
+/* Returns 1 if kerns are nested: a contact that is shrunk less then carries
+   every load that it carries when it is shrunk more. Kerns of lines are nested.
+   Kerns of points that move toward each other along different tangents are not.
+   Writes the shortest travel to range[0], and d_max to range[1], which is the
+   longest travel (relative: 1). */
 static int kern_is_nested(const kern_model *m, kern_real range[2])
 {
     const int *ends = m->graph.ends, both_held = 2 * m->graph.groups;
@@ -3846,31 +3871,31 @@ KERN_SHARED static void kern_proof_write(const kern_model *m,
 
 /* ---- The simplex method -------------------------------------------- >>lp */
 /* Minimises cost . x where A x = rhs, x >= 0, by the revised simplex method.
-   The variables are the columns, then the place (see kern_program), then one
-   logical for each row. A logical is a variable whose column is a unit vector,
-   and it must be zero.
+   The variables are numbered: first one for each column of A, then the place
+   (see kern_program), then one logical for each row. A logical is a variable
+   whose column is a unit vector, and it must be zero.
 
    The inverse of the basis B is a product of factors:
 
        B^-1 = E_n ... E_2 E_1 B_0^-1.
 
-   Rows come in groups of three. A column of a network (`ends` given) touches
-   one or two groups. The column is an own column of the upper of these groups.
-   B_0 has three own columns, or logicals, of each group, so it is block
-   triangular. For each group B_0 stores only a 3 x 3 inverse, and the entries
-   of its three columns in the rows of other groups. Without `ends` B_0 is the
-   unit matrix.
+   The rows come in threes: the equations of one group. If the program is a
+   network (`ends` is given), a column has entries in the rows of one or two
+   groups. The column is an own column of the upper of these groups. B_0 has
+   three own columns, or logicals, of each group, so it is block triangular. For
+   each group B_0 stores only a 3 x 3 inverse, and the entries of its three
+   columns in the rows of other groups. Without `ends` B_0 is the unit matrix.
 
-   Each E_i makes one more column enter (the product form of the inverse). E_i
-   is the unit matrix except for column p. Let alpha = B^-1 A_j for the entering
-   column j, and let p be the row in which it pivots. Then column p of E_i is
-   -alpha / alpha_p, with 1 / alpha_p in row p. Its entries are stored in
-   threes, from the first that is not zero to the last.
+   Each E_i makes one more column enter the basis (the product form of the
+   inverse). E_i is the unit matrix except for column p. Let alpha = B^-1 A_j
+   for the entering column j, and let p be the row in which it pivots. Then
+   column p of E_i is -alpha / alpha_p, with 1 / alpha_p in row p. Its entries
+   are stored in threes, from the first that is not zero to the last.
 
    Vectors over the rows have three more entries at their end, the rows of the
-   ground. The ground is the other group of a column that touches only one: it
-   reads as 0 and is written without effect, so no loop has to test for such
-   columns. */
+   ground. The ground is the second group of a column that touches only one
+   group. Its entries read as 0, and what is written to them has no effect, so
+   no loop has to test for such columns. */
 
 /* A linear program. It is dense, or its columns are those of a network: two
    columns for each contact. Columns 2 i and 2 i + 1 touch the groups ends[2 i]
@@ -3884,13 +3909,13 @@ typedef struct kern_program {
     int rows, cols;
     const kern_real *a; /* dense: by columns; network: four per column */
     const kern_real *rhs;
-    const kern_real *cost; /* NULL: all are 0                            */
+    const kern_real *cost; /* NULL: all costs are 0                      */
     const int *ends;       /* NULL: the program is dense                 */
     const kern_real *rate; /* column of the place: minus the rate of rhs */
     int follow;            /* 1: the place grows from 0; 0: it is fixed  */
     kern_real bound;       /* largest value of a variable; 0: no bound   */
     int limit;             /* largest value of work->units               */
-    kern_work *work;       /* of the call                                */
+    kern_work *work;       /* work memory of the call                    */
 } kern_program;
 
 /* The inverse of a basis: the inverse of B_0, group by group, and the factors
@@ -3898,22 +3923,26 @@ typedef struct kern_program {
    the entries of its column in the three rows of the other group. `other_row`
    is the first of these rows. */
 typedef struct kern_factors {
-    int padded_rows;     /* rows, rounded up to a multiple of three         */
-    int groups;          /* of B_0: all of a network, 0 if B_0 is the unit  */
-    kern_real *column;   /* per row: six numbers                            */
+    int padded_rows;     /* number of rows, rounded up to a multiple of
+                            three                                           */
+    int groups;          /* number of groups of B_0; 0 if B_0 is the unit
+                            matrix                                          */
+    kern_real *column;   /* per row: the six numbers of B_0                 */
     int *other_row;      /* per row: first row of its column's other group  */
     int count_max, room; /* largest number of factors, and of their entries */
-    int count;           /* of factors                                      */
+    int count;           /* number of factors E_i                           */
     int *pivot;          /* per factor: the row of its pivot                */
     int *first_row;      /* per factor: its first row with an entry         */
-    int *first_entry;    /* per factor: its first entry; last: end of all   */
+    int *first_entry;    /* per factor: its first entry; then the end of the
+                            last factor                                     */
     kern_real *entry;    /* entries of all factors, in threes of rows       */
 } kern_factors;
 
 typedef enum kern_basis {
-    KERN_BASIS_NONE,  /* no basis: the next solve begins with logicals  */
-    KERN_BASIS_STALE, /* its columns have changed since it was factored */
-    KERN_BASIS_READY
+    KERN_BASIS_NONE,  /* there is no basis: the next solve makes one    */
+    KERN_BASIS_STALE, /* there is a basis, but its columns have changed since
+                         it was factored                                */
+    KERN_BASIS_READY  /* the factors of the basis are valid             */
 } kern_basis;
 
 /* Solvers that may be used. KERN_SOLVER_ANY: the backend (KERN_USE_GLPK), too.
@@ -3921,28 +3950,32 @@ typedef enum kern_basis {
 typedef enum kern_solver { KERN_SOLVER_ANY, KERN_SOLVER_BUILTIN } kern_solver;
 
 /* `alpha` and `list` are scratch: no phase reads values that another phase left
-   there. In the crash `alpha` is the load that is not carried yet, during
-   refinement it is a residual, and otherwise it is the entering column. In the
-   crash `list` has the first column of each group, during a factorisation the
-   columns that wait, and in a ratio test its rows. */
+   there. While a crash basis is made, `alpha` is the load that is not carried
+   yet. During refinement `alpha` is a residual, and otherwise the entering
+   column in terms of the basis. While a crash basis is made, `list` has the
+   first column of each group. During a factorisation `list` has the columns
+   that are still to be entered, and during a ratio test the rows that it
+   compares. */
 typedef struct kern_simplex {
     const kern_program *lp;
     kern_basis basis;
     kern_factors factors;
-    int *base;        /* per row: its variable                               */
-    int *basic_row;   /* per column, and of the place: its row, or KERN_OUT;
-                         in the crash: the next column of a group            */
-    kern_real *value; /* per row: value of its variable                      */
-    kern_real *slope; /* per row: c of its variable (see "pivots")           */
-    kern_real *price; /* per row: y                                          */
-    kern_real *alpha; /* per row                                             */
-    kern_real *ratio; /* per row of the ratio test: the step to zero         */
-    int *list;
-    int entering;        /* the entering column                          */
+    int *base;        /* per row: the basic variable of this row             */
+    int *basic_row;   /* per column, and for the place: the row in which it is
+                         basic, or KERN_OUT; while a crash basis is made: the
+                         next column of the same group                       */
+    kern_real *value; /* per row: value of its basic variable                */
+    kern_real *slope; /* per row: c of its basic variable (see "pivots")     */
+    kern_real *price; /* per row: the price y of this row                    */
+    kern_real *alpha; /* per row: see above                                  */
+    kern_real *ratio; /* per row of the ratio test: the step after which its
+                         variable is zero                                    */
+    int *list;        /* see above                                           */
+    int entering;     /* the entering column                          */
     kern_real tolerance; /* smallest violation that counts               */
     kern_real gain;      /* c_j - y.A_j of the entering column           */
     int refined;         /* 1: no pivot since the values were refined    */
-    int violated;        /* number of variables that violate their bound */
+    int violated;        /* number of basic variables in violation       */
 } kern_simplex;
 
 /* ---- columns ---- */
@@ -3971,8 +4004,8 @@ static inline kern_real kern_lp_dot(const kern_program *lp, int j,
    it is an own column. KERN_LP_END_OTHER: the other group. */
 typedef enum kern_lp_end { KERN_LP_END_OWN, KERN_LP_END_OTHER } kern_lp_end;
 
-/* Writes column j's entries in the rows of one of its groups. Returns the first
-   of these rows. */
+/* Writes the three entries of column j in the rows of one of its groups.
+   Returns the first of these rows. */
 static inline int kern_lp_part(const kern_program *lp, int j, kern_lp_end side,
                                kern_real out[3])
 {
@@ -4014,9 +4047,9 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
     const kern_factors *f = &sx->factors;
     int e, g, k;
 
-    /* Multiplies by B_0^-1, from the top group to the bottom one. Solves the
-       rows of each group for its own columns, and subtracts the products of
-       these columns in the rows of other groups. */
+    /* Multiplies v by B_0^-1, from the top group to the bottom one. Solves the
+       rows of each group for its own columns, and subtracts the entries that
+       these columns have in the rows of other groups, times their values. */
     for (g = 0; g < f->groups; g++) {
         const kern_real *d = f->column + 18 * g;
         kern_real *own_rows = v + 3 * g;
@@ -4033,7 +4066,7 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
         }
     }
 
-    /* Multiplies by E_1 to E_n: each adds a multiple of its column. */
+    /* Multiplies v by E_1 to E_n: each adds a multiple of its column to v. */
     for (e = 0; e < f->count; e++) {
         const kern_real x = v[f->pivot[e]], *a;
         kern_real *w;
@@ -4086,7 +4119,7 @@ static void kern_basis_column(kern_simplex *sx, int j)
     kern_basis_solve(sx, sx->alpha);
 }
 
-/* Returns 1 if there is no room for one more factor. */
+/* Returns 1 if there is no room for one more factor of the basis. */
 static int kern_basis_full(const kern_simplex *sx)
 {
     const kern_factors *f = &sx->factors;
@@ -4128,15 +4161,17 @@ static kern_real kern_three_det(const kern_real *a, const kern_real *b,
 }
 
 typedef enum kern_crash {
-    KERN_CRASH_PUSHING, /* columns that push against the load            */
-    KERN_CRASH_ANY      /* any column, and the logical of the torque     */
+    KERN_CRASH_PUSHING, /* only columns that push against the load       */
+    KERN_CRASH_ANY      /* any column, and the logical of the group's
+                           torque                                        */
 } kern_crash;
 
-/* Chooses three columns of group g from the list that begins with j, and makes
-   them basic. The three columns carry the load of the group, and the least of
-   their three forces is as large as possible. Adds these forces to the loads of
-   other groups. With KERN_CRASH_PUSHING no column may pull by more than
-   KERN_CRASH_PULL loads. Returns 0 if there are no such columns. */
+/* Chooses three columns of group g from the list that begins with column j, and
+   makes them basic. The forces of these columns carry the load of the group,
+   and of all triples of columns the one is chosen whose least force is largest.
+   Adds these forces to the loads of other groups. With KERN_CRASH_PUSHING no
+   column may pull by more than KERN_CRASH_PULL loads. Returns 0 if there are no
+   such columns. */
 static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash crash)
 {
     const int logical = sx->lp->cols + 1 + 3 * g + 2;
@@ -4208,9 +4243,9 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash crash)
     return found;
 }
 
-/* Makes a basis of the columns that x uses, and fills it up with the last
-   columns. If x uses more columns than there are rows, the next program begins
-   without a basis. */
+/* Makes a basis of the columns j with x[j] > threshold, and fills it up with
+   the last columns of the program. If there are more such columns than rows,
+   the next program begins without a basis. */
 static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
                                kern_real threshold)
 {
@@ -4228,8 +4263,9 @@ static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
     sx->basis = KERN_BASIS_STALE;
 }
 
-/* Makes a basis of logicals. For a network, three columns of each group then
-   replace its logicals, from top to bottom. */
+/* Makes a crash basis, from which the simplex method starts. At first all
+   logicals are basic. For a network, three columns of each group then replace
+   its logicals, from the top group to the bottom one. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4255,8 +4291,9 @@ static void kern_simplex_crash(kern_simplex *sx)
 /* ---- factors ---- */
 
 /* Makes column j basic in a row of its own group that still has its logical.
-   Takes the row with the largest entry of the column in terms of the columns
-   that are already basic. Returns 0 if no such entry is large enough. */
+   Of these rows it takes the one in which the column, in terms of the columns
+   that are already basic, has its largest entry. Returns 0 if that entry is too
+   small. */
 static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
@@ -4329,8 +4366,9 @@ static kern_real kern_basis_residual(kern_simplex *sx)
 }
 
 /* Computes the basic solution and refines it until its residual is rounding.
-   The inverse grows with every course of a wall, so one solve may lose half of
-   the digits. Returns 0 if the residual stays too large. */
+   The entries of the inverse grow with every course of a wall, so one solve
+   without refinement may lose half of the digits. Returns 0 if the residual
+   stays too large. */
 static int kern_basis_values(kern_simplex *sx)
 {
     kern_real residual = kern_basis_residual(sx);
@@ -4381,8 +4419,9 @@ static void kern_basis_refactorise(kern_simplex *sx)
     kern_basis_values(sx);
 }
 
-/* Computes the basic solution. Factors the basis again if the matrix has
-   changed, or if the factors are full or have lost digits. */
+/* Computes the basic solution. Factors the basis again if its columns have
+   changed, if there is no room for another factor, or if the factors have lost
+   digits. */
 static void kern_basis_renew(kern_simplex *sx)
 {
     if (sx->basis != KERN_BASIS_READY || kern_basis_full(sx)
@@ -4392,23 +4431,26 @@ static void kern_basis_renew(kern_simplex *sx)
 
 /* ---- pivots ---- */
 /* Every basis gives an x with A x = rhs. A variable is in violation if it is
-   negative, or if it is a logical that is not zero. The first phase minimises
-   the sum of violations. With
+   negative, or if it must be zero (a logical, or a place that is fixed) but is
+   not. The first phase minimises the sum of violations. With
 
        y = B^-T c,    c = +1 or -1 for a variable that violates, otherwise 0,
 
    y.A_j < 0 is the rate at which the sum falls when column j enters. If no
-   column lowers the sum and it is not zero, y is a Farkas certificate. It is
-   the certificate with the largest sum of violations, -y.rhs, as a step of
-   Newton's method requires. If there are no violations, c is minus the costs,
-   and y is minus their prices. */
+   column lowers the sum and it is not zero, y is a Farkas certificate. Among
+   the certificates it is the one with the largest -y.rhs, which is the sum of
+   violations; a step of Newton's method along a path requires this one. If
+   there are no violations, c is minus the costs, and y is minus their
+   prices. */
 
 /* Rules by which pivots are chosen. */
 typedef enum kern_rule {
-    KERN_RULE_LARGEST, /* the column of the largest gain                   */
-    KERN_RULE_REFINED, /* the column of the largest gain, prices refined   */
-    KERN_RULE_BLAND    /* the first column of any gain, and of equal rows
-                                 the least index: this cannot cycle        */
+    KERN_RULE_LARGEST, /* the column of the largest gain enters            */
+    KERN_RULE_REFINED, /* the column of the largest gain enters, after prices
+                          have been refined                                */
+    KERN_RULE_BLAND    /* the first column with a gain enters, and of equal
+                          rows the variable of least index leaves: this cannot
+                          cycle                                            */
 } kern_rule;
 
 /* Returns 1 if variable j must be zero: a logical, or a place that is fixed. */
@@ -4417,8 +4459,8 @@ static int kern_lp_fixed(const kern_program *lp, int j)
     return j >= lp->cols + lp->follow;
 }
 
-/* Returns the rate at which the costs fall as variable j grows, or 1 for a
-   place that grows. */
+/* Returns the rate at which the costs fall as variable j grows. For the place
+   the rate is 1 if the place may grow. */
 static kern_real kern_lp_worth(const kern_program *lp, int j)
 {
     return lp->cost && j < lp->cols ? -lp->cost[j]
@@ -4449,11 +4491,12 @@ static kern_real kern_violations(kern_simplex *sx)
     return sum;
 }
 
-/* Refines y once by the residual of y.A_j = c for basic columns. At the same
-   time raises y.A_j of these columns by `lift` times the largest entry of y. A
-   certificate needs this lift, since rounding leaves y.A_j below zero as often
-   as above. The lift costs little of the certificate's power. Returns 0 without
-   a basis, as after an answer of the backend. */
+/* Refines y once by the residual of the equations y.A_j = c of the basic
+   columns j. At the same time raises y.A_j of these columns by `lift` times the
+   largest entry of y. A certificate needs this lift, since rounding leaves
+   y.A_j below zero as often as above. The lift costs little of the
+   certificate's power. Returns 0 if there is no basis, as after an answer of
+   GLPK (KERN_USE_GLPK). */
 static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 {
     const kern_program *lp = sx->lp;
@@ -4474,9 +4517,9 @@ static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 
 /* Computes prices and chooses the entering variable, sx->entering, by the rule.
    sx->gain = c_j - y.A_j is the rate at which this variable lowers the sum of
-   violations, or the costs. A variable that would have to exceed lp->bound to
-   remove the violations does not enter: it belongs to a jam. Returns 0 if no
-   variable enters. */
+   violations, or the costs. If a variable would have to exceed lp->bound to
+   remove the violations, it does not enter, since it belongs to a jam. Returns
+   0 if no variable enters. */
 static int kern_entering(kern_simplex *sx, kern_rule rule)
 {
     const kern_program *lp = sx->lp;
@@ -4493,9 +4536,9 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
     if (rule > KERN_RULE_LARGEST)
         kern_prices_mend(sx, sx->price, 0);
 
-    /* Computes the least gain that counts, which is above rounding. If
-       variables are bounded, a variable must also be able to remove the
-       violations within its bound. */
+    /* Computes the least gain with which a variable may enter, which is above
+       rounding. If variables are bounded, the variable must also be able to
+       remove all violations within its bound. */
     size = kern_largest(sx->price, lp->rows);
     gain_min = costs || !(lp->bound > 0) ? KERN_PRICE_TOL * size
                                          : sum / lp->bound;
@@ -4559,14 +4602,16 @@ static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
     const int bland = rule == KERN_RULE_BLAND;
     int *list = sx->list, i, n = 0, best = KERN_OUT, next, seen = 0;
 
-    /* Lists the rows whose variables change, and where each reaches zero. */
+    /* Lists the rows whose variables change, and the step after which each of
+       these variables reaches zero. */
     for (i = 0; i < sx->lp->rows; i++)
         if (kern_abs(sx->alpha[i]) > pivot_min) {
             list[n] = i;
             n += kern_break(sx, i, ratio + n) > 0;
         }
 
-    /* Passes the closest of these rows until the sum no longer falls. */
+    /* Passes these rows, the closest first, until the sum of violations no
+       longer falls. */
     for (; n > 0 && slope > 2 * KERN_LP_ROUNDING * sx->gain; n--) {
         seen += n;
         next = 0;
@@ -4607,14 +4652,14 @@ static int kern_pivot_spend(const kern_simplex *sx)
 /* Pivots until no column lowers the sum of violations, and then until no column
    lowers the costs. The sum falls with every step whose length is not zero,
    unless rounding spoils the prices. So prices are refined after one budget of
-   pivots, and Bland's rule, which cannot cycle, is used after five. A limit
-   ends cycles that rounding causes. Programs of structures take less than two
-   budgets of pivots, except in jams. Their limit is three budgets, plus one
-   pivot for each column.
+   pivots (KERN_PIVOTS), and Bland's rule, which cannot cycle, is used after
+   five budgets. A limit on the number of pivots ends cycles that rounding
+   causes. Programs of structures take less than two budgets of pivots, except
+   in jams. Their limit is three budgets, plus one pivot for each column.
 
    Returns KERN_LP_OPTIMAL, KERN_LP_INFEASIBLE or KERN_LP_UNBOUNDED. Returns
-   KERN_NO_SPACE if there is no room for a pivot, KERN_LIMIT if its work is
-   refused, and otherwise KERN_UNDECIDED. */
+   KERN_NO_SPACE if there is no room for the factor of a pivot, KERN_LIMIT if
+   the work of a pivot is refused, and otherwise KERN_UNDECIDED. */
 static kern_status kern_simplex_run(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4648,8 +4693,8 @@ static kern_status kern_simplex_run(kern_simplex *sx)
             continue;
         }
 
-        /* Ends if no column lowers the sum or the costs, or if a column may
-           grow without bound. */
+        /* Ends if no column lowers the sum of violations or the costs, or if
+           the entering variable may grow without bound. */
         if (!enters)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
         if (p == KERN_OUT)
@@ -4681,7 +4726,8 @@ static kern_status kern_simplex_run(kern_simplex *sx)
 
 /* ---- opening, starting, reading ---- */
 
-/* Takes the arrays of a simplex, with room for `room` entries of factors. */
+/* Takes the arrays of the simplex method for a program, with room for `room`
+   entries of factors. */
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take)
 {
@@ -4722,7 +4768,8 @@ static void kern_simplex_change(kern_simplex *sx, kern_basis basis)
 #include "kern_lp.h"
 #endif
 
-/* x := all variables. The basic ones have the values v, the others are 0. */
+/* Writes all variables to x: the basic variables have the values v, and the
+   others are 0. */
 static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
                             kern_real *x)
 {
@@ -4733,8 +4780,8 @@ static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
             x[sx->base[i]] = v[i];
 }
 
-/* Writes B^-1 v as a vector of variables to x. Destroys v. Returns 0 without a
-   basis. */
+/* Writes B^-1 v as a vector of variables to x. Destroys v. Returns 0 if there
+   is no basis. */
 static int kern_simplex_direction(kern_simplex *sx, kern_real *v, kern_real *x)
 {
     if (sx->basis == KERN_BASIS_NONE)
@@ -4745,11 +4792,11 @@ static int kern_simplex_direction(kern_simplex *sx, kern_real *v, kern_real *x)
 }
 
 /* Solves a program, beginning with the last basis or with that of
-   kern_simplex_crash(). All solves go through this function. Writes x for every
-   status. For an infeasible program x is the last basic solution: A x = rhs
-   with negative entries, from which Newton's step along a path is taken. Writes
-   to y a certificate for KERN_LP_INFEASIBLE, and minus the prices for
-   KERN_LP_OPTIMAL. */
+   kern_simplex_crash(). Every linear program is solved by this function. Writes
+   x for every status. For an infeasible program x is the last basic solution,
+   which satisfies A x = rhs but has negative entries. Newton's method along a
+   path takes its step from this x. Writes to y a certificate for
+   KERN_LP_INFEASIBLE, and minus the prices for KERN_LP_OPTIMAL. */
 static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
                                       kern_real *x, kern_real *y)
 {
@@ -4765,8 +4812,8 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
 #endif
     (void)solver;
 
-    /* Charges the start, unless the last basis is ready: reading the columns
-       and factoring a basis. */
+    /* Charges the work of the start, unless the last basis is ready. This work
+       is to read the columns and to factor a basis. */
     sx->tolerance = KERN_VALUE_TOL * kern_largest(lp->rhs, lp->rows);
     if (sx->basis != KERN_BASIS_READY
         && !kern_lp_spend(lp, lp->ends ? (lp->rows + lp->cols) / 2
@@ -4787,8 +4834,8 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
    both. */
 typedef enum kern_sign { KERN_SIGN_PLUS, KERN_SIGN_ANY } kern_sign;
 
-/* Sets numbers to 0 whose magnitude is at most `share` of the largest of all n,
-   and numbers of a sign that is not kept. */
+/* Sets each of n numbers to 0 if its magnitude is at most `share` times the
+   largest magnitude, or if its sign is not one of those that are kept. */
 KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
                                       kern_sign sign)
 {
@@ -4800,9 +4847,9 @@ KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
             v[i] = 0;
 }
 
-/* Returns start + u.v, divided by the sum of the magnitudes of its terms.
-   Vectors have n numbers, and those of v lie `stride` from each other. Returns
-   NaN if a term is not finite. */
+/* Returns start + u.v, divided by the sum of the magnitudes of its terms. The
+   vectors u and v have n numbers; those of v lie `stride` apart. Returns NaN if
+   a term is not finite. */
 static kern_real kern_lp_sum(kern_real start, const kern_real *u,
                              const kern_real *v, int stride, int n)
 {
@@ -4816,8 +4863,8 @@ static kern_real kern_lp_sum(kern_real start, const kern_real *u,
 }
 
 /* Returns 1 if x and y prove the status. The check uses only products with the
-   matrix, and each row and column must hold to KERN_LP_TOL of its own terms.
-   NaN proves nothing.
+   matrix A. The condition of each row and column must hold within KERN_LP_TOL
+   times the sum of the magnitudes of its terms. NaN proves nothing.
 
        optimal      A x = rhs,  cost + y A >= 0, = 0 where x > 0
        infeasible   y A >= 0,  y.rhs < 0
@@ -4850,8 +4897,9 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
 }
 
 /* Sets negative entries of x to 0. Returns 1 if x and y then prove the status.
-   Otherwise sets entries of the size of rounding to 0, since they spoil a row
-   that has no other entries, and checks once more. */
+   Otherwise sets the entries of x and y that are as small as rounding to 0, and
+   checks once more: such entries spoil the check of a row that has no other
+   entries. */
 static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
@@ -4867,7 +4915,7 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
     return 0;
 }
 
-/* Solves a checked program, for kern_lp_solve(). */
+/* Solves a program whose data have been checked, for kern_lp_solve(). */
 static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
                                kern_work *work)
 {
