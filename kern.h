@@ -1052,14 +1052,15 @@ KERN_API void kern_work_need(int blocks, int contacts, int *reals,
 /* Fills a block from a simple polygon, convex or not, turning either way: area,
    box, centroid, mass = density * |area| with the density in kg/m^2, no load.
    The block points to the caller's vertices, which must live as long as the
-   block. If the vertices move, call this function again. fault may be NULL; its
-   index is the vertex. After a failed call other functions refuse the block
-   with KERN_NO_BLOCK. Errors (the bounds of numbers are given at the head of
-   this chapter): KERN_FEW_VERTICES, KERN_BAD_COUNT (above 1,000,000),
-   KERN_BAD_NUMBER, KERN_NO_AREA, KERN_CROSSING (also if the last vertex repeats
-   the first, as in closed rings of other formats), KERN_BAD_MASS (also a
-   density not above 0). Time: O(n) for a convex polygon of n vertices;
-   otherwise O(n^2) tests of whether the boxes of two edges meet. */
+   block. If the vertices move, call this function again. `fault` may be NULL;
+   otherwise fault->index is the vertex at fault. After a failed call other
+   functions refuse the block with KERN_NO_BLOCK. Errors (the bounds of numbers
+   are given at the head of this chapter): KERN_FEW_VERTICES, KERN_BAD_COUNT
+   (above 1,000,000), KERN_BAD_NUMBER, KERN_NO_AREA, KERN_CROSSING (also if the
+   last vertex repeats the first, as in closed rings of other formats),
+   KERN_BAD_MASS (also a density not above 0). Time: O(n) for a convex polygon
+   of n vertices; otherwise O(n^2) tests of whether the boxes of two edges
+   meet. */
 KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
                                      int vertices, kern_real density,
                                      kern_fault *fault);
@@ -1069,11 +1070,12 @@ KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
                                       int vertices, kern_fault *fault);
 
-/* Simplifies a closed outline, such as one from an image: leaves out vertices
-   while none is farther than the tolerance [m] from the edge that replaces it
-   (Douglas and Peucker 1973). A step lower than the tolerance is removed,
-   unless one of its vertices is the farthest from a longer edge. A step higher
-   than twice the tolerance is kept. The same holds for corners.
+/* Simplifies a closed outline, such as one from an image: leaves out as many
+   vertices as it can, so that none of them is farther than the tolerance [m]
+   from the edge that replaces it (Douglas and Peucker 1973). A step lower than
+   the tolerance is removed, unless one of its vertices is the farthest from a
+   longer edge. A step higher than twice the tolerance is kept. Corners follow
+   the same rule as steps.
    Writes the vertices that stay to out[0..room), beginning with the one
    farthest from the centroid, and their indices in `vertex` to kept[0..room).
    Returns the number of these vertices; `room` must not be less. They form a
@@ -1109,20 +1111,21 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    itself needs room for about seven points for each short edge of an outline),
    KERN_OVERLAP (the fault names the first pair that overlaps),
    KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES,
-   KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the block's vertices have moved, or
-   their array was used for another block), KERN_LIMIT (vertices that are only
-   read are not counted). Of the work memory it uses only the fields fault and
-   units. Time: one test of boxes for each pair of blocks. For blocks whose
-   boxes meet, a few products for each pair of close edges, or tens of products
-   if no edge separates the blocks. In the worst case, such as two saws, the
-   time grows with the square of the number of edges and contacts of a pair. */
+   KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the vertices of a block have moved,
+   or their array was used for another block), KERN_LIMIT (the search exceeds
+   options.limit; reading the vertices is not counted). Of the work memory it
+   uses only the fields fault and units. Time: one test of boxes for each pair
+   of blocks. For blocks whose boxes meet, a few products for each pair of close
+   edges, or tens of products if no edge separates the blocks. In the worst
+   case, such as two saws, the time grows with the square of the number of edges
+   and contacts of a pair. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
                            int room, kern_work *work);
 
 /* Finds the pairs of blocks that overlap too deeply to be in contact, and
-   writes them to out[0..room). Returns how many pairs there are, which may be
-   more than room, or a negative status as kern_contacts(). */
+   writes them to out[0..room). Returns the number of such pairs, which may be
+   more than `room`, or a negative status of kern_contacts(). */
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work);
@@ -1130,13 +1133,13 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
 /* Finds the stretches of the contacts, which are contacts divided at hollows.
    Pass stretches to kern_bearing(), which computes the length of contact that
    the structure needs. kern_stretches() works as kern_contacts(), with two
-   differences. A hollow wider than the gap divides a line: a block on two feet
-   has one contact from the outer end of one foot to that of the other, but two
-   stretches. Also, all contacts with fixed blocks are written as contacts with
-   the first fixed block, so that cutting a fixed block in two changes nothing.
-   For margins use kern_contacts() instead. Time: that of kern_contacts(), plus
-   O(C) for each pair of blocks that has point contacts and, if there are
-   several fixed blocks, for each contact. */
+   differences. First, a hollow wider than the gap divides a line: a block on
+   two feet has one contact from the outer end of one foot to that of the other,
+   but two stretches. Second, all contacts with fixed blocks are written as
+   contacts with the first fixed block, so that cutting a fixed block in two
+   changes nothing. For margins use kern_contacts() instead. Time: that of
+   kern_contacts(), plus O(C) for each pair of blocks that has point contacts
+   and, if there are several fixed blocks, for each contact. */
 KERN_API int kern_stretches(const kern_block *block, int blocks,
                             const kern_options *options, kern_contact *out,
                             int room, kern_work *work);
@@ -1155,11 +1158,11 @@ KERN_API int kern_touch(const kern_block *block, int b,
 /* Makes a contact that the caller defines. Set a, b, p, mu and the normal n in
    *out first; n points from a into b and may have any length. The contact is
    the line from out->p to q, or the point out->p if q equals it. Writes one or
-   two contact points to out and returns how many. Errors: KERN_SAME_BLOCK,
+   two contact points to out and returns their number. Errors: KERN_SAME_BLOCK,
    KERN_BAD_BLOCK (a negative index), KERN_BAD_NUMBER, KERN_BAD_FRICTION,
-   KERN_BAD_NORMAL (no length), KERN_BAD_LINE (p to q leaves the tangent by more
-   than options->angle), KERN_BAD_OPTION. When all contacts are made, call
-   kern_contact_travels(). */
+   KERN_BAD_NORMAL (no length), KERN_BAD_LINE (the line from p to q differs from
+   the direction of the tangent by more than options->angle), KERN_BAD_OPTION.
+   When all contacts are made, call kern_contact_travels(). */
 KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
                                const kern_options *options);
 
@@ -1172,15 +1175,15 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
 /* Returns the place at which a contact point acts at a shrinkage [m]. A
    negative shrinkage is a growth. If `relative` is nonzero, `shrink` is a share
-   of the travel, and at 1 and above the point acts at the middle. Returns the
-   origin for NULL. */
+   of the travel, and if it is 1 or more, the point acts at the middle, where
+   its kern is closed. Returns the origin for NULL. */
 KERN_API kern_vec kern_contact_at(const kern_contact *contact, kern_real shrink,
                                   int relative);
 
 /* -- verdicts and measures -- */
-/* `shrink` is the length [m] by which kerns are shrunk (options.relative: a
-   share of their travel, at most 1). If it is negative, kerns grow. `proof` may
-   be NULL. */
+/* In all these functions `shrink` is the length [m] by which kerns are shrunk
+   (options.relative: a share of their travel, at most 1). If `shrink` is
+   negative, kerns grow. `proof` may be NULL. */
 
 /* Returns a task with gravity (0, -9.81), kern_defaults() and no warm start. */
 KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
@@ -1280,11 +1283,11 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
    structure stays raised under a push of that share to either side, with kerns
    shrunk further by that share of the mean size (relative: by that share).
    *reserve is 0 if the structure is not raised. Shares above options.reserve
-   are not tried. KERN_BAD_OPTION: `reserve` is not NULL, but there is no
-   gravity. work->end tells why the search without a push ended. KERN_NO_SPACE
-   also for structures much wider than a wall of square blocks, whose matrix
-   does not fit. Time: 3 times that of kern_measure() in the mean of 969 walls,
-   and 6 times if the reserve is computed. */
+   are not tried. Returns KERN_BAD_OPTION if `reserve` is not NULL but there is
+   no gravity. work->end tells why the search without a push ended. Returns
+   KERN_NO_SPACE also for structures much wider than a wall of square blocks,
+   whose matrix does not fit. Time: 3 times that of kern_measure() in the mean
+   of 969 walls, and 6 times if the reserve is computed. */
 KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof);
@@ -1302,8 +1305,9 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
    and 205 move (tests/TRUST.md). Among places that a planner draws at random
    and that stand, more stay than the chance says. KERN_STANDS: writes *chance,
    from .05 to 1, or 0 if some block hangs. KERN_FALLS: *chance is unchanged.
-   KERN_BAD_BLOCK: i is no free block. KERN_BAD_OPTION: no gravity. Time: that
-   of 3 kern_plan_try() in the median, with the known forces of a plan. */
+   Returns KERN_BAD_BLOCK if i is no free block, and KERN_BAD_OPTION if there is
+   no gravity. Time: that of 3 calls of kern_plan_try() in the median, if the
+   known forces of a plan are used. */
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance);
 
@@ -1330,10 +1334,10 @@ KERN_API kern_status kern_let_go(const kern_task *task, kern_raising *how,
 /* Computes the minimum-norm forces (>>measures): of all forces that hold the
    structure, those with the least sum of f^2 + (r / mu)^2 over the contact
    points. KERN_STANDS: writes force[0..contacts), which pass the check of a
-   proof. KERN_UNDECIDED: no such forces exist (see kern_verdict()), or none as
-   exact as a proof requires, as in critical jams or where sizes differ by 1e4.
-   KERN_NO_SPACE as in kern_raised(). Time: a third of that of
-   kern_measure(). */
+   proof. KERN_UNDECIDED: no such forces exist (see kern_verdict()), or no
+   forces were found that are as exact as a proof requires, as in critical jams
+   or where sizes differ by 1e4. Returns KERN_NO_SPACE in the cases of
+   kern_raised(). Time: a third of that of kern_measure(). */
 KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                                  kern_force *force);
 
@@ -1369,13 +1373,14 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 /* Computes the derivatives of the margin with respect to every contact point
    and block, from the proof that kern_measure() wrote. Writes them to
    contact[0..contacts) and block[0..blocks). The derivatives are exact if only
-   one mechanism is critical, the contacts stay the same and no contact that
-   carries is about to shrink to a point. Otherwise the derivatives hold only
-   for the mechanism of the proof. If corners of two blocks coincide at the end
-   of a contact, either corner moves the end. The travel of single points
-   (options.lone) is treated as constant. options.narrow must be 0. Returns
-   KERN_OK, or KERN_UNDECIDED if the margin is saturated or does not change.
-   Time: O(B + C), 0.03 of that of kern_measure(). */
+   one mechanism is critical, a small change does not make or end a contact, and
+   no contact that carries is about to shrink to a point. Otherwise the
+   derivatives hold only for the mechanism of the proof. If corners of two
+   blocks coincide at the end of a contact, both corners are taken to move that
+   end. The travel of single points (options.lone) is treated as constant.
+   options.narrow must be 0. Returns KERN_OK, or KERN_UNDECIDED if the margin is
+   saturated or does not change. Time: O(B + C), 0.03 of that of
+   kern_measure(). */
 KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       const kern_margin *margin,
                                       const kern_proof *proof,
@@ -1396,9 +1401,9 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
    contact that has a length is needed. proof->force holds the structure by the
    contacts of at least this length. proof->motion moves the structure without
    the shortest of these contacts. If that verdict is undecided, the contact
-   counts as needed and the motion is 0. KERN_FALLS: the structure falls with
-   all contacts. Time: one verdict for each step of a bisection of the lengths,
-   on a logarithmic scale. */
+   counts as needed and the motion is 0. KERN_FALLS: the structure falls even
+   with all contacts. Time: one verdict for each step of a bisection of the
+   lengths on a logarithmic scale. */
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
@@ -1407,8 +1412,8 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
    structure stands at 1,000,000. As in kern_measure(), proof->force holds the
    structure under the loads at the factor or just below it, and proof->motion
    moves it just above. KERN_FALLS: the structure falls at a factor of 0.
-   KERN_BAD_OPTION: there is no gravity, or the side is neither left nor
-   right. */
+   Returns KERN_BAD_OPTION if there is no gravity, or if the side is neither
+   left nor right. */
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof);
@@ -1438,21 +1443,21 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         const kern_proof *proof);
 
 /* Computes the load factor for Coulomb friction, with the load growing from 0:
-   unlike in kern_load_factor(), stones that slide need not part. *factor is the
-   largest multiple of the load that raises forces which hold the structure, as
-   in kern_raised(). Each step of the load (>>tune) is proven, starting from the
-   step before. With friction equilibrium is not unique: on another path of
-   loading the structure may collapse earlier (by 5 % in one case) or later.
-   *factor is never above the load factor, which is computed first. The load is
-   `pattern`, or if that is NULL, horizontal to the side. KERN_STANDS: writes
-   *factor, which is KERN_INFINITY if forces are raised even at a factor of
-   1,000,000. Both arrays of the proof pass kern_check_raised() with the loads
-   at the factor. work->end is KERN_END_SHOWN if *factor is the load factor;
-   otherwise work->end tells why *factor is less. KERN_FALLS: the structure
-   falls at a factor of 0. KERN_UNDECIDED also if the weight alone is not shown
-   to raise forces; *factor is unchanged. Time, in multiples of
-   kern_load_factor(): 8 in the median of settled stones, 13 on walls that slide
-   (9.5 on those of 40 to 60 blocks). */
+   unlike in kern_load_factor(), stones that slide need not move apart. *factor
+   is the largest multiple of the load that raises forces which hold the
+   structure, as in kern_raised(). Each step of the load (>>tune) is proven,
+   starting from the step before. With friction equilibrium is not unique: on
+   another path of loading the structure may collapse earlier (by 5 % in one
+   case) or later. *factor is never above the load factor, which is computed
+   first. The load is `pattern`, or if that is NULL, horizontal to the side.
+   KERN_STANDS: writes *factor, which is KERN_INFINITY if forces are raised even
+   at a factor of 1,000,000. Both arrays of the proof pass kern_check_raised()
+   with the loads at the factor. work->end is KERN_END_SHOWN if *factor is the
+   load factor; otherwise work->end tells why *factor is less. KERN_FALLS: the
+   structure falls at a factor of 0. Returns KERN_UNDECIDED also if the weight
+   alone is not shown to raise forces; *factor is then unchanged. Time, in
+   multiples of kern_load_factor(): 8 in the median for settled stones, 13 for
+   walls that fall by sliding (9.5 for those of 40 to 60 blocks). */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
@@ -1469,27 +1474,30 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
 /* Computes the profile (>>rules). Writes to value[0..blocks) shrinkages [m] for
    KERN_SHRINK, factors of a horizontal load for a side, and KERN_INFINITY for a
    fixed block. After a negative status *out is unchanged and the values mean
-   nothing. KERN_BAD_OPTION: no such side, or a load without gravity.
-   KERN_UNDECIDED: a verdict that the profile depends on is undecided.
-   KERN_LIMIT: the values of blocks that have been removed are final, others are
-   -1. Time: 3 to 5 times that of kern_measure(). */
+   nothing, except after KERN_LIMIT: then the values of blocks that have been
+   removed are final, and the others are -1. Returns KERN_BAD_OPTION if there is
+   no such side, or if there is a side but no gravity. Returns KERN_UNDECIDED if
+   a verdict that the profile depends on is undecided. Time: 3 to 5 times that
+   of kern_measure(). */
 KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
                                   kern_real *value, kern_collapse *out);
 
 /* Finds the contacts that limit a measure and the blocks that move, from the
-   measure's proof. proof->motion, not NULL, moves the structure at about
-   `shrink`. proof->force holds the structure at `shrink`, or is NULL. After
-   kern_measure() pass out->margin and its proof. If the structure falls, pass 0
-   and only the motion. How much a contact point limits the measure is the first
-   of these quantities that is above 0 for at least one contact point:
+   measure's proof. proof->motion must not be NULL and must move the structure
+   at about `shrink`. proof->force must hold the structure at `shrink`, or be
+   NULL. After kern_measure() pass out->margin and its proof. If the structure
+   falls, pass 0 and only the motion. How much a contact point limits the
+   measure is the first of these quantities that is above 0 for at least one
+   contact point:
      1. if there are forces: the increase of the mechanism's power per length
         [m] by which the contact point moves inward
      2. the spin of its two blocks relative to each other about the point
      3. the speed at which its two blocks slide
-   Motions slower than 1e-4 (the fastest is 1) count as rest. KERN_OK: out's
-   arrays are filled, contact and groups are set. KERN_BAD_POINTER also without
-   a motion. KERN_BAD_NUMBER also for a motion that is not finite; the fault
-   names the block. Time: O(C), and O(B) for each group. */
+   Motions slower than 1e-4 (the fastest is 1) count as rest. KERN_OK: the
+   arrays of *out are filled, and its fields contact and groups are set. Returns
+   KERN_BAD_POINTER also if there is no motion, and KERN_BAD_NUMBER also if a
+   motion is not finite; the fault then names the block. Time: O(C), and O(B)
+   for each group. */
 KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
                                       const kern_proof *proof,
                                       kern_critical *out);
@@ -1506,19 +1514,20 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
    units, and the query itself as many again. */
 
 /* Returns an empty plan under gravity (0, -9.81). All arrays, also those of
-   kern_known_of() and of the work memory, must be long enough for these numbers
-   of blocks and contact points. */
+   `known` and of the work memory, must be long enough for `blocks` blocks and
+   `contacts` contact points. */
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
                                 kern_known known, kern_work *work);
 
 /* Adds a block after the others and finds its contacts. Returns the number of
-   its contact points, or a negative status of kern_touch(). KERN_NO_SPACE also
-   if the plan is full, KERN_BAD_POINTER also without arrays for known forces or
-   motions. After a negative status the plan is unchanged. The block is copied,
-   but its vertices are NOT: they must outlive the plan. Contacts of the block
-   are found with the present options. Later changes of options.mu do not change
-   the friction of these contacts. Time: O(B). */
+   its contact points, or a negative status of kern_touch(). Returns
+   KERN_NO_SPACE also if the plan is full, and KERN_BAD_POINTER also if the plan
+   has no arrays for known forces or motions. After a negative status the plan
+   is unchanged. The block is copied, but its vertices are NOT: they must
+   outlive the plan. Contacts of the block are found with the present options.
+   Later changes of options.mu do not change the friction of these contacts.
+   Time: O(B). */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 
 /* Removes block i. The indices of later blocks decrease by 1, also in the
@@ -1543,11 +1552,12 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
 /* Returns whether the margin with the block added is at least `margin` [m]
    (relative: a share): KERN_STANDS with forces at that shrinkage, KERN_FALLS
    with a motion. A structure that stands with every kern closed bears any
-   margin, unless options.narrow is set. If kerns are not nested, KERN_FALLS
-   also if the margin of kern_plan_try() is smaller; the motion is then the one
-   at that margin. KERN_BAD_NUMBER also for a negative margin. Time: that of a
-   verdict. If `margin` is above the margin that was measured last, the time is
-   O(B + C) if the block does not touch the blocks that limit that margin. */
+   margin, unless options.narrow is set. If kerns are not nested, the result is
+   KERN_FALLS also if the margin of kern_plan_try() is smaller than `margin`;
+   the motion is then the one at that smaller margin. Returns KERN_BAD_NUMBER
+   also for a negative margin. Time: that of a verdict. If `margin` is above the
+   margin that was measured last, the time is O(B + C) if the block does not
+   touch the blocks that limit that margin. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof);
 
@@ -1580,21 +1590,22 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
    motion turns the stone by at most 28 degrees. The stone is at rest where no
    motion lowers its centre. Two convex corners that meet hold nothing. Of
    41,000 stones on blocks that cannot move, such as cubes on a grid, stairs and
-   saw teeth, 0.993 stand where they come to rest; check this with
-   kern_plan_bears(). Blocks of the structure do not move. Each motion ends
-   where the stone meets a block, so the stone overlaps no block by more than
-   1e-6 (float: 1e-4) of its size. A mirrored stone and structure have the
-   mirrored pose, and the order of blocks does not matter.
+   saw teeth, a share of 0.993 stand where they come to rest. To check whether a
+   stone stands, call kern_plan_bears(). Blocks of the structure do not move.
+   Each motion ends where the stone meets a block, so the stone overlaps no
+   block by more than 1e-6 (float: 1e-4) of its size. A mirrored stone and
+   structure have the mirrored pose, and the order of blocks does not matter.
    vertex[0..stone->vertices) receives the vertices of the stone at rest, in
-   their order. vertex must not be the stone's own array. The structure's
-   contacts are not read. KERN_OK: *out is written. After a negative status *out
-   means nothing. KERN_NO_SUPPORT: the stone falls past the structure.
-   KERN_NO_REST: the stone still moves after 64 motions. KERN_NO_LOAD: no
-   gravity. KERN_BAD_NUMBER also for a bad x or stone's centre, and for a `turn`
-   whose length is not 1. Blocks and stone are checked as by kern_touch(). In
-   the fault the stone has the index B. Time: O(B) for each motion, plus the
-   time for the edges close to the stone. A call takes 32,000 instructions in
-   the mean on a wall of 30 rough stones, and 19,000 on a bond of 36 bricks. */
+   their order. vertex must not be the stone's own array. The contacts of the
+   structure are not read. KERN_OK: *out is written. After a negative status
+   *out means nothing. KERN_NO_SUPPORT: the stone falls past the structure.
+   KERN_NO_REST: the stone still moves after 64 motions. KERN_NO_LOAD: there is
+   no gravity. Returns KERN_BAD_NUMBER also if x or the centre of the stone is
+   out of bounds, or if the length of `turn` is not 1. Blocks and stone are
+   checked as by kern_touch(). In the fault the stone has the index B. Time:
+   O(B) for each motion, plus the time for the edges close to the stone. A call
+   takes 32,000 instructions in the mean on a wall of 30 rough stones, and
+   19,000 on a bond of 36 bricks. */
 KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
                                kern_real x, kern_vec turn, kern_vec *vertex,
                                kern_pose *out);
@@ -1602,7 +1613,8 @@ KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
 /* Compares two places for a stone. Returns 1 if a is better, -1 if b is better,
    and 0 if no number differs. NULL is worse than any place. `alone` is the
    margin of the structure without the stone. At most places the stone does not
-   change this margin. The first of these numbers that differs decides:
+   change this margin. The first of these numbers that differs between the two
+   places decides:
      stays   the larger chance; all from 0.9 on count as equal
      margin  the larger; all within 1e-4 (float: 1e-3) of `alone` count as equal
      own     the larger
@@ -1624,34 +1636,35 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
 
 /* Return the error of a proof as a share of the allowed error. The proof holds
    if the result is at most 1. Return KERN_INFINITY if the forces or the motion
-   prove nothing, and for bad input (NULL, NaN). In each equation of a block
-   forces may leave a residual of 1e-9 (float: 1e-4) of the load on the block,
-   plus the rounding of the largest force there. The sum of all forces may be at
-   most 1e6 (float: 1e3) times the total weight. A motion proves a fall only if
-   such forces could not stop it, even with the largest rounding errors. Time:
-   O(B + C). kern_check_forces() needs work memory of 4 B reals. */
+   prove nothing, and for bad input (NULL, NaN). In each equation of equilibrium
+   of a block, forces may leave a residual of 1e-9 (float: 1e-4) of the load on
+   the block, plus the rounding error of the largest force on it. The sum of all
+   forces may be at most 1e6 (float: 1e3) times the total weight. A motion
+   proves a fall only if such forces could not stop it, even with the largest
+   rounding errors. Time: O(B + C). kern_check_forces() needs work memory of 4 B
+   reals. */
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
                                      const kern_force *force);
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
                                      const kern_motion *motion);
 
 /* Returns the error of the proof of kern_raised(), as a share of the allowed
-   error. For KERN_RAISED kern_check_raised() checks the forces.
-   kern_check_raised() also checks that the motion closes every contact whose
-   force is needed for equilibrium. A contact that must stick may slide by at
-   most 1/500 (float: 1/5) of the length by which the motion closes it. For
-   KERN_HANGS it checks that the motion moves blocks without a load, that no
-   contact with another block presses one of them against gravity, and that the
-   forces hold the others without them. KERN_NOT_SHOWN proves nothing:
-   KERN_INFINITY. Work memory: 5 B reals. */
+   error. For KERN_RAISED it checks the forces, and that the motion closes every
+   contact whose force is needed for equilibrium. A contact that must stick may
+   slide by at most 1/500 (float: 1/5) of the length by which the motion closes
+   it. For KERN_HANGS kern_check_raised() checks that the motion moves blocks
+   without a load, that no contact with another block presses one of them
+   against gravity, and that the forces hold the other blocks without these. For
+   KERN_NOT_SHOWN, which proves nothing, it returns KERN_INFINITY. It needs work
+   memory of 5 B reals. */
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
                                      kern_raising raising,
                                      const kern_proof *proof);
 
 /* -- the linear program alone -- */
 
-/* Solves a small dense linear program. x has room for lp->cols numbers, y for
-   lp->rows.
+/* Solves a small dense linear program. x must have room for lp->cols numbers,
+   and y for lp->rows numbers.
      KERN_LP_OPTIMAL     x is a solution. If there are costs, x has the least
                          cost and y are its prices: cost - y.A >= 0, and = 0
                          where x > 0
@@ -1662,8 +1675,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
      KERN_LIMIT          lp->limit was reached
    Each answer is checked against A, every row and column in its own units, so
    that the choice of units does not matter. After a negative status x and y
-   mean nothing. Work memory: KERN_LP_REALS and _INTS(rows, cols). Time:
-   O(rows^2 + rows cols) for each pivot. */
+   mean nothing. It needs work memory of KERN_LP_REALS(rows, cols) reals and
+   KERN_LP_INTS(rows, cols) ints. Time: O(rows^2 + rows cols) for each pivot. */
 KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
                                    kern_real *y, kern_work *work);
 
@@ -1702,8 +1715,8 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #endif
 
-/* Turns off gcc's vectorisers, which fuse pairs of products such as a c - b d
-   and a d + b c even with -ffp-contract=off. */
+/* Turns off the vectorisers of gcc, which use fused multiply-add for pairs of
+   products such as a c - b d and a d + b c even with -ffp-contract=off. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__FMA__)
 #pragma GCC push_options
 #pragma GCC optimize("no-tree-vectorize")
@@ -1781,7 +1794,7 @@ extern "C" {
    digits by underflow. */
 #define KERN_POWER_LEAST (1 / (KERN_FAR * KERN_FAR))
 /* Largest residual of a row or column in the proof of a caller's linear
-   program, as a share of the terms. */
+   program, as a share of the sum of the magnitudes of its terms. */
 #define KERN_LP_TOL KERN_TOL
 /* Raised forces: a contact must stick if its tangential force is below mu f by
    more than this share of mu f. */
@@ -1870,7 +1883,7 @@ extern "C" {
 /* ---- model ---- */
 
 /* Travels of contact points below this count as 0 [mean size]: a millionth of
-   the shortest line is rounding. */
+   the length of the shortest line contact is rounding. */
 #define KERN_TRAVEL_LEAST (KERN_R(1e-6) * KERN_R(1e-3))
 /* Slope of the lines along which blocks count as equally high (only in double).
    The blocks of a flat arch are then ordered from side to side, and not by
@@ -1907,7 +1920,7 @@ extern "C" {
 #define KERN_SCAN 1001
 /* Default step of a level [mean size]: the paper's steps are of this order. */
 #define KERN_LEVEL_STEP KERN_R(0.02)
-/* Default step of a level where kerns are relative [share of the travel]. */
+/* Default step of a level if options.relative is set [share of the travel]. */
 #define KERN_LEVEL_SHARE KERN_R(0.05)
 /* Largest load factor that is searched. A structure that stands at this factor
    counts as standing under any multiple of the load. */
@@ -1922,8 +1935,8 @@ extern "C" {
    nested. The factor is small, so that an interval in which the structure
    stands is seldom missed. */
 #define KERN_GROW_EVEN KERN_R(1.1)
-/* Deficit: largest growth that is tried, in longest sides of the free blocks'
-   box (>>rules). */
+/* Deficit: largest growth that is tried, as a multiple of the longest side of
+   the box around the free blocks (>>rules). */
 #define KERN_GROW_MOST 1000
 
 /* ---- profile, mechanism, sensitivity ---- */
@@ -1931,11 +1944,13 @@ extern "C" {
 /* Profile: largest load factor that is tried. A stone that still stands at this
    factor gets it as its value. */
 #define KERN_PROFILE_MOST KERN_R(10)
-/* Most places above a critical value, KERN_WIDTH apart, at which the search
-   tries to prove a mechanism. */
+/* Profile: if the verdict is undecided at the place where the structure fell
+   last, the search tries at most this number of places beyond it, KERN_WIDTH
+   apart. */
 #define KERN_FALL_TRIES 8
-/* A collapse may take three rounds for each group plus this number. Some rounds
-   remove no block, since both verdicts may have a proof at one place. */
+/* Profile: a collapse may take three rounds for each group plus this number.
+   Some rounds remove no block, since both verdicts may have a proof at one
+   place. */
 #define KERN_FALL_IDLE 8
 /* Expected drop: a stone with this load factor falls with a chance of 1/e.
    Constants from 0.05 to 0.1 rank structures equally well. */
@@ -1965,14 +1980,16 @@ extern "C" {
 
 /* Largest residual of equilibrium of a group that a method may leave, as a
    share of its load. The value is far below KERN_TOL, since residuals of many
-   groups may add up. With 1e-10 in double, a light stone beside heavy ones is
-   reported to stand although it falls. */
+   groups may add up. If it were 1e-10 in double, a light stone beside heavy
+   ones would be reported to stand although it falls. */
 #define KERN_PASS_TOL KERN_PICK(1e-11, 1e-6)
-/* Largest residual that a program of all groups may leave. A tenth of KERN_TOL
-   is small enough, since forces are not passed on from group to group and
-   residuals do not add up. */
+/* Largest residual of equilibrium of a group that a linear program of all
+   groups may leave, as a share of the least load of a group. A tenth of
+   KERN_TOL is small enough, since forces are not passed on from group to group
+   and residuals do not add up. */
 #define KERN_PART_TOL KERN_PICK(1e-10, 1e-5)
-/* Rounding of a residual, as a share of the largest force or value in it. */
+/* Rounding error of a residual, as a share of the largest force or value in
+   it. */
 #define KERN_RESIDUAL (4 * KERN_EPS)
 
 /* ---- minimum-norm forces ---- */
@@ -2000,11 +2017,12 @@ extern "C" {
 
 /* ---- top-down pass ---- */
 
-/* A pivot of a 3 x 3 matrix below this share of its trace is rounding. With
-   1e-11 in double, a profile of rubble wrongly starts above the margin. */
+/* A pivot of a 3 x 3 matrix counts as rounding if it is below this share of the
+   trace of the matrix. If this were 1e-11 in double, a profile of rubble would
+   wrongly start above the margin. */
 #define KERN_THREE_TOL KERN_PICK(1e-12, 1e-5)
-/* A pivot of a 3 x 3 matrix above this share of its trace needs no refinement
-   of the solution. */
+/* If all pivots of a 3 x 3 matrix are above this share of its trace, the
+   solution needs no refinement. */
 #define KERN_THREE_GOOD KERN_PICK(1e-4, 1e-2)
 /* A group is balanced alone only if it is carried by at most this number of
    contacts, which is the length of arrays on the stack. */
@@ -2016,13 +2034,14 @@ extern "C" {
 #define KERN_ALONE_PACE 8
 /* Unit of the forces of a joint within 30 degrees of upright, as a share of the
    unit of a bed. For the same approach the joint takes the square of this share
-   of the load of a bed. With 0.3, verdicts on 126 courses of bricks take eight
-   times the work, and with 1 they take 900 times. */
+   of the load of a bed. If this were 0.3, verdicts on 126 courses of bricks
+   would take eight times the work, and if it were 1, they would take 900 times
+   the work. */
 #define KERN_SIDE_SHARE KERN_R(0.1)
-/* Norm of the forces, as a multiple of the cluster's loads, above which the
-   cluster counts as infeasible. With a larger bound clusters grow later and
-   Newton's method takes more steps: without a bound kern_plan_try() costs 4 %
-   more. */
+/* A cluster counts as one that no forces can balance if the norm of its forces
+   exceeds this multiple of its loads. With a larger bound clusters grow later
+   and Newton's method takes more steps. Without a bound kern_plan_try() would
+   take 4 % more work. */
 #define KERN_CLUSTER_NORM KERN_R(100)
 /* A contact counts as one that does not close if its closing speed is below
    this share of the largest speed. */
@@ -2041,14 +2060,14 @@ extern "C" {
 /* A cluster may have one group more than KERN_CLUSTER_MOST for each
    KERN_CLUSTER_MORE groups of the structure. */
 #define KERN_CLUSTER_MORE 32
-/* Largest work of a pass for each group and contact [units]. With 30, measures
-   of bricks take 1.4 times as long. */
+/* Most work of a top-down pass, for each group and contact [units]. If this
+   were 30, measures of bricks would take 1.4 times as long. */
 #define KERN_PASS_UNITS 9
 
 /* ---- search ---- */
 
-/* Critical values that differ by less count as equal [mean block size]. With a
-   smaller difference Newton's method would follow rounding. */
+/* Critical values that differ by less than this count as equal [mean block
+   size]. If this were smaller, Newton's method would follow rounding errors. */
 #define KERN_VALUE_SAME KERN_PICK(1e-10, 1e-5)
 /* A negative force of a known basis counts as rounding if its magnitude is
    below this share of the weight. */
@@ -2056,7 +2075,8 @@ extern "C" {
 /* Most places at which the search evaluates a verdict to narrow one bracket.
    Four to eight suffice, unless rounding spoils the proofs. */
 #define KERN_BRACKET_ROUNDS 100
-/* Most verdicts of kern_least_load_of(): it takes one for each mechanism. */
+/* Most verdicts of kern_least_load_of(), which needs one for each mechanism
+   that it meets. */
 #define KERN_LEAST_ROUNDS 100
 /* Most steps of Newton's method for the shrinkage at which a mechanism stops
    falling. The power of a mechanism has a kink wherever a kern closes, so that
@@ -2212,8 +2232,8 @@ extern "C" {
 #define KERN_JUMPS KERN_R(2)
 /* A search for raised forces is also lost if the change of prices does not
    become smaller in this number of rounds, plus one for every two groups. With
-   fewer rounds the search of a long row ends before the far end of the row has
-   moved. */
+   fewer rounds the search of a long row of blocks would end before the far end
+   of the row has moved. */
 #define KERN_PATIENCE 20
 /* Most work of one search for raised forces, as a multiple of the cost of one
    step of Newton's method, which is mostly a factorisation. */
@@ -2241,16 +2261,17 @@ extern "C" {
 #define KERN_LOAD_FINER 4
 #define KERN_LOAD_NARROW KERN_R(0.005)
 /* kern_stays(): distance from the stone, in contacts from block to block, up to
-   which blocks are free. All other blocks are held. With 3 or 5 the chance
-   separates stones that stay from stones that move less well. */
+   which blocks are free. All other blocks are held. If this were 3 or 5, the
+   chance would separate stones that stay from stones that move less well. */
 #define KERN_STAYS_NEAR 4
 /* kern_stays(): stiffness of contacts along t, in mu times their stiffness
    along n (kern_dual.shear). The stiffness for a proof is larger, since
    contacts must then stick within KERN_STICKS. */
 #define KERN_STAYS_STIFF KERN_R(4)
-/* kern_stays(): constants of its law, fitted to placements. KERN_STAYS_MOST is
-   the largest reserve that counts, KERN_STAYS_ADD is added to the reserve, and
-   KERN_STAYS_ODDS scales the odds. */
+/* kern_stays(): constants of the law by which it computes the chance, fitted to
+   placements. KERN_STAYS_MOST is the largest reserve that counts,
+   KERN_STAYS_ADD is added to the reserve, and KERN_STAYS_ODDS scales the
+   odds. */
 #define KERN_STAYS_MOST KERN_R(0.01)
 #define KERN_STAYS_ADD KERN_R(0.004)
 #define KERN_STAYS_ODDS KERN_R(5.5e7)
