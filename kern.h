@@ -402,11 +402,11 @@
 
    LIMITS                                                            >>limits
 
-   Model     Two dimensions, rigid blocks that do not break, statics. "Stands"
-             means that admissible forces exist. With friction that is necessary
-             for standing still, but not sufficient: a cube held between two
-             walls by friction alone counts as standing. kern_raised() tells
-             whether the load raises such forces.
+   Model     The model is plane and static, and its blocks are rigid and do not
+             break. "Stands" means that admissible forces exist. With friction
+             that is necessary for standing still, but not sufficient: a cube
+             held between two walls by friction alone counts as standing.
+             kern_raised() tells whether the load raises such forces.
    Unsafe    Mechanisms are those of limit analysis: blocks that slide also move
              apart (dilatant sliding). If a wall slides in its own joints, load
              factor and tilt are too high. Compared with a simulator they were
@@ -421,10 +421,11 @@
              needed.
              kern_raised_load() has no dilatancy. kern_let_go() tells whether
              such a row stays: it returned KERN_STANDS for none of 600 random
-             slopes with less friction than limit equilibrium needs. Both
-             functions follow one path of loading. If they or other functions
-             disagree, rely on the less favourable answer. A flat arch with
-             hanging bricks is never raised, although it may stay.
+             slopes with less friction than limit equilibrium needs.
+             kern_raised_load() and kern_let_go() follow one path of loading. If
+             these or other functions disagree, rely on the less favourable
+             answer. A flat arch with hanging bricks is never raised, although
+             it may stay.
    Search    KERN_NOT_SHOWN is no proof of falling. kern_work.end tells whether
              the search found no equilibrium or was ended by a limit of work.
              The raised load of 90 rows of 20 to 90 columns is at least 87 % of
@@ -461,12 +462,13 @@
              and among rows of skew stones between walls one of twenty. The
              brackets of these measures were 1e-4 to 1e-2 mean sizes wide. In a
              jam a proof of standing and a proof of falling may overlap: a
-             structure may have a proof of standing at a shrinkage up to 1e-6
-             beyond one with a proof of falling. The reason is that the two
-             proofs bound the forces by different weights (>>proof). Of bricks
-             held by loads up to 1000 times their weight, none of 288 was
-             undecided with mu up to 100, and 2 of 96 with mu 1000. A level is
-             undecided only if it depends on an undecided verdict.
+             structure may be proven to stand at one shrinkage and to fall at
+             another that is smaller by up to 1e-6. The reason is that the two
+             proofs bound the forces by different weights (>>proof). Of
+             structures of bricks that are held by loads up to 1000 times their
+             weight, none of 288 was undecided with mu up to 100, and 2 of 96
+             with mu 1000. A level is undecided only if it depends on an
+             undecided verdict.
    Brackets  Brackets are at most 2e-6 mean sizes wide (load factor 2e-6, tilt
              8e-6 rad), in jams up to 50 times as wide, and up to 3e-5 if there
              are more than 256 blocks and many of them move at once. If more
@@ -601,10 +603,10 @@ typedef struct kern_box {
 } kern_box;
 
 /* Result of a call. A positive status is a verdict or the result of a linear
-   program. KERN_OK means success of a function that returns neither of these. A
-   negative status means failure. A failed call has changed no data of the
-   caller except the counters and the fault in the work memory, and after
-   KERN_LIMIT the results that the comment of the function names. */
+   program. KERN_OK means success of a function that has neither a verdict nor
+   such a result. A negative status means failure. A failed call has changed no
+   data of the caller except the counters and the fault in the work memory, and
+   after KERN_LIMIT the results that the comment of the function names. */
 #define KERN_STATUS_LIST(X)                                                  \
     X(KERN_OK, 0, "done")                                                    \
     X(KERN_STANDS, 1, "stands: forces were found that hold every block")     \
@@ -783,8 +785,8 @@ typedef struct kern_interval {
 
 /* Derivatives of the margin with respect to the data of a contact point: `p` to
    its place, `turn` to the angle of its normal [m/rad], `mu` to its friction,
-   and `travel` to its travel. The last one is 0 unless the kern is closed at
-   the point or options.relative is set. */
+   and `travel` to its travel. `travel` is 0 unless the kern of the point is
+   closed or options.relative is set. */
 typedef struct kern_contact_rate {
     kern_vec p;
     kern_real turn, mu, travel;
@@ -796,8 +798,8 @@ typedef struct kern_contact_rate {
    the loads do not change. */
 typedef struct kern_block_rate {
     kern_vec centre, place;
-    kern_real turn, mass; /* [m/rad], [m/kg] */
-    kern_wrench load;     /* [m/N], [1/N] */
+    kern_real turn, mass; /* turn [m/rad], mass [m/kg]            */
+    kern_wrench load;     /* forces [m/N], torque [1/N]           */
 } kern_block_rate;
 
 /* Result of kern_raised(). */
@@ -828,7 +830,8 @@ typedef struct kern_collapse {
     kern_real weak;  /* mean of the lower half of the values             */
     kern_real drop;  /* expected drop: mean of h exp(-value / 0.07), where h is
                              the height of the centre above the lowest block in
-                             mean sizes, at least 0.3; 0 for margins     */
+                             mean sizes, at least 0.3. The drop is 0 if the
+                             values are margins                          */
 } kern_collapse;
 
 /* Motion of the two blocks at a contact point. */
@@ -1098,8 +1101,8 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
 KERN_API void kern_block_load(kern_block *block, kern_vec force, kern_vec point,
                               kern_real torque);
 
-/* Returns the mean size of the free blocks [m]: the mean of the square roots of
-   their areas. */
+/* Returns the mean size of the free blocks [m], which is the mean of the square
+   roots of their areas. */
 KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
 
 /* -- contacts -- */
@@ -1588,7 +1591,7 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
    than friction holds, or a turn while it slides at two touches that friction
    does not hold. Friction is options.mu, and at two touches at least 0.01. A
    motion turns the stone by at most 28 degrees. The stone is at rest where no
-   motion lowers its centre. Two convex corners that meet hold nothing. Of
+   motion lowers its centre. A touch of two convex corners holds nothing. Of
    41,000 stones on blocks that cannot move, such as cubes on a grid, stairs and
    saw teeth, a share of 0.993 stand where they come to rest. To check whether a
    stone stands, call kern_plan_bears(). Blocks of the structure do not move.
@@ -1602,10 +1605,10 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
    KERN_NO_REST: the stone still moves after 64 motions. KERN_NO_LOAD: there is
    no gravity. Returns KERN_BAD_NUMBER also if x or the centre of the stone is
    out of bounds, or if the length of `turn` is not 1. Blocks and stone are
-   checked as by kern_touch(). In the fault the stone has the index B. Time:
-   O(B) for each motion, plus the time for the edges close to the stone. A call
-   takes 32,000 instructions in the mean on a wall of 30 rough stones, and
-   19,000 on a bond of 36 bricks. */
+   checked as by kern_touch(). If the fault is at the stone, the block of the
+   fault is B. Time: O(B) for each motion, plus the time for the edges close to
+   the stone. A call takes 32,000 instructions in the mean on a wall of 30 rough
+   stones, and 19,000 on a bond of 36 bricks. */
 KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
                                kern_real x, kern_vec turn, kern_vec *vertex,
                                kern_pose *out);
@@ -1901,9 +1904,9 @@ extern "C" {
    up to all of it may lie above. With a narrower bracket fewer verdicts near
    critical have a proof. A wider bracket exceeds the promised 2e-6. */
 #define KERN_WIDTH KERN_PICK(1.26e-6, 1.8e-3)
-/* The search tries a place on each side of a critical value. This is their
-   largest distance from each other, in units of KERN_WIDTH. If they would have
-   to be farther apart, the search cuts the bracket instead. */
+/* Largest distance between the two places, one on each side of a critical
+   value, that the search tries, in units of KERN_WIDTH. If the places would
+   have to be farther apart, the search cuts the bracket instead. */
 #define KERN_WIDEST KERN_R(20)
 /* Widest bracket that is accepted as an answer, in units of KERN_WIDTH. In jams
    no proof is found closer to the critical value. */
@@ -1912,11 +1915,12 @@ extern "C" {
    exact margins. With more groups, factoring this program costs more than the
    interior-point method. */
 #define KERN_SMALL 64
-/* Number of even steps in which a path is searched whose verdict may change
-   more than once: a shrinkage up to the largest travel if kerns are not nested,
-   or a tilt through half a circle under fixed loads. An interval in which the
-   structure falls may be missed if it is narrower than a step. Since steps may
-   be halved, a search takes at most five times as many steps. */
+/* Number of even steps in which the search goes along a path on which the
+   verdict may change more than once. Such a path is a shrinkage up to the
+   largest travel if kerns are not nested, or a tilt through half a circle under
+   fixed loads. An interval in which the structure falls may be missed if it is
+   narrower than a step. Since steps may be halved, a search takes at most five
+   times as many steps. */
 #define KERN_SCAN 1001
 /* Default step of a level [mean size]: the paper's steps are of this order. */
 #define KERN_LEVEL_STEP KERN_R(0.02)
@@ -2001,8 +2005,8 @@ extern "C" {
 /* Most rounds of Newton's method for minimum-norm forces. The method takes far
    fewer, unless rounding errors spoil it. */
 #define KERN_NORM_ROUNDS 100
-/* Line search: factor by which the derivative must fall. Newton's next step
-   makes up for the rest. */
+/* Line search: factor by which the derivative must fall. A rough maximum is
+   enough, since the next step of Newton's method starts from it. */
 #define KERN_SHARE_TOL 8
 /* Line search if contacts have prices (>>raised): factor by which the
    derivative must fall. This factor is larger than KERN_SHARE_TOL, since the
@@ -2124,7 +2128,8 @@ extern "C" {
    largest entry. */
 #define KERN_IPM_LIFT_SHARE KERN_R(1e-3)
 /* A query that continues from the solution of the last query sets s to at most
-   minus this number. From s = 0 it could not find that the structure falls. */
+   minus this number. From s = 0 the query could not find that the structure
+   falls. */
 #define KERN_IPM_S KERN_R(1e-3)
 /* A query that continues from the solution of the last query raises the gap to
    at least this number. Closer to the boundary the method makes no progress in
@@ -2407,8 +2412,9 @@ static kern_real kern_block_size(const kern_block *block)
     return KERN_SQRT(kern_abs(block->area));
 }
 
-/* Returns the sum of the magnitudes of a wrench or a motion: 0 only if all are
-   0, finite only if all are finite. */
+/* Returns the sum of the magnitudes of the three numbers of a wrench or a
+   motion. The sum is 0 only if all three are 0, and finite only if all three
+   are finite. */
 static kern_real kern_wrench_sum(const void *w)
 {
     const kern_real *value = (const kern_real *)w;
@@ -2899,8 +2905,8 @@ static kern_status kern_structure_check(const kern_structure *s,
 
 /* Checks all arguments except the contents of the arrays. `out` is the address
    of the caller's result; a function without a result passes the task instead.
-   Clears the units and the fault of the work memory. The other counters of the
-   work memory add up over calls. */
+   Clears the units and the fault of the work memory. It does not clear the
+   other counters, which add up over calls. */
 static kern_status kern_task_check(const kern_task *task, kern_real shrink,
                                    const void *out)
 {
@@ -2991,15 +2997,15 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
    lies in its friction cone. The residual of each equation of equilibrium of a
    block is at most KERN_TOL times the loads on the block plus the rounding of
    its contact forces. The sum of all forces is at most KERN_BOUND times the
-   weight.
+   total weight.
 
    A motion proves that a structure falls if the power of the loads is larger
    than the sum of two terms. The first is the rounding error of the power. The
    second is KERN_BOUND times the weight of the blocks that move, times the
-   highest speed at which the motion closes a contact. So contact forces with a
-   sum of up to KERN_BOUND weights cannot stop the motion. The speed includes a
-   bound of its own rounding error, so the proof also holds in exact
-   arithmetic. */
+   highest speed at which the motion closes a contact. So contact forces cannot
+   stop the motion if their sum is at most KERN_BOUND times that weight. The
+   speed includes a bound of its own rounding error, so the proof also holds in
+   exact arithmetic. */
 
 /* Returns the error of equilibrium as a share of the allowed error. This is the
    larger of two shares: the largest residual of a free block divided by the
@@ -3182,8 +3188,9 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
     if (!(power > KERN_POWER_LEAST) || !kern_is_finite(terms + weight))
         return KERN_INFINITY;
 
-    /* Finds the fastest closing. Begins with the contacts of the last stone,
-       which are the most likely to stop the motion. */
+    /* Finds the highest speed at which the motion closes a contact. Begins with
+       the contacts of the last stone, which are the most likely to stop the
+       motion. */
     for (i = s->contacts - 1; i >= 0 && weight * closing <= power; i--) {
         const kern_contact *c = s->contact + i;
         if ((c->a >= first || c->b >= first) && kern_speeds(c, motion) > 0
@@ -3350,9 +3357,9 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
    `local` tells which groups belong to the open part (>>part). This array has
    three phases. While no part is open it is KERN_OUT for every group. Before a
    part is opened it is KERN_MARKED for the groups of the next part. While a
-   part is open it is the number of a group in the part, and KERN_OUT for all
-   other groups. Exception: kern_norm_open() opens the groups with KERN_OUT and
-   holds all others. */
+   part is open it is the number that a group has in the part, and KERN_OUT for
+   all other groups. kern_norm_open() makes an exception: it opens the groups
+   with KERN_OUT and holds all others. */
 typedef struct kern_graph {
     int groups;
     int *group;        /* per block: the number of its group              */
@@ -3360,7 +3367,8 @@ typedef struct kern_graph {
     int *ends;         /* two per contact i: the groups of its blocks b
                           (2 i) and a (2 i + 1)                           */
     int *first_end;    /* per group: first end of a contact at this group */
-    int *next_end;     /* per end: the next end at the same group         */
+    int *next_end;     /* per end of a contact: the next end at the same
+                          group                                           */
     kern_real *torque; /* two per end: torques of unit forces along n and
                           t, as in kern_row                               */
     int *local;        /* per group: its number in the open part          */
@@ -3378,7 +3386,7 @@ typedef struct kern_answer {
     const kern_known *known; /* forces that held a similar structure, or NULL */
     kern_force *force;       /* one per contact: contact forces [N]          */
     kern_motion *motion;     /* one per block: the mechanism                 */
-    kern_real *scratch;      /* four per block                               */
+    kern_real *scratch;      /* four numbers per block                       */
 } kern_answer;
 
 /* State of a cluster. KERN_OPEN: it must be balanced. KERN_TRIED: its groups
@@ -3388,7 +3396,8 @@ enum { KERN_OPEN = 1, KERN_TRIED = 2 };
 /* A value of graph.local: the group will belong to the next part. */
 enum { KERN_MARKED = 0 };
 
-/* Disjoint sets of groups that are balanced together. */
+/* Clusters: disjoint sets of groups, each of which the top-down pass balances
+   together. */
 typedef struct kern_clusters {
     int *last;      /* per group: the last group of its cluster              */
     int *next;      /* per group: the next group of its cluster, in a ring   */
@@ -3410,8 +3419,8 @@ typedef struct kern_model {
     kern_real mean_size;     /* mean size of the free blocks                */
     kern_real weight;        /* unit of force: sum of the loads on free
                                 blocks [N]                                  */
-    kern_real *torque_scale; /* per group: factor that makes forces of its
-                                torques [1/m]                               */
+    kern_real *torque_scale; /* per group: torques are multiplied by this, so
+                                that they have the unit of forces [1/m]     */
     kern_real *load;         /* three per group: wrench that its contacts must
                                 exert [N]                                   */
     kern_real *load_size;    /* per group: magnitude of its loads [N]       */
@@ -3480,8 +3489,9 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
 /* Sorts the blocks of all groups along gravity, and blocks of equal height from
    side to side. If rounding errors decided the order of blocks of equal height,
    few columns of a flat arch would be own columns of their groups (>>lp). In
-   float, rounding is too large for an order from side to side, and the index
-   decides. Shell's sort needs neither memory nor recursion. */
+   float rounding is too large for an order from side to side, and blocks of
+   equal height are ordered by their index. Shell's sort needs neither memory
+   nor recursion. */
 static void kern_model_order(const kern_model *m)
 {
     const kern_block *block = m->s->block;
@@ -3574,7 +3584,9 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     }
 }
 
-/* Opens the model of a task that has been checked, for a query. */
+/* Opens the model of a task for a query: takes the arrays of the model and
+   makes its groups. The data of the task must have been checked. Returns
+   KERN_NO_SPACE if the work memory is too small. */
 static kern_status kern_model_open(kern_model *m, const kern_task *task,
                                    const kern_query *q)
 {
@@ -3605,7 +3617,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
                                                + 4 * s->blocks);
     m->common = *take;
 
-    /* Takes the arrays of the pass and of parts. */
+    /* Takes the arrays of the top-down pass and of parts. */
     graph->first_end = kern_take_ints(take, 6 * groups + 1);
     graph->carrier = graph->first_end + groups;
     m->cluster.last = graph->carrier + groups;
@@ -3626,11 +3638,12 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     return KERN_OK;
 }
 
-/* The row of a contact at one of its ends: its coefficients in the three
-   equations of the group there. The row maps a motion of the group to speeds
-   along n and t, and forces along n and t to a wrench. Every method that looks
-   for forces uses it. Proofs have code of their own, so that they share no
-   fault with it. */
+/* The row of a contact at one of its two ends, each of which is at one of its
+   groups: the coefficients of the contact in the three equations of that group.
+   The row maps a motion of the group to speeds along n and t, and forces along
+   n and t to a wrench. Every method that looks for forces uses these rows.
+   The checks of proofs have code of their own, so that they share no mistake
+   with the code of rows. */
 typedef struct kern_row {
     kern_real n[3];   /* wrench of a unit force along n           */
     kern_real torque; /* torque of a unit force along t, whose wrench is
@@ -3780,9 +3793,9 @@ static int kern_model_loaded(const kern_model *m)
 
 /* Returns 1 if kerns are nested: a contact that is shrunk less then carries
    every load that it carries when it is shrunk more. Kerns of lines are nested.
-   Kerns of points that move toward each other along different tangents are not.
-   Writes the shortest travel to range[0], and d_max to range[1], which is the
-   longest travel (relative: 1). */
+   Kerns of points that move toward each other along different tangents are not
+   nested. Writes the shortest travel to range[0], and d_max to range[1], which
+   is the longest travel (relative: 1). */
 static int kern_is_nested(const kern_model *m, kern_real range[2])
 {
     const int *ends = m->graph.ends, both_held = 2 * m->graph.groups;
@@ -3823,7 +3836,7 @@ static int kern_model_charge(const kern_model *m, int queries)
         m, queries * (3 + (m->s->blocks + m->s->contacts) / KERN_QUERY_UNIT));
 }
 
-/* Returns 1 if the work memory has its full size. */
+/* Returns 1 if the work memory has its full size: KERN_REALS and KERN_INTS. */
 static int kern_model_has_room(const kern_model *m)
 {
     const kern_work *work = m->task->work;
@@ -3954,9 +3967,9 @@ typedef struct kern_factors {
     int count;           /* number of factors E_i                           */
     int *pivot;          /* per factor: the row of its pivot                */
     int *first_row;      /* per factor: its first row with an entry         */
-    int *first_entry;    /* per factor: its first entry; then the end of the
-                            last factor                                     */
-    kern_real *entry;    /* entries of all factors, in threes of rows       */
+    int *first_entry;    /* per factor: index of its first entry; one more
+                            index is the end of the last factor             */
+    kern_real *entry;    /* entries of all factors, for three rows at a time */
 } kern_factors;
 
 typedef enum kern_basis {
@@ -3966,8 +3979,8 @@ typedef enum kern_basis {
     KERN_BASIS_READY  /* the factors of the basis are valid             */
 } kern_basis;
 
-/* Solvers that may be used. KERN_SOLVER_ANY: the backend (KERN_USE_GLPK), too.
-   KERN_SOLVER_BUILTIN: only the simplex method of this chapter. */
+/* Solvers that may be used. KERN_SOLVER_ANY: also GLPK, if KERN_USE_GLPK is
+   defined. KERN_SOLVER_BUILTIN: only the simplex method of this chapter. */
 typedef enum kern_solver { KERN_SOLVER_ANY, KERN_SOLVER_BUILTIN } kern_solver;
 
 /* `alpha` and `list` are scratch: no phase reads values that another phase left
@@ -3988,11 +4001,12 @@ typedef struct kern_simplex {
     kern_real *value; /* per row: value of its basic variable                */
     kern_real *slope; /* per row: c of its basic variable (see "pivots")     */
     kern_real *price; /* per row: the price y of this row                    */
-    kern_real *alpha; /* per row: see above                                  */
+    kern_real *alpha; /* per row: scratch, see above                         */
     kern_real *ratio; /* per row of the ratio test: the step after which its
                          variable is zero                                    */
-    int *list;        /* see above                                           */
-    int entering;     /* the entering column                          */
+    int *list;        /* per row: scratch, see above                         */
+
+    int entering;        /* the entering column                          */
     kern_real tolerance; /* smallest violation that counts               */
     kern_real gain;      /* c_j - y.A_j of the entering column           */
     int refined;         /* 1: no pivot since the values were refined    */
@@ -4007,7 +4021,7 @@ static const kern_real *kern_lp_dense(const kern_program *lp, int j)
     return j == lp->cols ? lp->rate : lp->a + j * lp->rows;
 }
 
-/* Returns y.A_j for a column, or for the place. */
+/* Returns the product of y with column j, or with the column of the place. */
 static inline kern_real kern_lp_dot(const kern_program *lp, int j,
                                     const kern_real *y)
 {
@@ -4061,8 +4075,8 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
 
 /* ---- the basis ---- */
 
-/* v := B^-1 v. Input: one number per row. Output: one number per basic
-   variable. */
+/* v := B^-1 v. Before the call v has one number per row, and afterwards one
+   number per basic variable. */
 static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 {
     const kern_factors *f = &sx->factors;
@@ -4104,8 +4118,8 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
     }
 }
 
-/* c := B^-T c. Input: one number per basic variable. Output: one number per
-   row, and zeros after the last row. */
+/* c := B^-T c. Before the call c has one number per basic variable, and
+   afterwards one number per row, with zeros after the last row. */
 static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
     const kern_factors *f = &sx->factors;
@@ -4190,9 +4204,9 @@ typedef enum kern_crash {
 /* Chooses three columns of group g from the list that begins with column j, and
    makes them basic. The forces of these columns carry the load of the group,
    and of all triples of columns the one is chosen whose least force is largest.
-   Adds these forces to the loads of other groups. With KERN_CRASH_PUSHING no
-   column may pull by more than KERN_CRASH_PULL loads. Returns 0 if there are no
-   such columns. */
+   Adds these forces to the loads of the groups at the other ends of the
+   columns. With KERN_CRASH_PUSHING no column may pull by more than
+   KERN_CRASH_PULL loads. Returns 0 if there are no such columns. */
 static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash crash)
 {
     const int logical = sx->lp->cols + 1 + 3 * g + 2;
@@ -4258,7 +4272,7 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash crash)
         }
 
     /* Adds the forces of the three columns to the loads of their other groups.
-       A column that pulls counts as 0. */
+       The force of a column that pulls counts as 0. */
     for (k = 0; k < 3 && found; k++)
         kern_lp_subtract(sx->lp, base[k], kern_max(share[k], 0), sx->alpha);
     return found;
@@ -4776,8 +4790,8 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->ratio = kern_take_reals(take, m);
 }
 
-/* Makes the next program begin without a basis (KERN_BASIS_NONE), or with the
-   same basis factored again (KERN_BASIS_STALE). */
+/* Makes the next solve begin without a basis (KERN_BASIS_NONE), or with the
+   same basis after factoring it again (KERN_BASIS_STALE). */
 static void kern_simplex_change(kern_simplex *sx, kern_basis basis)
 {
     if (sx->basis > basis)
@@ -4885,7 +4899,7 @@ static kern_real kern_lp_sum(kern_real start, const kern_real *u,
 
 /* Returns 1 if x and y prove the status. The check uses only products with the
    matrix A. The condition of each row and column must hold within KERN_LP_TOL
-   times the sum of the magnitudes of its terms. NaN proves nothing.
+   times the sum of the magnitudes of its terms. Returns 0 if a number is NaN.
 
        optimal      A x = rhs,  cost + y A >= 0, = 0 where x > 0
        infeasible   y A >= 0,  y.rhs < 0
