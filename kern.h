@@ -123,10 +123,11 @@
 
    CONFIGURATION                                                     >>config
 
-   KERN_STATIC          makes every function static: this file has its own copy
-                        of the library
+   KERN_STATIC          makes every function static: the file that includes
+                        kern.h then has its own copy of the library
    KERN_API             is the linkage of public functions; default: extern
-   KERN_SINGLE          makes kern_real a float; define it in every file
+   KERN_SINGLE          makes kern_real a float; define it in every file that
+                        includes kern.h
    KERN_SQRT(x)         replaces sqrt or sqrtf; <math.h> is then not included
    KERN_NO_INTERIOR     leaves out the interior-point method (>>ipm), for
                         firmware. Structures of more than 64 free blocks are
@@ -139,8 +140,8 @@
                         block
 
    Without a C library, compile with -Os -fno-tree-loop-distribute-patterns;
-   otherwise gcc inserts calls of memcpy and memset. With -fno-math-errno the
-   compiler makes one instruction of a square root.
+   otherwise gcc inserts calls of memcpy and memset. With -fno-math-errno a
+   square root is compiled to one instruction.
 
    METHOD                                                            >>method
 
@@ -157,7 +158,7 @@
    t, this becomes Eq. (5): find x >= 0 with A x = -w (A_eq of the paper,
    >>statics). If no x exists, Farkas' lemma gives a y with y.A >= 0 and y.w >
    0. This y is a mechanism: velocities and spins such that no contact closes
-   and the weights do work. A mechanism proves that the structure falls.
+   and the weights do work. Such a mechanism proves that the structure falls.
 
    A verdict tries these methods in order until one gives a proof:
 
@@ -169,11 +170,12 @@
          |-- some blocks cannot be held, even if all
          |   others are fixed: the simplex method (>>lp)
          |   proves this for these blocks ----------------> FALLS
-       whole        >>ipm     solves all blocks at once: more than 64 free
-                    >>lp      blocks by the interior-point method, fewer by the
-                              simplex method. If the simplex method decides
-                              nothing, the interior point is tried, too (only in
-                              double)
+       whole        >>ipm     solves all blocks at once. More than 64 free
+                    >>lp      blocks are solved by the interior-point method
+                              or, if it decides nothing, by the simplex method.
+                              Up to 64 are solved by the simplex method or, if
+                              it decides nothing and only in double, by the
+                              interior-point method
 
    A measure is the critical value of a path (kerns shrink, a load grows,
    gravity turns): the first value at which the structure falls. Fixing blocks
@@ -202,24 +204,24 @@
    outline turns by less than 1e-6 rad are ignored. Each remaining edge has its
    own contacts, even a step of one pixel, so simplify raw outlines first
    (kern_outline_simplify()).
-     line      Two edges, one of each block, that are antiparallel within
-               `angle`. The edges must be within the gap over a stretch that is
-               longer than the least of three lengths: the gap, 1e-3 of the
-               size, half of the longer edge. The contact points are the ends of
-               the stretch, midway between the edges. n is the mean of the
-               edges' normals.
-     point     A convex vertex within the gap of an edge. The foot of the
-               perpendicular from the vertex to the edge must be more than 1e-6
-               of the size from both ends of the edge. Both edges that meet at
-               the vertex must be on the outer side of the edge that it touches,
-               within `angle`. The contact point is the vertex, and n is the
-               normal of the edge. There is no point contact if a line contact
-               of the pair passes within the gap and its normal is within 10
-               degrees of n.
-     corner    A convex vertex within the gap of a reflex vertex, with both its
-               edges on the outer side of both edges of the reflex vertex. It
-               gives a point contact with each of these two edges. Two convex
-               vertices make no contact.
+     line      Two edges, one of each block, make a line contact if they are
+               antiparallel within `angle`. They must also be within the gap of
+               each other over a stretch that is longer than the least of three
+               lengths: the gap, 1e-3 of the size, half of the longer edge. The
+               contact points are the ends of the stretch, midway between the
+               edges. n is the mean of the edges' normals.
+     point     A convex vertex makes a point contact with an edge if it is
+               within the gap of the edge. The foot of the perpendicular from
+               the vertex to the edge must be more than 1e-6 of the size from
+               both ends of the edge. Both edges that meet at the vertex must be
+               on the outer side of the edge that it touches, within `angle`.
+               The contact point is the vertex, and n is the normal of the edge.
+               There is no point contact if a line contact of the pair passes
+               within the gap and its normal is within 10 degrees of n.
+     corner    A convex vertex that is within the gap of a reflex vertex makes a
+               point contact with each of the two edges of the reflex vertex.
+               Both edges of the convex vertex must be on the outer side of
+               these two edges. Two convex vertices make no contact.
      face      Contacts of a pair are joined to one line contact if their
                normals agree within `angle` and they lie on one line within the
                gap. The line contact goes from the first to the last of their
@@ -249,11 +251,11 @@
                or none if the normal is horizontal within 1e-6. The middle is
                the midpoint of the two contact points that carry the block and
                are farthest apart. Kerns are then not nested (>>limits).
-   The point acts at p + min(d, l) u, or with options.relative at p + d l u, d
-   <= 1. d_max is the largest l (relative: 1). Normals do not change. If all
-   contacts are lines, kerns are nested: a structure that falls at one d falls
-   at every larger d. With points of different normals a structure may stand
-   again at a larger d.
+   At a shrinkage d the point acts at p + min(d, l) u, or with options.relative
+   at p + d l u, d <= 1. d_max is the largest l (relative: 1). Normals do not
+   change. If all contacts are lines, kerns are nested: a structure that falls
+   at one d falls at every larger d. With points of different normals a
+   structure may stand again at a larger d.
 
    Measures, for a structure that stands at d = 0 unless said otherwise:
      level     The smallest k >= 1 such that the structure falls at min(k
@@ -281,9 +283,9 @@
                a block that moves at d = 0 gets 0. For a horizontal load the
                factor grows instead of d, up to 10. If there are several
                mechanisms, one that moves few blocks is preferred.
-     mechanism For a structure that falls: velocities of all free blocks, scaled
-               so that the largest is 1. A spin counts as spin times the size of
-               its block.
+     mechanism For a structure that falls: the velocities of all free blocks
+               when it begins to fall, scaled so that the largest is 1. A spin
+               counts as spin times the size of its block.
 
    WHAT EACH NUMBER IS GOOD FOR                                    >>measures
 
@@ -1987,10 +1989,10 @@ extern "C" {
    groups may add up. If it were 1e-10 in double, a light stone beside heavy
    ones would be reported to stand although it falls. */
 #define KERN_PASS_TOL KERN_PICK(1e-11, 1e-6)
-/* Largest residual of equilibrium of a group that a linear program of all
-   groups may leave, as a share of the least load of a group. A tenth of
-   KERN_TOL is small enough, since forces are not passed on from group to group
-   and residuals do not add up. */
+/* Largest residual of equilibrium that minimum-norm forces of all groups may
+   leave (kern_forces(), >>raised), as a share of the least load of a group. A
+   tenth of KERN_TOL is small enough, since these forces are not passed on from
+   group to group and residuals do not add up. */
 #define KERN_PART_TOL KERN_PICK(1e-10, 1e-5)
 /* Rounding error of a residual, as a share of the largest force or value in
    it. */
@@ -2073,8 +2075,9 @@ extern "C" {
 /* Critical values that differ by less than this count as equal [mean block
    size]. If this were smaller, Newton's method would follow rounding errors. */
 #define KERN_VALUE_SAME KERN_PICK(1e-10, 1e-5)
-/* A negative force of a known basis counts as rounding if its magnitude is
-   below this share of the weight. */
+/* A negative force of a basis counts as rounding if its magnitude is below this
+   share of the weight. A known force makes its column basic only if it is above
+   this share. */
 #define KERN_BASIS_NOISE KERN_PICK(1e-10, 1e-5)
 /* Most places at which the search evaluates a verdict to narrow one bracket.
    Four to eight suffice, unless rounding spoils the proofs. */
