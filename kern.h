@@ -816,8 +816,8 @@ typedef enum kern_raising {
 /* Why a search for forces that the load raises ended (kern_work.end). */
 typedef enum kern_end {
     KERN_END_NONE,  /* no search has run                              */
-    KERN_END_SHOWN, /* forces were found (kern_raised_load(): up to the load
-                       factor)                                        */
+    KERN_END_SHOWN, /* forces were found; for kern_raised_load(): at the
+                       load factor                                    */
     KERN_END_LOST,  /* no equilibrium was found: blocks move away, or the search
                        makes no progress                              */
     KERN_END_WORK   /* a limit of work was reached                    */
@@ -1029,7 +1029,7 @@ KERN_API kern_options kern_near(const kern_options *options,
      gap      5.25 e, to which 1e-3 of the size is added. At a contact at
               distances r_a and r_b from the centres of its blocks the gap g
               becomes sqrt(g^2 + (3.5 theta)^2 (r_a^2 + r_b^2)) (>>tol)
-     angle    heta, at least 1 degree and below 0.5 rad. A corner may lie 3 e
+     angle    7 theta, at least 1 degree and below 0.5 rad. A corner may lie 3 e
               beyond the end of an edge
      overlap  8 e, or options->overlap if that is larger. To this 3.5 theta r
               is added for each pair, where r is the diagonal of the smaller of
@@ -2202,7 +2202,7 @@ extern "C" {
 #define KERN_CRASH_PULL KERN_R(2)
 /* One budget of pivots is KERN_PIVOTS plus KERN_PIVOTS_ROW for each row of the
    program. When the first budget is used up, prices are refined in every pivot.
-   Most programs take fewer pivots. */
+   Most programs need less than one budget. */
 #define KERN_PIVOTS 50
 /* Pivots for each row of the program in one budget of pivots (KERN_PIVOTS). */
 #define KERN_PIVOTS_ROW 2
