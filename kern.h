@@ -681,9 +681,11 @@ typedef struct kern_block {
                                is sqrt(|area|)                                */
     kern_box box;           /* bounds of the polygon; not read if vertex is
                                NULL                                           */
-    kern_real mass;         /* [kg] > 0; not read if the block is fixed       */
+    kern_real mass;         /* mass [kg], above 0; not read if the block is
+                               fixed                                          */
     kern_vec centre;        /* centre of mass [m]                             */
-    kern_wrench load;       /* [N], [N m]: added to the weight, at the centre */
+    kern_wrench load;       /* force [N] at the centre and torque [N m] that act
+                               in addition to the weight                      */
 } kern_block;
 
 /* A contact point. The force  f n + r t  acts at p on block b, and the opposite
@@ -711,7 +713,8 @@ typedef struct kern_structure {
     int blocks;
     const kern_contact *contact;
     int contacts;     /* number of contact points                         */
-    kern_vec gravity; /* acceleration [m/s^2], on Earth (0, -9.81)        */
+    kern_vec gravity; /* acceleration of gravity [m/s^2], on Earth (0,
+                         -9.81)                                           */
 } kern_structure;
 
 typedef struct kern_options { /* start from kern_defaults(): the default of a
@@ -941,9 +944,10 @@ typedef enum kern_side {
 /* A linear program:  minimise cost . x  where  A x = rhs  and  x >= 0. */
 typedef struct kern_lp {
     int rows, cols;
-    const kern_real *a;    /* rows x cols, column by column                   */
-    const kern_real *rhs;  /* one per row                                     */
-    const kern_real *cost; /* one per column; NULL: any solution will do      */
+    const kern_real *a;    /* matrix A: rows x cols numbers, by columns       */
+    const kern_real *rhs;  /* right-hand side: one number per row             */
+    const kern_real *cost; /* one number per column; NULL: any solution will
+                              do                                              */
     int limit;             /* most units of work, as in kern_options          */
 } kern_lp;
 /* Infinity. Other compilers than gcc and clang compute it by a product that
@@ -2521,7 +2525,7 @@ typedef enum kern_carry { KERN_CARRY_ALL, KERN_CARRY_NESTED } kern_carry;
    shrinkage of its kerns. */
 typedef struct kern_query {
     kern_real shrink;    /* shrinkage of all kerns [m; relative: a share] */
-    int relative;        /* nonzero: shrink is a share                    */
+    int relative;        /* nonzero: shrink is a share of each travel     */
     kern_real narrow;    /* options.narrow of the task                    */
     kern_real mean_size; /* mean size of the free blocks                  */
     kern_vec gravity;
@@ -3429,7 +3433,8 @@ typedef struct kern_model {
     kern_real *load_size;    /* per group: magnitude of its loads [N]       */
     kern_real shrunk;        /* shrinkage for which graph.torque is set;
                                 infinity: none                              */
-    kern_real reduction;     /* kern_reduction() of the last query          */
+    kern_real reduction;     /* tangent of the angle by which the last query
+                                narrows friction cones                      */
     kern_clusters cluster;
     int whole;        /* nonzero: all groups are open as one part */
     kern_take common; /* work memory for a program of all groups */
@@ -3503,7 +3508,7 @@ static void kern_model_order(const kern_model *m)
                             ? gravity
                             : kern_vec_step(gravity, KERN_LEVEL_SLOPE,
                                             kern_vec_turn(gravity));
-    kern_real *const height = m->answer.scratch; /* per block  */
+    kern_real *const height = m->answer.scratch; /* one per block */
     int *const list = m->graph.block, groups = m->graph.groups;
     int gap, i, j;
     for (i = 0; i < m->s->blocks; i++)
@@ -3578,7 +3583,7 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     }
 
     /* Chains the ends at each group, from the first contact to the last. */
-    for (i = 2 * s->contacts - 1; i >= 0; i--) { /* an end */
+    for (i = 2 * s->contacts - 1; i >= 0; i--) { /* i is an end */
         g = graph->ends[i];
         if (g < groups) {
             graph->next_end[i] = graph->first_end[g];
@@ -3944,10 +3949,12 @@ KERN_SHARED static void kern_proof_write(const kern_model *m,
    distance by which rhs has moved along a path. */
 typedef struct kern_program {
     int rows, cols;
-    const kern_real *a; /* dense: by columns; network: four per column */
+    const kern_real *a; /* dense: all entries, by columns; network: the four
+                           entries of each column                      */
     const kern_real *rhs;
     const kern_real *cost; /* NULL: all costs are 0                      */
-    const int *ends;       /* NULL: the program is dense                 */
+    const int *ends;       /* groups of the columns of a network (see above);
+                              NULL: the program is dense                 */
     const kern_real *rate; /* column of the place: minus the rate of rhs */
     int follow;            /* 1: the place grows from 0; 0: it is fixed  */
     kern_real bound;       /* largest value of a variable; 0: no bound   */
@@ -4310,7 +4317,7 @@ static void kern_simplex_crash(kern_simplex *sx)
     int *next = sx->basic_row, *first = sx->list; /* columns of a group */
     int g, j;
     for (j = 0; j < lp->rows; j++) {
-        sx->base[j] = lp->cols + 1 + j; /* its logical */
+        sx->base[j] = lp->cols + 1 + j; /* the logical of row j */
         sx->alpha[j] = lp->rhs[j];
         first[j] = KERN_OUT;
     }
