@@ -35,14 +35,16 @@
      ==================             d             |======|     what is left: the
                                     d*              |==|       kern of a contact
 
-   "Kern" is the paper's word for the shrunk contact, not the middle third of a
-   section. If contacts shrink by more than the margin d*, no contact forces
-   hold every stone.
+   "Kern" is the word for the shrunk contact in the paper on which this library
+   is based (>>references). It does not mean the middle third of a section here.
+   If contacts shrink by more than the margin d*, no contact forces hold every
+   stone.
 
    HOW TO USE IT                                                        >>use
 
    Define KERN_IMPLEMENTATION in exactly one C or C++ file before including
-   kern.h. All other files only include kern.h. Only sqrt() is needed (-lm).
+   kern.h. All other files only include kern.h. The library needs no function of
+   the C library but sqrt() (-lm).
 
        kern_vec ground[4] = {{-5, -1}, {5, -1}, {5, 0}, {-5, 0}};
        kern_vec stone[4]  = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
@@ -63,11 +65,12 @@
            printf("level %d, margin %g m\n", m.level, m.margin);
 
    Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too.
-   kern_contacts() returns a status if it fails, which is negative; the next
-   call returns it again. examples/copy/one_block.c is this program with all
-   checks. If the linker reports "multiple definition", KERN_IMPLEMENTATION is
-   in two files. If it reports "undefined reference", it is in none, or in a
-   file of the other precision.
+   If kern_contacts() fails it returns a negative status. A call that gets this
+   status as the number of contacts returns it again. examples/copy/one_block.c
+   is this program with all checks. If the linker reports "multiple definition",
+   KERN_IMPLEMENTATION is in two files. If the linker reports "undefined
+   reference", KERN_IMPLEMENTATION is in no file, or only in a file that was
+   compiled in the other precision (KERN_SINGLE).
 
    CONVENTIONS                                                  >>conventions
 
@@ -75,7 +78,7 @@
    and s. Angles are in radians, counter-clockwise positive. Blocks are polygons
    in world coordinates of a plane, with a depth of one unit and a density per
    area. To add a stone, append the contacts that kern_touch() finds. To remove
-   the last stone, reduce `blocks` and `contacts`.
+   the last stone, reduce the counts `blocks` and `contacts` of the structure.
 
    MEMORY                                                            >>memory
 
@@ -83,26 +86,28 @@
    nothing between calls. Threads need no locks if each has its own work memory.
    Work memory is two arrays, of KERN_REALS(blocks, contacts) and of
    KERN_INTS(blocks, contacts) numbers (kern_work_need() at run time).
-   `contacts` counts contact points. A running bond has seven for each block, or
-   twelve with joints between neighbours. KERN_CONTACTS(blocks) is enough for
-   both. Stones with many short edges may need twice as many; kern_contacts()
-   then returns KERN_NO_SPACE. Bytes in double (float: about half):
+   `contacts` counts contact points. A wall in running bond has seven contact
+   points for each block, or twelve if neighbours in a course touch, too.
+   KERN_CONTACTS(blocks) is enough for both. Stones with many short edges may
+   need twice as many points; if the array is too short, kern_contacts() returns
+   KERN_NO_SPACE. Bytes in double (float: about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
        KERN_REALS and KERN_INTS     9,124    21,496    66,296   359,616
        both KERN_LEAN_ sizes        9,124    12,364    20,204    64,404
 
-   KERN_LEAN_REALS and KERN_LEAN_INTS are smaller from 10 blocks on. These sizes
-   suffice if few blocks move at the margin, as in most walls: 0.7 MB instead of
-   11 MB for 1000 blocks and 7000 points. If many blocks move, as in arches, a
-   call with this memory returns KERN_NO_SPACE.
+   KERN_LEAN_REALS and KERN_LEAN_INTS are smaller from 10 blocks on. For 1000
+   blocks and 7000 points they are 0.7 MB instead of 11 MB. These sizes suffice
+   if few blocks move in the mechanism at the margin, as in most walls. If many
+   blocks move, as in arches, a call with these smaller arrays returns
+   KERN_NO_SPACE.
 
    VERDICTS AND PROOFS                                             >>verdicts
 
    KERN_STANDS: kern found forces that pass kern_check_forces(). KERN_FALLS:
    kern found a motion that passes kern_check_motion(). These checks are
-   independent of the solver. KERN_UNDECIDED: kern found neither (>>limits). It
-   never guesses.
+   independent of the solver. KERN_UNDECIDED: kern found neither such forces nor
+   such a motion (>>limits). It never guesses.
 
    options.limit bounds the work of one call, reading the input included. Work
    that would exceed the limit is not begun: the call returns KERN_LIMIT and
@@ -111,32 +116,40 @@
    instructions plus 2,000 for each unit of its limit. A call that completes
    takes 550 to 2,000 instructions for each unit in work->units, or 0.1 to 0.6
    microseconds on a desktop computer (tests/work.sh limits). If most blocks
-   have a single contact, as in a fill that is pushed, these 2,000 become 3,100
-   of the limit and 2,230 of a completed call. A Cortex-M4F took up to 2,520.
+   have a single contact, as in a loose fill that is pushed, a call takes up to
+   3,100 instructions for each unit of its limit, and a call that completes up
+   to 2,230 for each unit in work->units. On a Cortex-M4F a unit took up to
+   2,520 instructions.
 
    CONFIGURATION                                                     >>config
 
-   KERN_STATIC          makes every function static: this file has its own copy
-                        of the library
-   KERN_API             linkage of public functions; default: extern
-   KERN_SINGLE          makes kern_real a float; define it in every file
-   KERN_SQRT(x)         replaces sqrt or sqrtf; <math.h> is not included
+   KERN_STATIC          makes every function static: the file that includes
+                        kern.h then has its own copy of the library
+   KERN_API             is the linkage of public functions; default: extern
+   KERN_SINGLE          makes kern_real a float; define it in every file that
+                        includes kern.h
+   KERN_SQRT(x)         replaces sqrt or sqrtf; <math.h> is then not included
    KERN_NO_INTERIOR     leaves out the interior-point method (>>ipm), for
-                        firmware. Above 64 free blocks the simplex method is
-                        used, which may take minutes
-   KERN_USE_GLPK        GLPK (under the GPL) solves large programs (kern_lp.h)
-   KERN_GLPK_ROWS       programs with more rows are large; default: 96. A free
-                        block has three rows
+                        firmware. Structures of more than 64 free blocks are
+                        then solved by the simplex method, which may take
+                        minutes
+   KERN_USE_GLPK        lets GLPK (under the GPL) solve large linear programs,
+                        through kern_lp.h
+   KERN_GLPK_ROWS       GLPK solves programs with more rows than this number;
+                        default: 96. A program has three rows for each free
+                        block
 
    Without a C library, compile with -Os -fno-tree-loop-distribute-patterns;
-   otherwise gcc inserts calls of memcpy and memset. With -fno-math-errno the
-   square root is one instruction.
+   otherwise gcc inserts calls of memcpy and memset. With -fno-math-errno a
+   square root is compiled to one instruction.
 
    METHOD                                                            >>method
 
-   Every free block is in equilibrium, Eqs. (1) to (3), under contact forces
-   without tension and within friction, Eq. (4), with the weight at the centre c
-   of the block and the contact at p, its normal n and its tangent t:
+   A structure stands if there are contact forces under which every free block
+   is in equilibrium, Eqs. (1) to (3), and which are without tension and within
+   friction, Eq. (4). The equations are numbered as in the paper. The weight
+   acts at the centre c of the block. Contact point p has the normal n, the
+   tangent t, and the force f n + r t:
 
        sum f n + r t + weight = 0,     sum (p - c) x (f n + r t) = 0,
        f >= 0,  |r| <= mu f.
@@ -145,60 +158,70 @@
    t, this becomes Eq. (5): find x >= 0 with A x = -w (A_eq of the paper,
    >>statics). If no x exists, Farkas' lemma gives a y with y.A >= 0 and y.w >
    0. This y is a mechanism: velocities and spins such that no contact closes
-   and the weights do work. A mechanism proves that the structure falls.
+   and the weights do work. Such a mechanism proves that the structure falls.
 
    A verdict tries these methods in order until one gives a proof:
 
-       top-down     >>pass    forces are passed on from top to bottom, a block
-         |                    by three equations, a cluster where it cannot
-         |-- every block balanced ------------------------> STANDS
-         |-- some blocks cannot be held, all others fixed:
-         |   simplex method on these (>>lp) --------------> FALLS
-       whole        >>ipm     above 64 free blocks the interior-point method,
-                    >>lp      otherwise the simplex method. In double the
-                              interior point is the last resort of up to 64
-                              blocks
+       top-down     >>pass    balances one block after the other, from top to
+         |                    bottom, by three equations each. Blocks that
+         |                    cannot be balanced alone are balanced together,
+         |                    as a cluster
+         |-- every block is balanced ---------------------> STANDS
+         |-- some blocks cannot be held, even if all
+         |   others are fixed: the simplex method (>>lp)
+         |   proves this for these blocks ----------------> FALLS
+       whole        >>ipm     solves all blocks at once. More than 64 free
+                    >>lp      blocks are solved by the interior-point method
+                              or, if it decides nothing, by the simplex method.
+                              Up to 64 are solved by the simplex method or, if
+                              it decides nothing and only in double, by the
+                              interior-point method
 
    A measure is the critical value of a path (kerns shrink, a load grows,
    gravity turns): the first value at which the structure falls. Fixing blocks
    never lowers the critical value, so any part, with all other blocks fixed,
    gives an upper bound. The search (>>search) begins at the least critical
-   value of a body (a block and the blocks that rest on nothing else) and runs
-   the pass there. If a part falls, the search continues at the critical value
-   of that part, until no part falls. If the pass gives no proof, the search
-   solves the whole structure. Load factor and tilt of up to 64 free blocks are
-   one linear program with the value as a column. If that program cannot decide,
-   as in jams, the interior-point method narrows the bracket of the critical
-   value, which has a proof at each end. tests/DESIGN.md says why each step is
-   there, and what it costs to leave it out.
+   value of a body, which is a block together with the blocks that rest only on
+   it. There it runs the top-down pass. If a part falls, the search continues at
+   the critical value of that part, until no part falls. If the pass gives no
+   proof, the search solves the whole structure. For up to 64 free blocks, load
+   factor and tilt are computed by one linear program in which the critical
+   value is a variable. If that program cannot decide, as in jams, the
+   interior-point method narrows the bracket of the critical value, which has a
+   proof at each end. tests/DESIGN.md says why each step is there, and what it
+   costs to leave it out.
 
    RULES                                                               >>rules
 
    This chapter defines each number exactly, so that another program can
-   reproduce it. RULES in tests/kern_test.c names the tests of each rule.
+   reproduce it. The table RULES in tests/kern_test.c names the tests of each
+   rule.
 
    Contacts are found for each pair of polygons that are not both fixed. `gap`
-   and `angle` are those of the options. No tolerance is below 64 roundings of
-   the largest coordinate. "Size" is that of the pair's smaller free block.
-   Vertices at which the outline turns by less than 1e-6 rad are ignored. Each
-   remaining edge has its own contacts, even a step of one pixel, so simplify
-   raw outlines first (kern_outline_simplify()).
-     line      Two edges, one of each block, that are antiparallel within
-               `angle`. The edges must be within the gap over a stretch that is
-               longer than the least of three lengths: the gap, 1e-3 of the
-               size, half of the longer edge. The contact points are the ends of
-               the stretch, midway between the edges. n is the mean of the
-               edges' normals.
-     point     A convex vertex within the gap of an edge. Its foot must be more
-               than 1e-6 of the size from both ends of the edge, and both edges
-               of the vertex must be on the outer side of that edge, within
-               `angle`. The contact point is the vertex, and n is the normal of
-               the edge. There is no point contact if a line contact of the pair
-               passes within the gap and its normal is within 10 degrees of n.
-     corner    A convex vertex within the gap of a reflex vertex, with both its
-               edges on the outer side of both edges of the reflex vertex. It
-               gives a point contact with each of these two edges. Two convex
-               vertices make no contact.
+   and `angle` are fields of kern_options. No tolerance is below 64 times the
+   machine epsilon times the largest coordinate. "Size" is the size of the
+   pair's smaller free block: the square root of its area. Vertices at which the
+   outline turns by less than 1e-6 rad are ignored. Each remaining edge has its
+   own contacts, even a step of one pixel, so simplify raw outlines first
+   (kern_outline_simplify()).
+     line      Two edges, one of each block, make a line contact if they are
+               antiparallel within `angle`. They must also be within the gap of
+               each other over a stretch that is longer than the least of three
+               lengths: the gap, 1e-3 of the size, half of the longer edge. The
+               contact points are the ends of the stretch, midway between the
+               edges. n is the mean of the edges' normals.
+     point     A convex vertex makes a point contact with an edge if it is
+               within the gap of the edge. The foot of the perpendicular from
+               the vertex to the edge must be more than 1e-6 of the size from
+               both ends of the edge. Both edges that meet at the vertex must be
+               on the outer side of the edge that it touches, within `angle`.
+               The contact point is the vertex, and n is the normal of the edge.
+               There is no point contact if a line contact of the pair passes
+               within the gap and its normal is within 10 degrees of n.
+     corner    A convex vertex that is within the gap of a reflex vertex makes a
+               point contact with each of the two edges of the reflex vertex.
+               Both edges of the convex vertex must be on the outer side of
+               these two edges. Two convex vertices make no contact.
      face      Contacts of a pair are joined to one line contact if their
                normals agree within `angle` and they lie on one line within the
                gap. The line contact goes from the first to the last of their
@@ -207,13 +230,15 @@
                first and points last.
      overlap   KERN_OVERLAP is returned if a point of one outline is deeper
                inside the other block than the gap, if a block is inside
-               another, if edges cross by more than the gap with all ends, or if
-               no motion by the gap separates two convex blocks.
+               another, if two edges cross and all four of their ends are
+               farther than the gap from the other edge's line, or if two convex
+               blocks cannot be separated by a motion as short as the gap.
    A larger gap never removes a support. Contacts that the caller makes are used
    as they are, with unit normals. A line contact whose direction differs from t
    by more than `angle` is refused.
 
-   Shrinkage. A contact point has a direction u = t or -t, a travel l >= 0:
+   Shrinkage. As kerns shrink, a contact point moves in a direction u = t or -t,
+   by at most its travel l >= 0:
      line      The two ends move toward each other; l is half the length.
      points    Two or more points of one pair move toward the middle q of the
                two that are farthest apart, each along its own t. Their travel
@@ -224,13 +249,13 @@
                middle of the contacts that carry its block, as in Fig. 2 c, d of
                the paper. A contact carries the block that its normal pushes up,
                or none if the normal is horizontal within 1e-6. The middle is
-               that of the two points farthest apart that carry the same block.
-               Kerns are then not nested (>>limits).
-   The point acts at p + min(d, l) u, or with options.relative at p + d l u, d
-   <= 1. d_max is the largest l (relative: 1). Normals do not change. If all
-   contacts are lines, kerns are nested: a structure that falls at one d falls
-   at every larger d. With points of different normals a structure may stand
-   again at a larger d.
+               the midpoint of the two contact points that carry the block and
+               are farthest apart. Kerns are then not nested (>>limits).
+   At a shrinkage d the point acts at p + min(d, l) u, or with options.relative
+   at p + d l u, d <= 1. d_max is the largest l (relative: 1). Normals do not
+   change. If all contacts are lines, kerns are nested: a structure that falls
+   at one d falls at every larger d. With points of different normals a
+   structure may stand again at a larger d.
 
    Measures, for a structure that stands at d = 0 unless said otherwise:
      level     The smallest k >= 1 such that the structure falls at min(k
@@ -238,48 +263,55 @@
                epsilon) + 1 and the margin is saturated. The level is 0 if the
                structure falls at d = 0.
      margin    The largest d* such that the structure stands at every d below
-               d*. If it stands at every d, the margin is d_max and is
-               saturated.
+               d*. If the structure stands at every d, the margin is d_max and
+               is saturated.
      deficit   For a structure that falls at d = 0: the least growth d at which
                it stands with contact points at p - d u (relative: p - d l u).
-               The deficit is infinite if a growth of 1000 times the longest
-               side of the free blocks' box (relative: divided by the smallest
-               l) is not enough.
+               The deficit is infinite if the structure still falls at a growth
+               of 1000 times the longest side of the box around the free blocks
+               (relative: that length divided by the smallest l).
      load      The largest factor f such that the structure stands under the
      factor    load pattern times every factor up to f. A horizontal load is f m
                |g| at every centre, to the right (gravity turned by +90 degrees)
                or to the left.
      tilt      The first angle at which the structure falls when gravity turns
-               to the side; pi if there is none. Loads do not turn.
+               to the side, or pi if it falls at no angle. Loads of blocks do
+               not turn with gravity.
      profile   d grows from 0. When the structure falls, the blocks that move in
                the mechanism get the present d as their value and are removed,
                and d continues to grow. A block that never moves gets d_max, and
                a block that moves at d = 0 gets 0. For a horizontal load the
                factor grows instead of d, up to 10. If there are several
                mechanisms, one that moves few blocks is preferred.
-     mechanism For a structure that falls: velocities of all free blocks, scaled
-               so that the largest is 1. A spin counts as spin times the size of
-               its block.
+     mechanism For a structure that falls: the velocities of all free blocks
+               when it begins to fall, scaled so that the largest is 1. A spin
+               counts as spin times the size of its block.
 
    WHAT EACH NUMBER IS GOOD FOR                                    >>measures
 
    margin      compares structures, and places for a stone. The margin is the
                distance of the force on the worst stone from the edge of its
-               support: a length, so large stones count more (relative: a share
-               of half of each contact)
+               support. It is a length, so large stones count more. With
+               options.relative it is a share of half the length of a contact
    level       is the paper's measure: the margin in steps of epsilon, rounded
                up
-   load factor is the largest sideways acceleration, in units of gravity
-   raised load is the load factor of Coulomb friction, from rest (>>limits)
-   tilt        tells how far the ground may turn: without loads, atan of the
-               load factor
+   load factor is the largest sideways acceleration that the structure bears, in
+               units of gravity
+   raised load is the load factor under Coulomb friction, for a load that grows
+               from 0 (>>limits)
+   tilt        tells how far the ground may tilt before the structure falls.
+               Without loads it is the arc tangent of the load factor
    deficit     tells how far the contacts of a structure that falls must grow
+               until it stands
    bearing     is the length of the shortest contact that the structure needs
    mechanism   is how the stones move first, with the velocity of each
-   profile     gives every stone's margin or load factor while others fall,
-               their mean, the mean of the weaker half, and the expected drop
-   raised      tells whether the load itself raises forces that hold the
-               structure, and the reserve that it has for a push
+   profile     gives the margin or load factor at which each stone falls, while
+               the stones that fall before it are removed. Gives also the mean
+               of these values, the mean of their lower half, and the expected
+               drop
+   raised      tells whether the load, applied to unstressed contacts, causes
+               ("raises") forces that hold the structure. The reserve tells how
+               large a push the structure bears in addition
    stays       is the chance that a stone stays where it is released
    rest        finds where a stone comes to rest, and compares places
                (kern_rest(), kern_place_compare(), examples/place.c)
@@ -287,13 +319,14 @@
                must lie (examples/nudge.c)
    push        is the load factor of a force on one stone (examples/push.c)
 
-   The margin does not show a sliver of support. A kern shrinks to a point, and
-   a point still carries: if one end of a stone rests on 2 micrometres, the
-   margin is that of the other end. The bearing length shows the sliver. A robot
-   that places stones less exactly than the bearing length cannot rely on the
-   shortest contact. Compute the bearing length with the contacts of
-   kern_stretches(), since kern_contacts() joins the two feet of a block to one
-   contact from end to end. A saturated margin is half the length of the longest
+   The margin does not show that a support is very short. A contact shrinks to a
+   point, and a point still carries: if one end of a stone rests on a contact of
+   2 micrometres, the margin is that of the other end. The bearing length
+   (kern_bearing()) shows such a short support. A robot whose stones lie off by
+   more than the bearing length cannot rely on the shortest contact. Compute the
+   bearing length with the contacts of kern_stretches(), since kern_contacts()
+   makes one contact of the two feet of a block, from the outer end of one foot
+   to that of the other. A saturated margin is half the length of the longest
    contact and says nothing about safety.
 
    Collapse under shaking. Every measure but the profile says when the first
@@ -305,17 +338,18 @@
        kern_profile(&task, side, value, &c) for KERN_LEFT and KERN_RIGHT,
        and add both c.drop, the expected drop: larger is worse
 
-   This sum ranks structures by their level of collapse better than any other
-   measure (README; examples/laboratory/STUDY.md). Where stones slide before
-   they tip, as in low walls, all load factors end at mu and rank less well. Do
-   not use near contacts for a verdict: a gap carries nothing until it is
-   closed.
+   This sum ranks structures by the shaking at which they collapse, and does so
+   better than any other measure (README; examples/laboratory/STUDY.md). Where
+   stones slide before they tip, as in low walls, no load factor exceeds mu, so
+   load factors rank less well. Do not use the contacts of kern_near() for a
+   verdict: a gap carries nothing until it is closed.
 
    Whether a stone stays where it is released. kern_stays() returns the chance.
    Suppose that a planner releases a stone if the chance is at least a
    threshold. Of 969 placements 835 are clear: they stay, or they move, in all
-   of six noisy runs of a simulator. The table gives shares of these. Each half
-   uses the law that was fitted to the other half:
+   of six noisy runs of a simulator. The table gives shares of these 835. They
+   were split in two halves, and the chances of each half follow from the law
+   that was fitted to the other half:
 
        threshold                       0.3    0.5    0.7    0.9
        630 that stay: released         0.96   0.95   0.93   0.83
@@ -323,8 +357,8 @@
 
    The chance is computed from the distance by which stones move until the
    forces hold them, and from the reserve (kern_raised()). The larger that
-   distance, the more equilibria are possible, and friction decides between
-   them.
+   distance, the more equilibria are possible; friction decides which of them is
+   reached.
 
    Whether a finished structure stays. kern_let_go() releases all blocks at
    once, so the order of the blocks does not matter. kern_least_load_of() and
@@ -332,102 +366,111 @@
    which the structure stands.
 
    Forces. Many sets of forces can hold a structure. No measure depends on the
-   choice of a set, and a proof has the first set that was found. For pictures
-   use the minimum-norm forces (kern_forces()). This set is unique, is symmetric
-   if the structure is, and loads every contact that can carry. The forces of
-   kern_raised() are closer to real friction, but not unique. Neither set tells
-   how elastic stones share a load.
+   choice of a set, and a proof contains the first set that was found. For
+   pictures use the minimum-norm forces (kern_forces()). This set is unique, is
+   symmetric if the structure is, and loads every contact that can carry. The
+   forces of kern_raised() are closer to real friction, but not unique. Neither
+   set tells how elastic stones share a load.
 
    STONES FROM A CAMERA OR A SCANNER                               >>measured
 
    Outline. Simplify each outline first, within 1.5 to 3 pixels
    (kern_outline_simplify()). Raw points on a grid touch each other
    (KERN_CROSSING), and each step of one pixel would hold like a shear key. With
-   1.5 pixels and more a straight joint becomes one edge; below 1.42 pixels its
-   steps may remain. Simplification may open gaps of twice its tolerance. Set
-   options.gap to that width, or include it in the error of
-   kern_measured_options(). Outlines of drawings and of polygon clipping have
-   steps of rounding: simplify them within half a gap. The density is that of
-   the material times the thickness. examples/copy/contour.c shows these steps.
+   a tolerance of 1.5 pixels or more a straight joint becomes one edge; with
+   less than 1.42 pixels its steps may remain. Simplification may open gaps as
+   wide as twice its tolerance. Set options.gap to that width, or include it in
+   the error of kern_measured_options(). Outlines from drawings and from polygon
+   clipping have tiny steps that come from rounding: simplify them with a
+   tolerance of half of options.gap. The density is that of the material times
+   the thickness. examples/copy/contour.c shows these steps.
 
    Error. kern_measured_options() takes the standard errors of a stone's place
    and of its angle. To combine the errors of pixel, simplification and
-   registration, add their squares. With these options margins of a stone with
-   40, 200 or 1000 vertices agree within 2 %; without them margins depend on the
-   number of vertices. Overlaps beyond the error (kern_overlaps()) are modelling
-   errors: measure again, or set options.overlap.
+   registration, take the square root of the sum of their squares. With these
+   options margins of a stone with 40, 200 or 1000 vertices agree within 2 %;
+   without them margins depend on the number of vertices. Overlaps beyond the
+   error (kern_overlaps()) are modelling errors: measure again, or set
+   options.overlap.
 
    Certainty. A structure at rest is measured with errors, so its stones must
    settle by a few errors before they rest again. kern_certain() computes this
    settling. It returns a lower and an upper end of the margin, whether the
    verdict is certain within the error, and how far stones may settle. A
-   structure certainly stands if it passes two tests. It stands on stretches of
-   contact that are longer than the errors. It also comes to rest after a small
-   motion if every third stretch is open. tests/TRUST.md tells how often these
-   answers are right.
+   structure certainly stands if it passes the tests of kern_certain(). For
+   example, it must stand on those stretches of contact that are longer than the
+   errors, and it must come to rest again after a small motion if every third
+   stretch is open. tests/TRUST.md tells how often these answers are right.
 
    LIMITS                                                            >>limits
 
-   Model     Two dimensions, rigid blocks that do not break, statics. "Stands"
-             means that admissible forces exist. With friction that is necessary
-             for standing still, but not sufficient: a cube held between two
-             walls by friction alone counts as standing. kern_raised() tells
-             whether the load raises such forces.
-   Unsafe    Mechanisms are those of limit analysis: blocks that slide also part
-             (dilatant sliding). Where a wall's own joints slide, load factor
-             and tilt are too high. Compared with a simulator they were too high
-             by 11 to 26 % on four published brick walls with openings
+   Model     The model is plane and static, and its blocks are rigid and do not
+             break. "Stands" means that admissible forces exist. With friction
+             that is necessary for standing still, but not sufficient: a cube
+             held between two walls by friction alone counts as standing.
+             kern_raised() tells whether the load raises such forces.
+   Unsafe    Mechanisms are those of limit analysis: blocks that slide also move
+             apart (dilatant sliding). If a wall slides in its own joints, load
+             factor and tilt are too high. Compared with a simulator they were
+             too high by 11 to 26 % on four published brick walls with openings
              (tests/PUBLISHED.md), by a factor of up to 2.5 on random brick
-             walls, and never on settled rubble. For rows of columns that topple
-             they are up to five times too high, and the least friction of the
-             verdict is up to 31 % too low. If the base of a row slopes as the
-             row does, the error has no bound: one load factor was 100 times too
-             high, and one verdict was "stands" with a friction of .44 where
-             2.07 is needed.
+             walls, and never on settled rubble. For rows of columns that
+             topple, load factor and tilt are up to five times too high, and the
+             least friction at which the verdict is "stands" is up to 31 % too
+             low. If such a row stands on a base that slopes as the row does,
+             the error has no bound: one load factor was 100 times too high, and
+             one verdict was "stands" with a friction of .44 where 2.07 is
+             needed.
              kern_raised_load() has no dilatancy. kern_let_go() tells whether
              such a row stays: it returned KERN_STANDS for none of 600 random
-             slopes with less friction than limit equilibrium needs. Both
-             functions follow one path of loading: rely on the less favourable
+             slopes with less friction than limit equilibrium needs.
+             kern_raised_load() and kern_let_go() follow one path of loading. If
+             these or other functions disagree, rely on the less favourable
              answer. A flat arch with hanging bricks is never raised, although
              it may stay.
    Search    KERN_NOT_SHOWN is no proof of falling. kern_work.end tells whether
-             no equilibrium was found, or a limit of work ended the search. The
-             raised load of 90 rows of 20 to 90 columns is at least 87 % of that
-             of limit equilibrium, and at least 97 % for 75 of them. The raised
-             load is at least 97 % of that of limit equilibrium for 326 of 360
-             slopes within 10 % of critical friction. For one of these slopes
-             kern_raised() returns KERN_NOT_SHOWN. Near critical friction, or if
-             a structure has several equilibria close to each other, the raised
-             load may change when the input is turned, mirrored or rounded. The
-             raised load changed by more than 2 % for 28 of these slopes, and
-             for 13 of 969 placements, 10 of which move in the simulator.
+             the search found no equilibrium or was ended by a limit of work.
+             The raised load of 90 rows of 20 to 90 columns is at least 87 % of
+             that of limit equilibrium, and at least 97 % for 75 of them. The
+             raised load is at least 97 % of that of limit equilibrium for 326
+             of 360 slopes within 10 % of critical friction. For one of these
+             slopes kern_raised() returns KERN_NOT_SHOWN. Near critical
+             friction, or if a structure has several equilibria close to each
+             other, the raised load may change when the input is turned,
+             mirrored or rounded. The raised load changed by more than 2 % for
+             28 of these 360 slopes, and for 13 of 969 placements, 10 of which
+             move in the simulator.
    Ambiguous The reserve does not cover equilibria that depend on the history of
    forces    loading. Of 181 rows of wedges between cliffs that fall in a
-             simulator although forces exist, 2 have the largest reserve, 0.1 g
-             (tests/TRUST.md). A stone that is pushed beneath a longer one may
-             rely on weight that the longer stone can shift elsewhere: of 51
-             walls under .6 to .9 of their raised load, 7 move in a simulator.
+             simulator although forces exist that hold them, 2 have the largest
+             reserve, 0.1 g (tests/TRUST.md). A stone that is pushed out from
+             under a longer one may count on weight of the longer stone that can
+             shift to other supports. Of 51 such walls under .6 to .9 of their
+             raised load, 7 move in a simulator.
    Loads     Loads of kern_block_load() neither grow with a horizontal load nor
              turn with gravity.
    Not       If kerns are not nested (points of different normals), the path
-   nested    is first searched without these points. If that answer does not
-             hold with these points, the path is searched in steps of at most
-             d_max / 1001. Tilts with loads are searched in steps of pi / 1001.
-             An interval in which the structure falls may be missed if it is
-             narrower than a step.
-   Undecided A verdict may be undecided closer to the critical value than 1e-9
-             mean sizes. In jams, whose forces grow without bound toward the
-             critical value, this distance may be 1e-7, and rarely 1e-4. Four
-             measures were undecided among 800 hoppers, rows between walls,
-             zigzag beds and packed discs of up to 120 stones, and one of twenty
-             of rows of skew stones between walls, with brackets of 1e-4 to 1e-2
-             mean sizes. In a jam both proofs may pass within 1e-6 of each
-             other, since they bound the forces by different weights (>>proof).
-             The distance may be larger if one block weighs more than 1e4 times
-             another. Of bricks held by loads up to 1000 times their weight,
-             none of 288 was undecided with mu up to 100, and 2 of 96 with mu
-             1000. A level is undecided only if it depends on an undecided
-             verdict.
+   nested    is first searched without these points. If the value that is found
+             does not hold with these points, the path is searched in steps of
+             at most d_max / 1001. Tilts with loads are searched in steps of pi
+             / 1001. An interval in which the structure falls may be missed if
+             it is narrower than a step.
+   Undecided A verdict may be undecided if the shrinkage is closer than 1e-9
+             mean sizes to the critical value. In jams, whose forces grow
+             without bound toward the critical value, this distance may be 1e-7,
+             and rarely 1e-4. It may be larger if one block weighs more than 1e4
+             times another. Among 800 hoppers, rows between walls, zigzag beds
+             and packed discs of up to 120 stones, four measures were undecided,
+             and among rows of skew stones between walls one of twenty. The
+             brackets of these measures were 1e-4 to 1e-2 mean sizes wide. In a
+             jam a proof of standing and a proof of falling may overlap: a
+             structure may be proven to stand at one shrinkage and to fall at
+             another that is smaller by up to 1e-6. The reason is that the two
+             proofs bound the forces by different weights (>>proof). Of
+             structures of bricks that are held by loads up to 1000 times their
+             weight, none of 288 was undecided with mu up to 100, and 2 of 96
+             with mu 1000. A level is undecided only if it depends on an
+             undecided verdict.
    Brackets  Brackets are at most 2e-6 mean sizes wide (load factor 2e-6, tilt
              8e-6 rad), in jams up to 50 times as wide, and up to 3e-5 if there
              are more than 256 blocks and many of them move at once. If more
@@ -436,30 +479,33 @@
    Slow      Structures in which many blocks move at the margin take long:
              ragged walls, fitted masonry, long arches (tests/BENCH.md).
    Float     Proofs are weaker (>>tune), and more verdicts near critical are
-             undecided. A deficit is exact to 3e-6 sizes. Above 64 blocks a
-             value is exact to 0.05. If wedges jam, a margin may be wrong by 1/3
-             size. Use coordinates near the origin.
+             undecided. A deficit is exact to 3e-6 sizes. For more than 64
+             blocks a measure is exact to 0.05 of its unit, which is the mean
+             size for a margin. If wedges jam, a margin may be wrong by 1/3
+             size. Choose coordinates close to the origin.
 
    DETERMINISM                                                  >>determinism
 
    The same input gives the same bits on every machine if the compiler follows
    IEEE arithmetic. Flags:
 
-       -ffp-contract=off     where the target has fused multiply-add (AArch64,
-                             PowerPC, s390x, x86 with -mfma). By default gcc
-                             contracts in GNU modes, and clang from version 14
-       -fno-tree-vectorize   also with gcc where the target has fused
-                             multiply-add for vectors, since gcc fuses pairs of
+       -ffp-contract=off     is needed if the target has fused multiply-add
+                             (AArch64, PowerPC, s390x, x86 with -mfma). Without
+                             it gcc (in GNU modes) and clang (from version 14)
+                             fuse products and sums
+       -fno-tree-vectorize   is needed, too, if gcc compiles for a target with
+                             fused multiply-add for vectors: gcc fuses pairs of
                              products despite the first option. On x86 kern.h
                              sets this option for its own code
-       -msse2 -mfpmath=sse   on 32-bit x86
+       -msse2 -mfpmath=sse   are needed on 32-bit x86
        never -ffast-math, -Ofast or -funsafe-math-optimizations, not even when
                              the program is linked: they flush small numbers to
                              0
 
    kern uses only + - * / and square root, which must round as IEEE 754
-   requires. Sums of doubles by libgcc for ARM do not always do so.
-   tests/golden.c detects wrong flags. */
+   requires. On ARM without a unit for doubles, sums of doubles are computed by
+   libgcc, which does not always round so. tests/golden.c detects wrong
+   flags. */
 
 /* ==== Part II: Declarations ======================================== >>decl */
 
@@ -476,9 +522,10 @@
 
 #ifdef KERN_SINGLE
 typedef float kern_real;
-/* Gives public functions other names in float. A file compiled in the other
-   precision then fails when it is linked, not when it runs, and one program may
-   use both precisions. */
+/* Gives public functions other names in float. If two files of a program
+   disagree about the precision, the linker then reports an error; otherwise the
+   program would fail only when it runs. One program may also use both
+   precisions. */
 #define kern_bearing kern_bearing_f32
 #define kern_block_init kern_block_init_f32
 #define kern_block_load kern_block_load_f32
@@ -557,10 +604,11 @@ typedef struct kern_box {
     kern_vec low, high;
 } kern_box;
 
-/* A positive status is a verdict or the result of a linear program. KERN_OK
-   means success without either. A negative status means failure. The call has
-   then changed nothing of the caller's except the counters and the fault in the
-   work memory, and after KERN_LIMIT the results that the function names. */
+/* Result of a call. A positive status is a verdict or the result of a linear
+   program. KERN_OK means success of a function that has neither a verdict nor
+   such a result. A negative status means failure. A failed call has changed no
+   data of the caller except the counters and the fault in the work memory, and
+   after KERN_LIMIT the results that the comment of the function names. */
 #define KERN_STATUS_LIST(X)                                                  \
     X(KERN_OK, 0, "done")                                                    \
     X(KERN_STANDS, 1, "stands: forces were found that hold every block")     \
@@ -605,9 +653,14 @@ typedef enum kern_status {
 typedef struct kern_fault {
     int block;         /* index of the block at fault; -1: none             */
     int other;         /* the other block of an overlap; -1: none           */
-    int index;         /* vertex of the polygon or contact point; -1: none  */
-    kern_real value;   /* the overlap is at least this deep [m]; 0: none    */
-    kern_real allowed; /* deepest overlap that is allowed [m]; 0: none      */
+    int index;         /* index of the vertex or contact point, or for
+                          kern_lp_solve() of the number in a, then rhs, then
+                          cost; -1: none                                    */
+    kern_real value;   /* the overlap is at least this deep [m]; for
+                          kern_lp_solve() the number that is not finite; 0:
+                          neither                                           */
+    kern_real allowed; /* deepest overlap that is allowed [m]; 0: the fault is
+                          no overlap                                        */
 } kern_fault;
 
 /* A force [N] and a counter-clockwise torque [N m] about a centre of mass. */
@@ -618,24 +671,31 @@ typedef struct kern_wrench {
 /* A stone or the ground, made by kern_block_init() or kern_ground_init(). Mass,
    centre and load may change later. */
 typedef struct kern_block {
-    const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none   */
-    int vertices;           /* >= 3; 0 if vertex is NULL; -1: was refused     */
+    const kern_vec *vertex; /* simple polygon in an array of the caller [m];
+                               NULL: the block has no polygon                 */
+    int vertices;           /* >= 3; 0 if vertex is NULL; -1 if the block was
+                               refused when it was made                       */
     int fixed;              /* nonzero: ground; it bears any force and rests  */
-    kern_real area;         /* [m^2], < 0: clockwise; "size": sqrt(|area|)    */
-    kern_box box;           /* bounds of the polygon; read if it has vertices */
-    kern_real mass;         /* [kg] > 0; not read if the block is fixed       */
+    kern_real area;         /* area of the polygon [m^2], negative if its
+                               vertices turn clockwise. The "size" of a block
+                               is sqrt(|area|)                                */
+    kern_box box;           /* bounds of the polygon; not read if vertex is
+                               NULL                                           */
+    kern_real mass;         /* mass [kg], above 0; not read if the block is
+                               fixed                                          */
     kern_vec centre;        /* centre of mass [m]                             */
-    kern_wrench load;       /* [N], [N m]: added to the weight, at the centre */
+    kern_wrench load;       /* force [N] at the centre and torque [N m] that act
+                               in addition to the weight                      */
 } kern_block;
 
-/* A contact point. Block b feels the force  f n + r t  at p and block a the
-   opposite force, with t = (-n.y, n.x). A line contact is two points,
-   neighbours in the array. The statics knows only points: for it a line is no
-   different from two points. */
+/* A contact point. The force  f n + r t  acts at p on block b, and the opposite
+   force on block a, with t = (-n.y, n.x). A line contact is two points that are
+   neighbours in the array. Equilibrium depends only on the points: the ends of
+   a line act like any two points. */
 typedef struct kern_contact {
-    int a, b;         /* blocks, a != b                                   */
+    int a, b;         /* indices of the two blocks, a != b                */
     int line;         /* nonzero: one end of a line contact               */
-    kern_vec p;       /* place [m]                                        */
+    kern_vec p;       /* place of the contact point [m]                   */
     kern_vec n;       /* unit normal from a into b                        */
     kern_real mu;     /* coefficient of friction >= 0                     */
     kern_real travel; /* signed distance along t to the closed kern [m]   */
@@ -643,8 +703,8 @@ typedef struct kern_contact {
 
 /* Two blocks that overlap deeper than the options allow. */
 typedef struct kern_overlap {
-    int a, b;          /* blocks, a < b                                    */
-    kern_real depth;   /* of the overlap [m], at most 1/8 too small        */
+    int a, b;          /* indices of the two blocks, a < b                 */
+    kern_real depth;   /* depth of the overlap [m], at most 1/8 too small  */
     kern_real allowed; /* deepest overlap that would be a contact [m]      */
 } kern_overlap;
 
@@ -653,30 +713,37 @@ typedef struct kern_structure {
     int blocks;
     const kern_contact *contact;
     int contacts;     /* number of contact points                         */
-    kern_vec gravity; /* acceleration [m/s^2], on Earth (0, -9.81)        */
+    kern_vec gravity; /* acceleration of gravity [m/s^2], on Earth (0,
+                         -9.81)                                           */
 } kern_structure;
 
-typedef struct kern_options { /* start from kern_defaults(); defaults are 0
-                                 unless a comment names one                   */
-    kern_real mu;         /* friction of contacts that are found; default 0.4 */
+typedef struct kern_options { /* start from kern_defaults(): the default of a
+                                 field is 0 unless its comment names another  */
+    kern_real mu;         /* coefficient of friction that is given to contacts
+                             when they are found; default 0.4                 */
     kern_real gap;        /* widest gap that is a contact [m]; 0: 1e-3 of the
                              size of the pair's smaller free block            */
     kern_real angle;      /* widest angle between touching edges [rad], < 0.5;
                              default 0.0174533                                */
-    kern_real epsilon;    /* step of Algorithm 1 [m; relative: share of the
-                             travel]; 0: 0.02 mean sizes [relative: 0.05]     */
+    kern_real epsilon;    /* step of a level in Algorithm 1 [m; relative: share
+                             of the travel]; 0: 0.02 mean sizes [relative:
+                             0.05]                                            */
     int relative;         /* nonzero: shrinkage is a share of each travel     */
     int limit;            /* most units of work of one call (>>verdicts);
-                             default 10,000,000; largest, as 0: 2e9           */
-    kern_real overlap;    /* deepest overlap that is a contact [m]; 0: gap    */
-    kern_real pose_error; /* standard error of the blocks' places [m] and     */
-    kern_real pose_turn;  /* angles [rad]: kern_measured_options(); 0: exact  */
+                             default 10,000,000, at most 2e9; 0 means 2e9     */
+    kern_real overlap;    /* deepest overlap that is still a contact [m]; 0:
+                             as deep as the gap                               */
+    kern_real pose_error; /* standard error of the places of blocks [m], set by
+                             kern_measured_options(); 0: places are exact     */
+    kern_real pose_turn;  /* standard error of the angles of blocks [rad], set
+                             by kern_measured_options(); 0: angles are exact  */
     kern_real narrow;     /* rate at which friction cones narrow as kerns shrink
                              [1/m; relative: 1]: kern_measure()               */
-    kern_real reserve;    /* largest push of kern_raised(), <= 0.1; 0: 0.1    */
-    kern_vec lone;        /* direction of gravity, any length: a single contact
-                             point of two blocks travels (>>rules); (0, 0): it
-                             stays                                            */
+    kern_real reserve;    /* largest push that kern_raised() tries, in shares of
+                             gravity, at most 0.1; 0: 0.1                     */
+    kern_vec lone;        /* if not (0, 0): the direction of gravity, of any
+                             length; then a contact point moves, too, if it is
+                             the only one of its two blocks (>>rules)         */
 } kern_options;
 
 /* The force at a contact point [N], along n and t. */
@@ -692,18 +759,24 @@ typedef struct kern_motion {
    arrays for intermediate results, so after a negative status their contents
    mean nothing. */
 typedef struct kern_proof {
-    kern_force *force;   /* one per contact point: written with KERN_STANDS  */
-    kern_motion *motion; /* one per block, 0 for fixed ones: with KERN_FALLS */
+    kern_force *force;   /* one per contact point, written with KERN_STANDS  */
+    kern_motion *motion; /* one per block, written with KERN_FALLS; 0 for
+                            fixed blocks                                     */
 } kern_proof;
 
+/* Result of kern_measure(): margin and level, with the bracket of the margin.
+   Shrinkages are in metres, or with options.relative shares of the travel. */
 typedef struct kern_margin {
-    kern_real margin;  /* d* [m]: it stands at all smaller shrinkages      */
-    kern_real holds;   /* largest shrinkage at which it provably stands    */
-    kern_real fails;   /* smallest at which it provably falls; or `most`   */
-    kern_real most;    /* d_max: every kern is closed [m]; relative: 1     */
-    kern_real epsilon; /* step of Algorithm 1 that was used [m]            */
-    int level;         /* of Algorithm 1; -1: a verdict is missing         */
-    int saturated;     /* nonzero: it stands even with every kern closed   */
+    kern_real margin;  /* d*: the structure stands at every smaller shrinkage */
+    kern_real holds;   /* largest shrinkage at which it is proven to stand    */
+    kern_real fails;   /* smallest shrinkage at which it is proven to fall, or
+                          `most` if there is none                             */
+    kern_real most;    /* d_max: shrinkage at which every kern is closed;
+                          relative: 1                                         */
+    kern_real epsilon; /* step of Algorithm 1 that was used                   */
+    int level;         /* level of Algorithm 1; -1: a verdict that it needs is
+                          missing                                             */
+    int saturated;     /* nonzero: it stands even with every kern closed      */
 } kern_margin;
 
 /* Result of kern_certain(): an interval of the margin of a measured structure
@@ -711,40 +784,43 @@ typedef struct kern_margin {
 typedef struct kern_interval {
     kern_real low;     /* lower end; 0: the structure may fall            */
     kern_real high;    /* upper end; 0: it falls; KERN_INFINITY: unknown  */
-    kern_real settles; /* how far its blocks may move [m]; KERN_INFINITY:
-                          unknown, or too far                             */
+    kern_real settles; /* how far its blocks may move as they settle [m];
+                          KERN_INFINITY: unknown, or too far              */
 } kern_interval;
 
-/* Derivatives of the margin with respect to the data of a contact point: its
-   place, the angle of its normal [1/rad], friction, and the travel of a kern
-   that is closed there. */
+/* Derivatives of the margin with respect to the data of a contact point: `p` to
+   its place, `turn` to the angle of its normal [m/rad], `mu` to its friction,
+   and `travel` to its travel. `travel` is 0 unless the kern of the point is
+   closed or options.relative is set. */
 typedef struct kern_contact_rate {
     kern_vec p;
     kern_real turn, mu, travel;
 } kern_contact_rate;
 
 /* Derivatives of the margin with respect to the data of a block. `centre` moves
-   the centre of mass alone. `place` moves the block and `turn` turns it about
-   its centre; contacts follow as the search would find them, and loads stay. */
+   the centre of mass alone. `place` moves the block, and `turn` turns it about
+   its centre: the contacts then move to where the search would find them, and
+   the loads do not change. */
 typedef struct kern_block_rate {
     kern_vec centre, place;
-    kern_real turn, mass; /* [m/rad], [m/kg] */
-    kern_wrench load;     /* [m/N], [1/N] */
+    kern_real turn, mass; /* turn [m/rad], mass [m/kg]            */
+    kern_wrench load;     /* forces [m/N], torque [1/N]           */
 } kern_block_rate;
 
 /* Result of kern_raised(). */
 typedef enum kern_raising {
-    KERN_NOT_SHOWN, /* neither of these; this is no proof of falling    */
+    KERN_NOT_SHOWN, /* neither KERN_RAISED nor KERN_HANGS is shown. This is no
+                       proof of falling                                 */
     KERN_RAISED,    /* the load raises forces that hold the structure   */
     KERN_HANGS      /* some blocks rest on nothing; the others stand without
-                       these                                            */
+                       them                                             */
 } kern_raising;
 
 /* Why a search for forces that the load raises ended (kern_work.end). */
 typedef enum kern_end {
     KERN_END_NONE,  /* no search has run                              */
-    KERN_END_SHOWN, /* forces were found (kern_raised_load(): up to the load
-                       factor)                                        */
+    KERN_END_SHOWN, /* forces were found; for kern_raised_load(): at the
+                       load factor                                    */
     KERN_END_LOST,  /* no equilibrium was found: blocks move away, or the search
                        makes no progress                              */
     KERN_END_WORK   /* a limit of work was reached                    */
@@ -754,48 +830,53 @@ typedef enum kern_end {
    of the free blocks. */
 typedef struct kern_collapse {
     kern_real least; /* smallest value: the margin or the load factor    */
-    kern_real mean;  /* mean value: progressive margin or load factor    */
+    kern_real mean;  /* mean of all values: the margin or load factor of
+                        progressive collapse                             */
     kern_real weak;  /* mean of the lower half of the values             */
     kern_real drop;  /* expected drop: mean of h exp(-value / 0.07), where h is
                              the height of the centre above the lowest block in
-                             mean sizes, at least 0.3; 0 for margins     */
+                             mean sizes, at least 0.3. The drop is 0 if the
+                             values are margins                          */
 } kern_collapse;
 
 /* Motion of the two blocks at a contact point. */
 typedef enum kern_meeting {
-    KERN_RESTS,  /* they move as one body, or not at all             */
-    KERN_HINGES, /* they turn relative to each other about the point */
-    KERN_SLIDES, /* they slide, and part at the friction angle (dilatancy:
-                    >>limits)                                        */
-    KERN_OPENS   /* they part                                        */
+    KERN_RESTS,  /* the blocks move as one body, or not at all       */
+    KERN_HINGES, /* the blocks turn relative to each other about the point */
+    KERN_SLIDES, /* the blocks slide on each other, and move apart at the
+                    friction angle (dilatancy: >>limits)             */
+    KERN_OPENS   /* the blocks move apart                            */
 } kern_meeting;
 
 /* Result of kern_critical_of(): the contacts that limit a measure, and the
    blocks that move. The arrays are the caller's, and each may be NULL. */
 typedef struct kern_critical {
-    kern_meeting *meeting; /* per contact point                               */
-    kern_real *limit;      /* per contact point: how much it limits, as a
-                              share of the limit of point `contact`; up to
-                              1.0001                                          */
-    int *group;            /* per block: its group, which moves as one body;
-                              0: the fastest; -1: the block rests             */
-    int contact; /* first point of the largest limit (to 1e-4); -1: none     */
-    int groups;  /* number of groups; 0 if `group` is NULL              */
+    kern_meeting *meeting; /* per contact point: how its two blocks move      */
+    kern_real *limit;      /* per contact point: how much it limits the measure
+                              (kern_critical_of()), divided by the same number
+                              of point `contact`; up to 1.0001                */
+    int *group;            /* per block: the number of its group, whose blocks
+                              move as one body; 0: the fastest group; -1: the
+                              block rests                                     */
+    int contact; /* index of the point with the largest limit, the first of
+                    those that are equal to 1e-4; -1: none                    */
+    int groups;  /* number of groups; 0 if `group` is NULL                    */
 } kern_critical;
 
 /* Work memory: two arrays of the caller. Nothing in them needs to be set. */
 typedef struct kern_work {
     kern_real *real;
-    int reals; /* KERN_REALS(blocks, contacts)                     */
+    int reals; /* length of `real`: KERN_REALS(blocks, contacts)   */
     int *index;
-    int indices; /* KERN_INTS(blocks, contacts)                      */
+    int indices; /* length of `index`: KERN_INTS(blocks, contacts)   */
     /* counters: the library adds to them, the caller may set them to 0       */
-    int pivots;       /* pivots of the simplex method                     */
-    int solves;       /* top-down passes and linear programs solved       */
-    int units;        /* work of the last call, without a plan's search for
-                         contacts; limit + 1 after KERN_LIMIT             */
-    kern_real error;  /* largest error of a proof, as a share of the allowed
-                         error: <= 1                                      */
+    int pivots;       /* number of pivots of the simplex method           */
+    int solves;       /* number of top-down passes and of linear programs
+                         that were solved                                 */
+    int units;        /* work of the last call, not counting the search of a
+                         plan for contacts; limit + 1 after KERN_LIMIT    */
+    kern_real error;  /* largest error of a proof so far, as a share of the
+                         allowed error: at most 1                         */
     kern_fault fault; /* fault of the last call with a negative status    */
     kern_end end;     /* why the last search for raised forces ended      */
 } kern_work;
@@ -806,37 +887,40 @@ typedef struct kern_work {
    Their contents are verified before use: they change the time of an answer,
    not the answer. */
 typedef struct kern_known {
-    kern_motion *motion; /* per block: the mechanism at `fails`              */
-    kern_force *force;   /* one per contact point: forces at `holds`        */
-    kern_real holds, margin, fails; /* of the last kern_measure(); fails = 0:
-                                       none                                   */
+    kern_motion *motion; /* one per block: the mechanism at `fails`           */
+    kern_force *force;   /* one per contact point: the forces at `holds`      */
+    kern_real holds, margin, fails; /* results of the last kern_measure();
+                                       fails = 0: there are none              */
 } kern_known;
 
 /* Arguments of a call, from kern_task_of(). Fields may be changed between
    calls. */
 typedef struct kern_task {
     kern_structure s;
-    kern_options options; /* kern_defaults()                                  */
-    kern_work *work;      /* not NULL                                         */
-    kern_known known;     /* warm start; arrays NULL: none                    */
+    kern_options options; /* at first kern_defaults()                         */
+    kern_work *work;      /* work memory; not NULL                            */
+    kern_known known;     /* warm start; none if its arrays are NULL          */
 } kern_task;
 
-/* A structure that a planner changes by one block at a time: kern_plan_of().
-   Set task.options and task.s.gravity before you add blocks. You may append
-   contacts of your own to contact[task.s.contacts]. */
+/* A structure that a planner changes by one block at a time; kern_plan_of()
+   makes it. Set task.options and task.s.gravity before you add blocks. You may
+   append contacts of your own: write them to contact[task.s.contacts] and later
+   places of the array, and raise task.s.contacts. */
 typedef struct kern_plan {
     kern_task task;    /* the present structure                            */
     kern_block *block; /* the caller's array, which task.s reads           */
-    int block_room;
-    kern_contact *contact;
-    int contact_room;
+    int block_room;    /* length of the array `block`                      */
+    kern_contact *contact; /* the caller's array, which task.s reads       */
+    int contact_room;      /* length of the array `contact`                */
 } kern_plan;
 
 /* Where a stone comes to rest: kern_rest(). */
 typedef struct kern_pose {
     kern_block block; /* the stone at rest, with vertices of its own   */
-    kern_vec turn;    /* cosine and sine of the angle of its turn      */
-    int motions;      /* number of motions, the first one downward     */
+    kern_vec turn;    /* cosine and sine of the angle by which the stone has
+                         been turned                                   */
+    int motions;      /* number of motions until rest, counting the first
+                         one straight down                             */
 } kern_pose;
 
 /* A place for a stone, and the numbers by which kern_place_compare() ranks it.
@@ -852,16 +936,18 @@ typedef struct kern_place {
 /* Sides of a horizontal load or tilt: right is +x for gravity (0, -9.81). */
 typedef enum kern_side {
     KERN_LEFT = -1,
-    KERN_SHRINK = 0, /* only for kern_profile(): kerns shrink, no load   */
+    KERN_SHRINK = 0, /* only for kern_profile(): kerns shrink, and no load
+                        grows                                            */
     KERN_RIGHT = 1
 } kern_side;
 
 /* A linear program:  minimise cost . x  where  A x = rhs  and  x >= 0. */
 typedef struct kern_lp {
     int rows, cols;
-    const kern_real *a;    /* rows x cols, column by column                   */
-    const kern_real *rhs;  /* one per row                                     */
-    const kern_real *cost; /* one per column; NULL: any solution will do      */
+    const kern_real *a;    /* matrix A: rows x cols numbers, by columns       */
+    const kern_real *rhs;  /* right-hand side: one number per row             */
+    const kern_real *cost; /* one number per column; NULL: any solution will
+                              do                                              */
     int limit;             /* most units of work, as in kern_options          */
 } kern_lp;
 /* Infinity. Other compilers than gcc and clang compute it by a product that
@@ -876,11 +962,13 @@ typedef struct kern_lp {
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
 /* Constant expressions (>>memory). Blocks include fixed ones. KERN_ROOM is the
-   room for the factors of a basis with fill-in (>>lp), KERN_LP_ROOM that for a
-   dense program. KERN_ROOM is a square up to 300 blocks, which are 458 extras,
-   and its tangent above. If it is full the basis is factored again. If it is
-   full after that, as may happen for large structures near critical, the call
-   returns KERN_NO_SPACE. */
+   number of reals for the factors of a basis (>>lp) of a structure, and
+   KERN_LP_ROOM for those of a dense program. KERN_ROOM grows with the square of
+   `extras` up to 458, which is KERN_EXTRAS of 300 blocks, and beyond that along
+   the tangent of the square. If this room is full, the basis is factored again.
+   If it is full after that, as may happen for large structures near critical,
+   the call returns KERN_NO_SPACE. The lean sizes have room for parts of
+   KERN_LEAN_PART blocks. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
@@ -903,16 +991,17 @@ typedef struct kern_lp {
 #define KERN_LP_INTS(rows, cols) (9 * (rows) + (cols) + 30)
 
 /* ---- Functions ----------------------------------------------------- >>api */
-/* B is the number of blocks, C that of contact points. No pointer may be NULL
-   unless its function says so: KERN_BAD_POINTER. Every function that takes work
-   memory may return KERN_NO_SPACE. Every function that takes a structure may
-   return KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000, contacts up to
-   1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL, _SHARE (a relative
-   shrinkage above 1), KERN_SAME_BLOCK, KERN_NO_BLOCK, KERN_NO_AREA,
+/* In the comments below, B is the number of blocks and C the number of contact
+   points. No pointer may be NULL unless the comment of the function says so;
+   otherwise the function returns KERN_BAD_POINTER. Every function that takes
+   work memory may return KERN_NO_SPACE. Every function that takes a structure
+   may return KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000, contacts
+   up to 1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL, _SHARE (a
+   relative shrinkage above 1), KERN_SAME_BLOCK, KERN_NO_BLOCK, KERN_NO_AREA,
    KERN_NO_FREE, KERN_NO_LOAD and KERN_LIMIT. A number of contacts below -1 is a
-   status of kern_contacts(): every function returns it and keeps its fault.
-   After KERN_LIMIT a measure is the largest value at which the structure is
-   proven to stand so far, or negative if there is none.
+   status of kern_contacts(): every function returns this status and keeps its
+   fault in the work memory. After KERN_LIMIT a measure is the largest value at
+   which the structure is proven to stand so far, or negative if there is none.
 
    Numbers that cannot be squared or multiplied safely are refused, and the
    fault names the block. With F = 1e60 (float: 1e10) the bounds are
@@ -923,8 +1012,8 @@ typedef struct kern_lp {
                       sum of weight and load of a block above F [N], or below 1
                       / F [N] and not 0 */
 
-/* Returns the meaning of a status in words. A negative count is a status,
-   too. */
+/* Returns the meaning of a status in words. If a function that returns a count
+   returns a negative number, that number is a status, too. */
 KERN_API const char *kern_status_text(int status);
 
 /* Returns the default options. The comments of kern_options name them. */
@@ -944,22 +1033,25 @@ KERN_API kern_options kern_near(const kern_options *options,
      gap      5.25 e, to which 1e-3 of the size is added. At a contact at
               distances r_a and r_b from the centres of its blocks the gap g
               becomes sqrt(g^2 + (3.5 theta)^2 (r_a^2 + r_b^2)) (>>tol)
-     angle    7 theta, at least 1 degree and below 0.5. A corner may lie 3 e
+     angle    7 theta, at least 1 degree and below 0.5 rad. A corner may lie 3 e
               beyond the end of an edge
-     overlap  8 e, and 3.5 theta r for r the diagonal of the smaller box;
-              contacts lie at half the depth, inside both blocks, and none goes
-              through a part of a block that is thinner. A larger value accepts
-              deeper overlaps
+     overlap  8 e, or options->overlap if that is larger. To this 3.5 theta r
+              is added for each pair, where r is the diagonal of the smaller of
+              its two boxes. Contacts of blocks that overlap lie at half the
+              depth of the overlap, inside both blocks. No contact lies where
+              one block has passed through a thin part of the other
    Verdicts are then those of the structure as it most likely rests. Every call
    refuses these options (KERN_BAD_OPTION) unless e > 0 and theta >= 0. */
 KERN_API kern_options kern_measured_options(const kern_options *options,
                                             kern_real e, kern_real theta);
 
-/* Returns work memory of two arrays, with its counters at zero. */
+/* Returns work memory that consists of these two arrays, with its counters at
+   zero. */
 KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
                                 int indices);
 
-/* Writes KERN_REALS and KERN_INTS, computed at run time. Writes 0 if a count is
+/* Writes the lengths KERN_REALS(blocks, contacts) and KERN_INTS(blocks,
+   contacts), for counts that are known only at run time. Writes 0 if a count is
    out of range. */
 KERN_API void kern_work_need(int blocks, int contacts, int *reals,
                              int *indices);
@@ -969,13 +1061,15 @@ KERN_API void kern_work_need(int blocks, int contacts, int *reals,
 /* Fills a block from a simple polygon, convex or not, turning either way: area,
    box, centroid, mass = density * |area| with the density in kg/m^2, no load.
    The block points to the caller's vertices, which must live as long as the
-   block. If the vertices move, call this function again. fault may be NULL; its
-   index is the vertex. After a failed call other functions refuse the block
-   with KERN_NO_BLOCK. Errors, by the bounds above: KERN_FEW_VERTICES,
-   KERN_BAD_COUNT (above 1,000,000), KERN_BAD_NUMBER, KERN_NO_AREA,
-   KERN_CROSSING (also if the last vertex repeats the first, as in closed rings
-   of other formats), KERN_BAD_MASS (also a density not above 0). Time: O(n) for
-   n vertices of a convex polygon; otherwise O(n^2) tests of boxes. */
+   block. If the vertices move, call this function again. `fault` may be NULL;
+   otherwise fault->index is the vertex at fault. After a failed call other
+   functions refuse the block with KERN_NO_BLOCK. Errors (the bounds of numbers
+   are given at the head of this chapter): KERN_FEW_VERTICES, KERN_BAD_COUNT
+   (above 1,000,000), KERN_BAD_NUMBER, KERN_NO_AREA, KERN_CROSSING (also if the
+   last vertex repeats the first, as in closed rings of other formats),
+   KERN_BAD_MASS (also a density not above 0). Time: O(n) for a convex polygon
+   of n vertices; otherwise O(n^2) tests of whether the boxes of two edges
+   meet. */
 KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
                                      int vertices, kern_real density,
                                      kern_fault *fault);
@@ -985,25 +1079,25 @@ KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
 KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
                                       int vertices, kern_fault *fault);
 
-/* Simplifies a closed outline, such as one from an image: leaves out vertices
-   while none is farther than the tolerance [m] from the edge that replaces it
-   (Douglas and Peucker 1973). A step lower than the tolerance is removed,
-   unless one of its vertices is the farthest from a longer edge. A step higher
-   than twice the tolerance is kept. Corners follow the same rule.
+/* Simplifies a closed outline, such as one from an image: leaves out as many
+   vertices as it can, so that none of them is farther than the tolerance [m]
+   from the edge that replaces it (Douglas and Peucker 1973). A step lower than
+   the tolerance is removed, unless one of its vertices is the farthest from a
+   longer edge. A step higher than twice the tolerance is kept. Corners follow
+   the same rule as steps.
    Writes the vertices that stay to out[0..room), beginning with the one
    farthest from the centroid, and their indices in `vertex` to kept[0..room).
-   Returns the number of these vertices, which is the least `room` that is
-   enough. They form a simple polygon, ready for kern_block_init(): if edges
-   would cross, the tolerance is halved, up to eight times, and then set to 0.
-   The result does not depend on the vertex with which the outline begins. If
-   two vertices are equally far from an edge, a mirrored or turned outline may
-   keep the other one. `vertex` may touch or cross itself. `vertex` must not
-   overlap `out`.
+   Returns the number of these vertices; `room` must not be less. They form a
+   simple polygon, ready for kern_block_init(): if edges would cross, the
+   tolerance is halved, up to eight times, and then set to 0. The result does
+   not depend on the vertex with which the outline begins. If two vertices are
+   equally far from an edge, a mirrored or turned outline may keep the other
+   one. `vertex` may touch or cross itself. `vertex` must not overlap `out`.
    Errors: KERN_NO_SPACE, KERN_FEW_VERTICES, KERN_NO_AREA or KERN_CROSSING (no
    polygon remains; out means nothing), KERN_BAD_COUNT (above 1,000,000),
    KERN_BAD_POINTER, KERN_BAD_NUMBER, KERN_BAD_OPTION (the tolerance is negative
    or not a number). Time: O(n log n) for most outlines of n vertices; at worst
-   O(n) for each vertex that stays. */
+   O(n) for each vertex that is kept. */
 KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
                                    kern_real tolerance, kern_vec *out,
                                    int *kept, int room);
@@ -1013,45 +1107,48 @@ KERN_API int kern_outline_simplify(const kern_vec *vertex, int vertices,
 KERN_API void kern_block_load(kern_block *block, kern_vec force, kern_vec point,
                               kern_real torque);
 
-/* Returns the mean size of the free blocks [m]: the mean of the square roots of
-   their areas. */
+/* Returns the mean size of the free blocks [m], which is the mean of the square
+   roots of their areas. */
 KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
 
 /* -- contacts -- */
 
 /* Finds the contacts between all blocks (>>rules) and writes them to
    out[0..room): those of block 1 with block 0, of block 2 with 0 and with 1,
-   and so on. A block without vertices has no contacts. Returns how many contact
-   points there are. Errors: KERN_NO_SPACE (out means nothing; the search itself
-   needs about seven points for each short edge of an outline), KERN_OVERLAP
-   (the first pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
-   KERN_FEW_VERTICES, KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the block's
-   vertices have moved, or their array was used for another block), KERN_LIMIT
-   (vertices that are only read are not counted). Uses only the fault and the
-   units of the work memory. Time: one test of boxes for each pair of blocks.
-   Blocks that meet take a few products for each pair of close edges, or tens of
-   products if no edge separates the blocks. The worst case, as of two saws,
-   takes the square of the edges and contacts of a pair. */
+   and so on. A block without vertices has no contacts. Returns the number of
+   contact points. Errors: KERN_NO_SPACE (`out` then means nothing; the search
+   itself needs room for about seven points for each short edge of an outline),
+   KERN_OVERLAP (the fault names the first pair that overlaps),
+   KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES,
+   KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the vertices of a block have moved,
+   or their array was used for another block), KERN_LIMIT (the search exceeds
+   options.limit; reading the vertices is not counted). Of the work memory it
+   uses only the fields fault and units. Time: one test of boxes for each pair
+   of blocks. For blocks whose boxes meet, a few products for each pair of close
+   edges, or tens of products if no edge separates the blocks. In the worst
+   case, such as two saws, the time grows with the square of the number of edges
+   and contacts of a pair. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
                            int room, kern_work *work);
 
 /* Finds the pairs of blocks that overlap too deeply to be in contact, and
-   writes them to out[0..room). Returns how many pairs there are, which may be
-   more than room, or a negative status as kern_contacts(). */
+   writes them to out[0..room). Returns the number of such pairs, which may be
+   more than `room`, or a negative status of kern_contacts(). */
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work);
 
-/* Finds the stretches of the contacts: contacts that are divided at hollows.
-   From these kern_bearing() computes which lengths of contact the structure
-   needs. kern_stretches() works as kern_contacts(), with two differences. A
-   hollow wider than the gap divides a line: a block on two feet has one contact
-   from the outer end of one foot to that of the other, but two stretches.
-   Contacts with any fixed block are written as contacts with the first of
-   these, so that cutting a fixed block in two changes nothing. For margins use
-   kern_contacts() instead. Time: that of kern_contacts(), plus O(C) for each
-   interface of points and, with several fixed blocks, for each contact. */
+/* Finds the stretches of the contacts, which are contacts divided at hollows.
+   Pass stretches to kern_bearing(), which computes the length of contact that
+   the structure needs. kern_stretches() works as kern_contacts(), with two
+   differences. First, a hollow wider than the gap divides a line: a block on
+   two feet has one contact from the outer end of one foot to that of the other,
+   but two stretches. Second, all contacts with fixed blocks are written as
+   contacts with the first fixed block, so that cutting a fixed block in two
+   changes nothing. For margins use kern_contacts() instead. Time: that of
+   kern_contacts(), plus O(C) for each pair of blocks that has point contacts
+   and, if there are several fixed blocks, for each contact. */
 KERN_API int kern_stretches(const kern_block *block, int blocks,
                             const kern_options *options, kern_contact *out,
                             int room, kern_work *work);
@@ -1059,56 +1156,58 @@ KERN_API int kern_stretches(const kern_block *block, int blocks,
 /* Finds the contacts of block b with the blocks of lower index. These contacts
    equal those of kern_contacts(), unless a later block lies so far out that the
    rounding of its coordinates matters. Return values are those of
-   kern_contacts(). KERN_STALE is found only for block b and the blocks that it
-   may touch. With options.lone, only these contacts count as carrying a block.
-   Time: O(b) tests of boxes, and for blocks that meet as kern_contacts(). */
+   kern_contacts(). KERN_STALE is returned only for block b and the blocks that
+   it may touch. If options.lone is set, only the contacts found here count as
+   contacts that carry a block. Time: O(b) tests of boxes, and for blocks whose
+   boxes meet the time of kern_contacts(). */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options, kern_contact *out,
                         int room, kern_work *work);
 
 /* Makes a contact that the caller defines. Set a, b, p, mu and the normal n in
    *out first; n points from a into b and may have any length. The contact is
-   the line from p to q, or the point p if q equals p. Writes one or two contact
-   points to out and returns how many. Errors: KERN_SAME_BLOCK, KERN_BAD_BLOCK
-   (a negative index), KERN_BAD_NUMBER, KERN_BAD_FRICTION, KERN_BAD_NORMAL (no
-   length), KERN_BAD_LINE (p to q leaves the tangent by more than
-   options->angle), KERN_BAD_OPTION. When all contacts are made, call
-   kern_contact_travels(). */
+   the line from out->p to q, or the point out->p if q equals it. Writes one or
+   two contact points to out and returns their number. Errors: KERN_SAME_BLOCK,
+   KERN_BAD_BLOCK (a negative index), KERN_BAD_NUMBER, KERN_BAD_FRICTION,
+   KERN_BAD_NORMAL (no length), KERN_BAD_LINE (the line from p to q differs from
+   the direction of the tangent by more than options->angle), KERN_BAD_OPTION.
+   When all contacts are made, call kern_contact_travels(). */
 KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
                                const kern_options *options);
 
 /* Sets the travel of every contact point (>>rules). The travel of a point
    depends on the other points of its interface, which are the points between
    the same two blocks, in either order. Does nothing if `contact` is NULL.
-   Time: O(C) times the number of points, for each run of points of one
-   interface. */
+   Time: O(C n) for each n points of one interface that follow each other in the
+   array. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
 /* Returns the place at which a contact point acts at a shrinkage [m]. A
    negative shrinkage is a growth. If `relative` is nonzero, `shrink` is a share
-   of the travel, and at 1 and above the point acts at the middle. Returns the
-   origin for NULL. */
+   of the travel, and if it is 1 or more, the point acts at the middle, where
+   its kern is closed. Returns the origin for NULL. */
 KERN_API kern_vec kern_contact_at(const kern_contact *contact, kern_real shrink,
                                   int relative);
 
 /* -- verdicts and measures -- */
-/* `shrink` is the length [m] by which kerns are shrunk (options.relative: a
-   share of their travel, at most 1). If it is negative, kerns grow. `proof` may
-   be NULL. */
+/* In all these functions `shrink` is the length [m] by which kerns are shrunk
+   (options.relative: a share of their travel, at most 1). If `shrink` is
+   negative, kerns grow. `proof` may be NULL. */
 
 /* Returns a task with gravity (0, -9.81), kern_defaults() and no warm start. */
 KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
                                 const kern_contact *contact, int contacts,
                                 kern_work *work);
 
-/* Returns a warm start for task.known, still empty. The arrays have room for
-   one motion of each block and one force of each contact point. */
+/* Returns an empty warm start for task.known. The arrays must have room for one
+   motion of each block and one force of each contact point. */
 KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 
 /* Returns whether the structure stands: KERN_STANDS, KERN_FALLS or
    KERN_UNDECIDED. Time: O(B + C) if forces can be passed on from the top down,
-   as in most walls. Otherwise each pivot takes O(C + F) for F entries of the
-   factors (>>lp), F at most B^2. */
+   as in most walls. Otherwise the simplex method needs pivots, each of which
+   takes O(C + F) for F entries of the factors (>>lp), where F is at most
+   B^2. */
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
@@ -1180,22 +1279,24 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   int room);
 
 /* Finds whether the load, applied to unstressed contacts, raises forces that
-   hold the structure. At every contact with a force the two blocks approach. If
-   the force is inside the friction cone the contact sticks, and otherwise it
-   slides against the friction. If no such forces are found for the whole load
-   at once, the load grows from 0, as in kern_raised_load(). KERN_STANDS: writes
-   *out and both arrays of the proof, which passes kern_check_raised(). For
-   KERN_NOT_SHOWN it writes only the forces. KERN_FALLS: the motion is that of
-   kern_verdict(), and *out is unchanged.
+   hold the structure. Such forces come with a motion of the blocks. At every
+   contact that has a force, the motion brings the two blocks closer. If the
+   force is inside the friction cone the contact sticks, and otherwise it slides
+   against the friction. If no such forces are found for the whole load at once,
+   the load is increased from 0 in steps, as in kern_raised_load(). KERN_STANDS:
+   writes *out and both arrays of the proof, which passes kern_check_raised().
+   If *out is KERN_NOT_SHOWN, only the forces are written. KERN_FALLS:
+   proof->motion is that of kern_verdict(), and *out is unchanged.
    *reserve (may be NULL) is the largest of the shares of gravity 0, .001 ...
    .005, .0055, .006, .007, .008, .01, .015, .02, .03, .05 and .1 for which the
    structure stays raised under a push of that share to either side, with kerns
    shrunk further by that share of the mean size (relative: by that share).
    *reserve is 0 if the structure is not raised. Shares above options.reserve
-   are not tried. KERN_BAD_OPTION: `reserve` is not NULL, but there is no
-   gravity. work->end tells why the search without a push ended. KERN_NO_SPACE
-   also if a structure is much wider than a wall of squares. Time: 3 times that
-   of kern_measure() in the mean of 969 walls, 6 times with the reserve. */
+   are not tried. Returns KERN_BAD_OPTION if `reserve` is not NULL but there is
+   no gravity. work->end tells why the search without a push ended. Returns
+   KERN_NO_SPACE also for structures much wider than a wall of square blocks,
+   whose matrix does not fit. Time: 3 times that of kern_measure() in the mean
+   of 969 walls, and 6 times if the reserve is computed. */
 KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof);
@@ -1213,8 +1314,9 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
    and 205 move (tests/TRUST.md). Among places that a planner draws at random
    and that stand, more stay than the chance says. KERN_STANDS: writes *chance,
    from .05 to 1, or 0 if some block hangs. KERN_FALLS: *chance is unchanged.
-   KERN_BAD_BLOCK: i is no free block. KERN_BAD_OPTION: no gravity. Time: that
-   of 3 kern_plan_try() in the median, with the known forces of a plan. */
+   Returns KERN_BAD_BLOCK if i is no free block, and KERN_BAD_OPTION if there is
+   no gravity. Time: that of 3 calls of kern_plan_try() in the median, if the
+   known forces of a plan are used. */
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance);
 
@@ -1232,18 +1334,19 @@ KERN_API kern_status kern_stays(const kern_task *task, int i,
    stays, and otherwise KERN_NOT_SHOWN. To find the least friction with which
    the structure stays, bisect options.mu, finding the contacts again at each
    step. To find its tilt, bisect the angle of s.gravity. Begin the bisection at
-   a value at which the structure stays. The least friction is not below that of
-   the verdict, and the tilt is not above it. Time: that of kern_raised(). */
+   a value at which the structure stays. The least friction with which the
+   structure stays is not below the least friction of the verdict, and the tilt
+   is not above that of kern_tilt(). Time: that of kern_raised(). */
 KERN_API kern_status kern_let_go(const kern_task *task, kern_raising *how,
                                  const kern_proof *proof);
 
 /* Computes the minimum-norm forces (>>measures): of all forces that hold the
    structure, those with the least sum of f^2 + (r / mu)^2 over the contact
    points. KERN_STANDS: writes force[0..contacts), which pass the check of a
-   proof. KERN_UNDECIDED: no such forces exist (see kern_verdict()), or none as
-   exact as a proof requires, as in critical jams or where sizes differ by 1e4.
-   KERN_NO_SPACE as in kern_raised(). Time: a third of that of
-   kern_measure(). */
+   proof. KERN_UNDECIDED: no such forces exist (see kern_verdict()), or no
+   forces were found that are as exact as a proof requires, as in critical jams
+   or where sizes differ by 1e4. Returns KERN_NO_SPACE in the cases of
+   kern_raised(). Time: a third of that of kern_measure(). */
 KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                                  kern_force *force);
 
@@ -1259,15 +1362,16 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                     limit ended the call before it read the input, then fails,
                     most and epsilon are infinite. The proof means nothing.
      KERN_UNDECIDED As for KERN_LIMIT. No verdict between holds and fails is
-     proven. KERN_BAD_STEP most / epsilon > 1,000,000. *out is unchanged.
+                    proven.
+     KERN_BAD_STEP  most / epsilon is above 1,000,000. *out is unchanged.
    The width of [holds, fails] is given in >>limits. If kerns are nested, the
    proofs of the margin also prove the level. Otherwise each step has a proof of
    its own.
    If options.narrow = k, a shrinkage d > 0 also reduces friction from mu to
    max(0, (mu - k d) / (1 + mu k d)), the tangent of the friction angle minus
    atan(k d). A robot that places stones within e and theta sets k = tan(theta)
-   / (2 e). Then margin / (2 e) estimates, but does not bound, how many times
-   the error e the structure can bear. If k is so large that kerns hardly
+   / (2 e). Then margin / (2 e) estimates, but does not bound, the multiple of
+   the error e that the structure can bear. If k is so large that kerns hardly
    shrink, the reduced friction at the margin is the least friction with which
    the structure stands. Warm start: the search begins from task->known and
    remembers its result there. After KERN_UNDECIDED and KERN_LIMIT task->known
@@ -1278,13 +1382,14 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 /* Computes the derivatives of the margin with respect to every contact point
    and block, from the proof that kern_measure() wrote. Writes them to
    contact[0..contacts) and block[0..blocks). The derivatives are exact if only
-   one mechanism is critical, the contacts stay the same and no kern that
-   carries is about to close. Otherwise the derivatives hold only for the
-   mechanism of the proof. If corners of two blocks coincide at the end of a
-   contact, either corner moves the end. The travel of single points
-   (options.lone) is treated as constant. options.narrow must be 0. Returns
-   KERN_OK, or KERN_UNDECIDED if the margin is saturated or does not change.
-   Time: O(B + C), 0.03 of that of kern_measure(). */
+   one mechanism is critical, a small change does not make or end a contact, and
+   no contact that carries is about to shrink to a point. Otherwise the
+   derivatives hold only for the mechanism of the proof. If corners of two
+   blocks coincide at the end of a contact, both corners are taken to move that
+   end. The travel of single points (options.lone) is treated as constant.
+   options.narrow must be 0. Returns KERN_OK, or KERN_UNDECIDED if the margin is
+   saturated or does not change. Time: O(B + C), 0.03 of that of
+   kern_measure(). */
 KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       const kern_margin *margin,
                                       const kern_proof *proof,
@@ -1305,17 +1410,19 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
    contact that has a length is needed. proof->force holds the structure by the
    contacts of at least this length. proof->motion moves the structure without
    the shortest of these contacts. If that verdict is undecided, the contact
-   counts as needed and the motion is 0. KERN_FALLS: the structure falls with
-   all contacts. Time: one verdict for each step of a bisection of the lengths,
-   on a logarithmic scale. */
+   counts as needed and the motion is 0. KERN_FALLS: the structure falls even
+   with all contacts. Time: one verdict for each step of a bisection of the
+   lengths on a logarithmic scale. */
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
 /* Computes the largest factor of a horizontal load to a side, on top of weights
    and loads. KERN_STANDS: writes *factor, which is KERN_INFINITY if the
-   structure stands at 1,000,000. The proof is that of kern_measure(), for the
-   loads at the factor. KERN_FALLS: the structure falls at a factor of 0.
-   KERN_BAD_OPTION: no gravity, or the side is neither left nor right. */
+   structure stands at 1,000,000. As in kern_measure(), proof->force holds the
+   structure under the loads at the factor or just below it, and proof->motion
+   moves it just above. KERN_FALLS: the structure falls at a factor of 0.
+   Returns KERN_BAD_OPTION if there is no gravity, or if the side is neither
+   left nor right. */
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof);
@@ -1345,20 +1452,21 @@ KERN_API kern_status kern_least_load_of(const kern_task *task, kern_real shrink,
                                         const kern_proof *proof);
 
 /* Computes the load factor for Coulomb friction, with the load growing from 0:
-   unlike in kern_load_factor(), stones that slide need not part. *factor is the
-   largest multiple of the load that raises forces which hold the structure, as
-   in kern_raised(). Each step of the load (>>tune) is proven, starting from the
-   step before. With friction equilibrium is not unique: another path of loading
-   may collapse earlier (by 5 % in one case) or later. *factor is never above
-   the load factor, which is computed first. The load is `pattern`, or if that
-   is NULL, horizontal to the side. KERN_STANDS: writes *factor, KERN_INFINITY
-   if the load is raised at 1,000,000. Both arrays of the proof pass
-   kern_check_raised() with the loads at the factor. work->end is KERN_END_SHOWN
-   if *factor is the load factor; otherwise work->end tells why *factor is less.
-   KERN_FALLS: the structure falls at a factor of 0. KERN_UNDECIDED also if the
-   weight alone is not shown to raise forces; *factor is unchanged. Time, in
-   multiples of kern_load_factor(): 8 in the median of settled stones, 13 on
-   walls that slide (9.5 on those of 40 to 60 blocks). */
+   unlike in kern_load_factor(), stones that slide need not move apart. *factor
+   is the largest multiple of the load that raises forces which hold the
+   structure, as in kern_raised(). Each step of the load (>>tune) is proven,
+   starting from the step before. With friction equilibrium is not unique: on
+   another path of loading the structure may collapse earlier (by 5 % in one
+   case) or later. *factor is never above the load factor, which is computed
+   first. The load is `pattern`, or if that is NULL, horizontal to the side.
+   KERN_STANDS: writes *factor, which is KERN_INFINITY if forces are raised even
+   at a factor of 1,000,000. Both arrays of the proof pass kern_check_raised()
+   with the loads at the factor. work->end is KERN_END_SHOWN if *factor is the
+   load factor; otherwise work->end tells why *factor is less. KERN_FALLS: the
+   structure falls at a factor of 0. Returns KERN_UNDECIDED also if the weight
+   alone is not shown to raise forces; *factor is then unchanged. Time, in
+   multiples of kern_load_factor(): 8 in the median for settled stones, 13 for
+   walls that fall by sliding (9.5 for those of 40 to 60 blocks). */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
@@ -1375,55 +1483,60 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
 /* Computes the profile (>>rules). Writes to value[0..blocks) shrinkages [m] for
    KERN_SHRINK, factors of a horizontal load for a side, and KERN_INFINITY for a
    fixed block. After a negative status *out is unchanged and the values mean
-   nothing. KERN_BAD_OPTION: no such side, or a load without gravity.
-   KERN_UNDECIDED: a verdict that the profile depends on is undecided.
-   KERN_LIMIT: the values of blocks that have been removed are final, others are
-   -1. Time: 3 to 5 times that of kern_measure(). */
+   nothing, except after KERN_LIMIT: then the values of blocks that have been
+   removed are final, and the others are -1. Returns KERN_BAD_OPTION if there is
+   no such side, or if there is a side but no gravity. Returns KERN_UNDECIDED if
+   a verdict that the profile depends on is undecided. Time: 3 to 5 times that
+   of kern_measure(). */
 KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
                                   kern_real *value, kern_collapse *out);
 
 /* Finds the contacts that limit a measure and the blocks that move, from the
-   measure's proof. proof->motion, not NULL, moves the structure at about
-   `shrink`. proof->force holds the structure at `shrink`, or is NULL. After
-   kern_measure() pass out->margin and its proof. If the structure falls, pass 0
-   and only the motion. The limit of a contact point is the first of these
-   quantities that is above 0 at any contact:
+   measure's proof. proof->motion must not be NULL and must move the structure
+   at about `shrink`. proof->force must hold the structure at `shrink`, or be
+   NULL. After kern_measure() pass out->margin and its proof. If the structure
+   falls, pass 0 and only the motion. How much a contact point limits the
+   measure is the first of these quantities that is above 0 for at least one
+   contact point:
      1. if there are forces: the increase of the mechanism's power per length
         [m] by which the contact point moves inward
      2. the spin of its two blocks relative to each other about the point
      3. the speed at which its two blocks slide
-   Motions slower than 1e-4 (the fastest is 1) count as rest. KERN_OK: out's
-   arrays are filled, contact and groups are set. KERN_BAD_POINTER also without
-   a motion. KERN_BAD_NUMBER also for a motion that is not finite; the fault
-   names the block. Time: O(C), and O(B) for each group. */
+   Motions slower than 1e-4 (the fastest is 1) count as rest. KERN_OK: the
+   arrays of *out are filled, and its fields contact and groups are set. Returns
+   KERN_BAD_POINTER also if there is no motion, and KERN_BAD_NUMBER also if a
+   motion is not finite; the fault then names the block. Time: O(C), and O(B)
+   for each group. */
 KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
                                       const kern_proof *proof,
                                       kern_critical *out);
 
 /* -- planning -- */
-/* A plan is a structure that changes by one stone at a time. No contact is
-   searched twice. kern_measure(&plan.task, ...) and the queries below start
-   from the last measure of the plan. Without such a measure the answers are the
-   same, but slower. Queries leave the plan unchanged. Negative statuses of a
-   query include those of kern_plan_add(). The proof of a query is for the
-   structure with the block added: the proof has one more motion, and the forces
-   of the block's contacts follow those of the plan. The search for these
-   contacts may use options.limit units, and the query itself as many again. */
+/* A plan is a structure that changes by one stone at a time. Contacts that have
+   been found are not searched again. kern_measure(&plan.task, ...) and the
+   queries below start from the results of the last kern_measure() of the plan.
+   Without such results the answers are the same, but take longer. Queries leave
+   the plan unchanged. Negative statuses of a query include those of
+   kern_plan_add(). The proof of a query is for the structure with the block
+   added: the proof has one more motion, and the forces of the block's contacts
+   follow those of the plan. The search for these contacts may use options.limit
+   units, and the query itself as many again. */
 
 /* Returns an empty plan under gravity (0, -9.81). All arrays, also those of
-   kern_known_of() and of the work memory, must be long enough for these numbers
-   of blocks and contact points. */
+   `known` and of the work memory, must be long enough for `blocks` blocks and
+   `contacts` contact points. */
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
                                 kern_known known, kern_work *work);
 
 /* Adds a block after the others and finds its contacts. Returns the number of
-   its contact points, or a negative status of kern_touch(). KERN_NO_SPACE also
-   if the plan is full, KERN_BAD_POINTER also without arrays for known forces or
-   motions. After a negative status the plan is unchanged. The block is copied,
-   but its vertices are NOT: they must outlive the plan. Contacts of the block
-   are found with the present options. Later changes of options.mu do not change
-   the friction of these contacts. Time: O(B). */
+   its contact points, or a negative status of kern_touch(). Returns
+   KERN_NO_SPACE also if the plan is full, and KERN_BAD_POINTER also if the plan
+   has no arrays for known forces or motions. After a negative status the plan
+   is unchanged. The block is copied, but its vertices are NOT: they must
+   outlive the plan. Contacts of the block are found with the present options.
+   Later changes of options.mu do not change the friction of these contacts.
+   Time: O(B). */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 
 /* Removes block i. The indices of later blocks decrease by 1, also in the
@@ -1432,26 +1545,28 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 KERN_API kern_status kern_plan_remove(kern_plan *plan, int i);
 
 /* Computes the results of kern_measure() with the block added. Time: that of
-   one verdict, if the weakest stones stay the weakest. The search starts at an
-   upper bound: if options.limit ends the call, out->fails is an upper bound,
-   but out->holds is above 0 only if the search was nearly done. Shares of 963
-   tries on walls that had these bounds after half of the work that they need:
-     upper bound, at most 2 margins    0.73      none       0.06
-                  at most 1.1 margins  0.53      any lower  0.03
-   For a lower bound use kern_plan_bears(). With half of the margin,
-   kern_plan_bears() takes 0.44 of the work of a try in the median, and 0.13
-   where a try takes 1,500 units. */
+   one verdict, if the stones that limit the margin do not change. The search
+   starts at an upper bound: if options.limit ends the call, out->fails is an
+   upper bound, but out->holds is above 0 only if the search was nearly done.
+   Of 963 tries on walls, each ended after half of the work that it needs, these
+   shares had such a bound:
+     an upper bound of at most 2 margins    0.73    no upper bound   0.06
+     an upper bound of at most 1.1 margins  0.53    any lower bound  0.03
+   For a lower bound use kern_plan_bears(). For half of the margin,
+   kern_plan_bears() takes 0.44 of the work of kern_plan_try() in the median,
+   and 0.13 of it where kern_plan_try() takes 1,500 units. */
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof);
 
 /* Returns whether the margin with the block added is at least `margin` [m]
    (relative: a share): KERN_STANDS with forces at that shrinkage, KERN_FALLS
    with a motion. A structure that stands with every kern closed bears any
-   margin, unless options.narrow is set. If kerns are not nested, KERN_FALLS
-   also if the margin of kern_plan_try() is smaller; the motion is then the one
-   at that margin. KERN_BAD_NUMBER also for a negative margin. Time: that of a
-   verdict. For a margin above the measured one it is O(B + C) if the block does
-   not touch the blocks that limit the margin. */
+   margin, unless options.narrow is set. If kerns are not nested, the result is
+   KERN_FALLS also if the margin of kern_plan_try() is smaller than `margin`;
+   the motion is then the one at that smaller margin. Returns KERN_BAD_NUMBER
+   also for a negative margin. Time: that of a verdict. If `margin` is above the
+   margin that was measured last, the time is O(B + C) if the block does not
+   touch the blocks that limit that margin. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof);
 
@@ -1482,44 +1597,47 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
    than friction holds, or a turn while it slides at two touches that friction
    does not hold. Friction is options.mu, and at two touches at least 0.01. A
    motion turns the stone by at most 28 degrees. The stone is at rest where no
-   motion lowers its centre. Two convex corners that meet hold nothing. Of
+   motion lowers its centre. A touch of two convex corners holds nothing. Of
    41,000 stones on blocks that cannot move, such as cubes on a grid, stairs and
-   saw teeth, 0.993 stand where they come to rest; check this with
-   kern_plan_bears(). Blocks of the structure do not move. Each motion ends
-   where the stone meets a block, so the stone overlaps no block by more than
-   1e-6 (float: 1e-4) of its size. A mirrored stone and structure have the
-   mirrored pose, and the order of blocks does not matter.
+   saw teeth, a share of 0.993 stand where they come to rest. To check whether a
+   stone stands, call kern_plan_bears(). Blocks of the structure do not move.
+   Each motion ends where the stone meets a block, so the stone overlaps no
+   block by more than 1e-6 (float: 1e-4) of its size. A mirrored stone and
+   structure have the mirrored pose, and the order of blocks does not matter.
    vertex[0..stone->vertices) receives the vertices of the stone at rest, in
-   their order. vertex must not be the stone's own array. The structure's
-   contacts are not read. KERN_OK: *out is written. After a negative status *out
-   means nothing. KERN_NO_SUPPORT: the stone falls past the structure.
-   KERN_NO_REST: the stone still moves after 64 motions. KERN_NO_LOAD: no
-   gravity. KERN_BAD_NUMBER also for a bad x or stone's centre, and for a `turn`
-   whose length is not 1. Blocks and stone are checked as by kern_touch(). In
-   the fault the stone has the index B. Time: O(B) for each motion, plus the
-   edges near it. The mean is 32,000 instructions on a wall of 30 rough stones,
-   19,000 on a bond of 36 bricks. */
+   their order. vertex must not be the stone's own array. The contacts of the
+   structure are not read. KERN_OK: *out is written. After a negative status
+   *out means nothing. KERN_NO_SUPPORT: the stone falls past the structure.
+   KERN_NO_REST: the stone still moves after 64 motions. KERN_NO_LOAD: there is
+   no gravity. Returns KERN_BAD_NUMBER also if x or the centre of the stone is
+   out of bounds, or if the length of `turn` is not 1. Blocks and stone are
+   checked as by kern_touch(). If the fault is at the stone, the block of the
+   fault is B. Time: O(B) for each motion, plus the time for the edges close to
+   the stone. A call takes 32,000 instructions in the mean on a wall of 30 rough
+   stones, and 19,000 on a bond of 36 bricks. */
 KERN_API kern_status kern_rest(const kern_task *task, const kern_block *stone,
                                kern_real x, kern_vec turn, kern_vec *vertex,
                                kern_pose *out);
 
 /* Compares two places for a stone. Returns 1 if a is better, -1 if b is better,
    and 0 if no number differs. NULL is worse than any place. `alone` is the
-   margin of the structure without the stone; most places do not change it. The
-   first of these numbers that differs decides:
+   margin of the structure without the stone. At most places the stone does not
+   change this margin. The first of these numbers that differs between the two
+   places decides:
      stays   the larger chance; all from 0.9 on count as equal
      margin  the larger; all within 1e-4 (float: 1e-3) of `alone` count as equal
      own     the larger
      load    the larger
      x turn  the smaller, so that any order of places gives the same best
    All but x and turn are first rounded to 13 bits, 1e-4 of the number. So
-   rounding hardly ever decides, and moving a structure does not change its best
-   place. Mirroring a structure mirrors its best place, unless x decides between
-   two places. NaN is worse than any number.
-   Tested on 111 walls under construction: at each, some of eight places of
-   kern_rest() stay in all six runs of the simulator of examples/laboratory, and
-   some do not. The best place stays on 107 of these walls, and the place of the
-   largest margin on 96. */
+   rounding errors hardly ever decide, and moving a structure does not change
+   its best place. Mirroring a structure mirrors its best place, unless x
+   decides between two places. NaN is worse than any number.
+   Tested on 111 walls under construction, for each of which kern_rest() found
+   eight places. At some of these the stone stays in all six runs of the
+   simulator of examples/laboratory, and at others it does not. The stone stays
+   at the best place on 107 of these walls, and at the place of the largest
+   margin on 96. */
 KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
                                 kern_real alone);
 
@@ -1527,37 +1645,38 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
 
 /* Return the error of a proof as a share of the allowed error. The proof holds
    if the result is at most 1. Return KERN_INFINITY if the forces or the motion
-   prove nothing, and for bad input (NULL, NaN). In each equation of a block
-   forces may leave a residual of 1e-9 (float: 1e-4) of the load on the block,
-   plus the rounding of the largest force there. The sum of all forces may be
-   1e6 (float: 1e3) times the total weight. A motion must be one that such
-   forces could not stop, whatever rounding does. Time: O(B + C).
-   kern_check_forces() needs work memory of 4 B reals. */
+   prove nothing, and for bad input (NULL, NaN). In each equation of equilibrium
+   of a block, forces may leave a residual of 1e-9 (float: 1e-4) of the load on
+   the block, plus the rounding error of the largest force on it. The sum of all
+   forces may be at most 1e6 (float: 1e3) times the total weight. A motion
+   proves a fall only if such forces could not stop it, even with the largest
+   rounding errors. Time: O(B + C). kern_check_forces() needs work memory of 4 B
+   reals. */
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
                                      const kern_force *force);
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
                                      const kern_motion *motion);
 
 /* Returns the error of the proof of kern_raised(), as a share of the allowed
-   error. For KERN_RAISED kern_check_raised() checks the forces.
-   kern_check_raised() also checks that the motion closes every contact whose
-   force is needed for equilibrium. A contact that must stick may slide by at
-   most 1/500 (float: 1/5) of the length by which the motion closes it. For
-   KERN_HANGS it checks that the motion moves blocks without a load, that no
-   contact with another block presses one of them against gravity, and that the
-   forces hold the others without them. KERN_NOT_SHOWN proves nothing:
-   KERN_INFINITY. Work memory: 5 B reals. */
+   error. For KERN_RAISED it checks the forces, and that the motion closes every
+   contact whose force is needed for equilibrium. A contact that must stick may
+   slide by at most 1/500 (float: 1/5) of the length by which the motion closes
+   it. For KERN_HANGS kern_check_raised() checks that the motion moves blocks
+   without a load, that no contact with another block presses one of them
+   against gravity, and that the forces hold the other blocks without these. For
+   KERN_NOT_SHOWN, which proves nothing, it returns KERN_INFINITY. It needs work
+   memory of 5 B reals. */
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
                                      kern_raising raising,
                                      const kern_proof *proof);
 
 /* -- the linear program alone -- */
 
-/* Solves a small dense linear program. x has room for lp->cols numbers, y for
-   lp->rows.
-     KERN_LP_OPTIMAL     x is a solution. If there are costs, it is one of least
-                         cost and y are its prices: cost - y.A >= 0, 0 where x >
-                         0
+/* Solves a small dense linear program. x must have room for lp->cols numbers,
+   and y for lp->rows numbers.
+     KERN_LP_OPTIMAL     x is a solution. If there are costs, x has the least
+                         cost and y are its prices: cost - y.A >= 0, and = 0
+                         where x > 0
      KERN_LP_INFEASIBLE  no x exists: y.A >= 0 and y.rhs < 0
      KERN_LP_UNBOUNDED   the cost falls along x: A x = 0, x >= 0, cost.x < 0
      KERN_UNDECIDED      the method did not end, or the check failed, as it may
@@ -1565,8 +1684,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
      KERN_LIMIT          lp->limit was reached
    Each answer is checked against A, every row and column in its own units, so
    that the choice of units does not matter. After a negative status x and y
-   mean nothing. Work memory: KERN_LP_REALS and _INTS(rows, cols). Time:
-   O(rows^2 + rows cols) for each pivot. */
+   mean nothing. It needs work memory of KERN_LP_REALS(rows, cols) reals and
+   KERN_LP_INTS(rows, cols) ints. Time: O(rows^2 + rows cols) for each pivot. */
 KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
                                    kern_real *y, kern_work *work);
 
@@ -1575,7 +1694,8 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #endif
 #endif /* KERN_H */
 
-/* Users of the library can stop here. The rest is the implementation. */
+/* Users of the library can stop reading here. The rest is the
+   implementation. */
 
 /* ==== Part III: Statics and proofs ================================= >>impl */
 
@@ -1604,8 +1724,8 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #endif
 
-/* Turns off gcc's vectorisers, which fuse pairs of products such as a c - b d
-   and a d + b c even with -ffp-contract=off. */
+/* Turns off the vectorisers of gcc, which use fused multiply-add for pairs of
+   products such as a c - b d and a d + b c even with -ffp-contract=off. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__FMA__)
 #pragma GCC push_options
 #pragma GCC optimize("no-tree-vectorize")
@@ -1615,9 +1735,9 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 extern "C" {
 #endif
 
-/* KERN_ASSERT checks a condition that holds for all arguments of a caller.
-   KERN_AUDIT checks the internal state of an engine (tests/audit.h). Both do
-   nothing unless a test build defines them. */
+/* KERN_ASSERT checks a condition that must hold whatever arguments a caller
+   passes. KERN_AUDIT checks the internal state of a method, such as the simplex
+   method (tests/audit.h). Both do nothing unless a test build defines them. */
 #ifndef KERN_ASSERT
 #define KERN_ASSERT(condition) ((void)0)
 #endif
@@ -1648,44 +1768,58 @@ extern "C" {
    constant has one job. Lengths are shares of a block's size and forces are
    shares of the total weight, unless a unit is given in brackets. KERN_PICK(a,
    b) is a in double and b in float. A constant defined by another constant
-   bounds the same rounding. */
+   bounds the same rounding.
+
+   Words that the constants use. A group is a free block in the model, with its
+   three equations of equilibrium. A ray is a force along one edge of a friction
+   cone: each contact point has two. A cluster is a set of groups that the
+   top-down pass balances together. A part is a set of groups that is solved
+   while all other blocks are held. A place is a value on the path of a measure:
+   a shrinkage, a load factor, or the tangent of a quarter of the angle by which
+   gravity has turned. A jam is a structure whose forces grow without bound
+   toward the critical value. */
 
 /* ---- what a proof allows ---- */
 
 /* Largest residual of an equation of equilibrium in a proof, as a share of the
-   loads on the block. Coordinates and masses are known far less exactly. */
+   loads on the block. Coordinates and masses of real stones are known far less
+   exactly. */
 #define KERN_TOL KERN_PICK(1e-9, 1e-4)
 /* Largest sum of forces in a proof, as a multiple of the total weight. The
    bound excludes jams, whose forces are arbitrarily large. A motion proves a
    fall only if its power exceeds this sum times the fastest speed at which it
    closes a contact. */
 #define KERN_BOUND KERN_PICK(1e6, 1e3)
-/* Rounding of a sum in a proof, as a share of its terms: a row has some tens of
-   terms. In Part VI two points are the same if they are closer than twice this
-   share of the largest coordinate. */
+/* Largest rounding error of a sum in a proof, as a share of the sum of the
+   magnitudes of its terms: an equation has some tens of terms. In Part VI two
+   points are the same if they are closer than twice this share of the largest
+   coordinate. */
 #define KERN_ROUNDING (32 * KERN_EPS)
-/* Largest share by which a tangential force may exceed its friction cone, which
-   is the rounding of mu f. */
+/* Largest share by which a tangential force r may exceed its bound mu f. It is
+   the rounding error of mu f. */
 #define KERN_CONE_TOL (8 * KERN_EPS)
-/* Least power [W] of a motion in a proof, and an addend to each closing speed
-   [m/s]: products of smaller numbers may lose digits by underflow. */
+/* Least power [W] that a motion must have to prove a fall. The same number
+   [m/s] is added to each closing speed. Products of smaller numbers may lose
+   digits by underflow. */
 #define KERN_POWER_LEAST (1 / (KERN_FAR * KERN_FAR))
 /* Largest residual of a row or column in the proof of a caller's linear
-   program, as a share of the terms. */
+   program, as a share of the sum of the magnitudes of its terms. */
 #define KERN_LP_TOL KERN_TOL
 /* Raised forces: a contact must stick if its tangential force is below mu f by
    more than this share of mu f. */
 #define KERN_SLIDES_TOL KERN_TOL
-/* Raised forces: least force, as a share of the least load of a block, of a
-   contact that must approach. Equilibrium holds without smaller forces. */
+/* Raised forces: the blocks of a contact must approach each other if its force
+   is above this share of the least load of a block. Equilibrium does not need
+   smaller forces. */
 #define KERN_PRESSED_LEAST KERN_TOL
 /* Raised forces: largest slide of a contact that must stick, as a share of its
-   approach. The inverse of KERN_STICKS is the stiffness along t in >>raised. */
+   approach. The stiffness along t in >>raised (kern_dual.shear) is 1.1 /
+   KERN_STICKS. */
 #define KERN_STICKS KERN_PICK(2e-3, 0.2)
 /* Least cosine between a contact's normal and gravity at which the contact can
    hold a block up. A contact with a smaller cosine counts as a vertical joint
-   whose coordinates have few digits. As a wedge it would press with thousands
-   of times the weight that it holds. */
+   whose coordinates were rounded. If such a contact held a block up, it would
+   act as a wedge and press with thousands of times the weight that it holds. */
 #define KERN_HOLDS_UP KERN_R(1e-4)
 
 /* ---- what may be asked ---- */
@@ -1728,37 +1862,45 @@ extern "C" {
    2,000 instructions (>>verdicts). A constant *_UNIT is the number of items
    that one unit of work processes. */
 
-/* Entries of sparse columns that are added up in a unit. For a dense factor the
-   number is 8/3 times as large, since no indices are read. */
+/* Number of entries of sparse columns that are added up in one unit of work.
+   For a dense factor the number is 8/3 times as large, since no indices are
+   read. */
 #define KERN_UNIT 64
-/* Blocks and contacts that a call reads and checks in a unit. */
+/* Number of blocks and contacts that a call reads and checks in one unit of
+   work. */
 #define KERN_CALL_UNIT 5
-/* Blocks and contacts that the check of a proof reads in a unit. Each proof
-   costs three more units. */
+/* Number of blocks and contacts that the check of a proof reads in one unit of
+   work. Each proof costs three units in addition. */
 #define KERN_QUERY_UNIT 14
-/* Groups and contacts that are ordered for a short skyline in a unit. */
+/* Number of groups and contacts that are ordered in one unit of work, so that
+   the rows of the skyline matrix become short. */
 #define KERN_ORDER_UNIT 4
-/* Groups and contacts whose known forces are copied in a unit. */
+/* Number of groups and contacts whose known forces are copied in one unit of
+   work. */
 #define KERN_KNOWN_UNIT 32
-/* Contacts that the line search evaluates at one place in a unit. */
+/* Number of contacts whose forces the line search computes in one unit of
+   work. */
 #define KERN_PLACE_UNIT 16
-/* Products of a step of Newton's method for one contact: its row, its law and
-   its block of the matrix. */
+/* Number of multiplications for one contact in a step of Newton's method: for
+   its row, its law and its blocks of the matrix. */
 #define KERN_CONTACT_PRODUCTS KERN_R(100)
-/* Multiplications of the Cholesky factor for one row, divided by the square of
-   its number of 3 x 3 blocks. Half of all pairs take 27 each. */
+/* Number of multiplications for one row of a Cholesky factor, divided by the
+   square of its number of 3 x 3 blocks. Half of all pairs of blocks are
+   multiplied, which takes 27 multiplications for each pair. */
 #define KERN_PAIR_PRODUCTS KERN_R(14)
 
 /* ---- model ---- */
 
 /* Travels of contact points below this count as 0 [mean size]: a millionth of
-   the shortest line is rounding. */
+   the length of the shortest line contact is rounding. */
 #define KERN_TRAVEL_LEAST (KERN_R(1e-6) * KERN_R(1e-3))
 /* Slope of the lines along which blocks count as equally high (only in double).
-   A flat arch is then ordered from side to side and not by rounding. */
+   The blocks of a flat arch are then ordered from side to side, and not by
+   their rounding errors. */
 #define KERN_LEVEL_SLOPE KERN_R(1e-6)
-/* Longest run of blocks that is sorted by insertion: with shorter runs the
-   passes of Shell's sort cost more than they save. */
+/* Longest run of blocks that is sorted by insertion. If shorter runs were
+   divided further, the passes of Shell's sort would cost more than they
+   save. */
 #define KERN_SORT_RUN 32
 
 /* ---- measures ---- */
@@ -1768,68 +1910,77 @@ extern "C" {
    up to all of it may lie above. With a narrower bracket fewer verdicts near
    critical have a proof. A wider bracket exceeds the promised 2e-6. */
 #define KERN_WIDTH KERN_PICK(1.26e-6, 1.8e-3)
-/* Largest distance between the two places beside a critical value that the
-   search tries, in KERN_WIDTH. Beyond it the search cuts the bracket
-   instead. */
+/* Largest distance between the two places, one on each side of a critical
+   value, that the search tries, in units of KERN_WIDTH. If the places would
+   have to be farther apart, the search cuts the bracket instead. */
 #define KERN_WIDEST KERN_R(20)
-/* Widest bracket that is accepted as an answer, in KERN_WIDTH: in jams no proof
-   comes closer. */
+/* Widest bracket that is accepted as an answer, in units of KERN_WIDTH. In jams
+   no proof is found closer to the critical value. */
 #define KERN_ANSWER KERN_PICK(80, 20)
-/* Most groups that are solved as one linear program, whose margins are exact.
-   With more groups the factor of the program costs more than the interior
-   point. */
+/* Largest number of groups that are solved as one linear program, which gives
+   exact margins. With more groups, factoring this program costs more than the
+   interior-point method. */
 #define KERN_SMALL 64
-/* Steps of a walk to the largest travel if kerns are not nested, or through
-   half a circle of tilt under fixed loads. An interval of falling that is
-   narrower than a step may be missed. A walk or a climb takes at most five
+/* Number of even steps in which the search goes along a path on which the
+   verdict may change more than once. Such a path is a shrinkage up to the
+   largest travel if kerns are not nested, or a tilt through half a circle under
+   fixed loads. An interval in which the structure falls may be missed if it is
+   narrower than a step. Since steps may be halved, a search takes at most five
    times as many steps. */
 #define KERN_SCAN 1001
 /* Default step of a level [mean size]: the paper's steps are of this order. */
 #define KERN_LEVEL_STEP KERN_R(0.02)
-/* Default step of a level where kerns are relative [share of the travel]. */
+/* Default step of a level if options.relative is set [share of the travel]. */
 #define KERN_LEVEL_SHARE KERN_R(0.05)
-/* Largest load factor that is searched. A structure that stands there stands
-   under any multiple of the load. */
+/* Largest load factor that is searched. A structure that stands at this factor
+   counts as standing under any multiple of the load. */
 #define KERN_FACTOR_MOST KERN_R(1e6)
 /* Deficit: first growth of the kerns that is tried [mean size; share of the
    travel], smaller than any deficit that matters. */
 #define KERN_GROW_FIRST KERN_R(0.001)
-/* Deficit: factor from one growth to the next if kerns are nested; few verdicts
-   suffice. */
+/* Deficit: factor from one growth that is tried to the next if kerns are
+   nested. The factor is large, so that few verdicts suffice. */
 #define KERN_GROW_NESTED KERN_R(4)
-/* Deficit: factor from one growth to the next if kerns are not nested, small so
-   that an interval of standing is seldom missed. */
+/* Deficit: factor from one growth that is tried to the next if kerns are not
+   nested. The factor is small, so that an interval in which the structure
+   stands is seldom missed. */
 #define KERN_GROW_EVEN KERN_R(1.1)
-/* Deficit: largest growth that is tried, in longest sides of the free blocks'
-   box (>>rules). */
+/* Deficit: largest growth that is tried, as a multiple of the longest side of
+   the box around the free blocks (>>rules). */
 #define KERN_GROW_MOST 1000
 
 /* ---- profile, mechanism, sensitivity ---- */
 
-/* Profile: largest load factor; a stone that reaches it counts as unlimited. */
+/* Profile: largest load factor that is tried. A stone that still stands at this
+   factor gets it as its value. */
 #define KERN_PROFILE_MOST KERN_R(10)
-/* Most places above a critical value, KERN_WIDTH apart, at which the search
-   tries to prove a mechanism. */
+/* Profile: if the verdict is undecided at the place where the structure fell
+   last, the search tries at most this number of places beyond it, KERN_WIDTH
+   apart. */
 #define KERN_FALL_TRIES 8
-/* Most steps of a collapse that remove no block, besides three for each group.
-   Such steps occur since both verdicts may have a proof at one place. */
+/* Profile: a collapse may take three rounds for each group plus this number.
+   Some rounds remove no block, since both verdicts may have a proof at one
+   place. */
 #define KERN_FALL_IDLE 8
-/* Expected drop: load factor at which a stone falls with a chance of 1/e.
-   Values from 0.05 to 0.1 rank structures as well. */
+/* Expected drop: a stone with this load factor falls with a chance of 1/e.
+   Constants from 0.05 to 0.1 rank structures equally well. */
 #define KERN_DROP_LOAD KERN_R(0.07)
-/* Expected drop: least height that counts [mean block size], since the lowest
-   stones fall, too. */
+/* Expected drop: least height with which a stone counts [mean block size],
+   since even the lowest stones fall. */
 #define KERN_DROP_HEIGHT KERN_R(0.3)
-/* Speed, as a share of the highest, below which blocks count as resting or as
-   not approaching. */
+/* Blocks count as resting, or as not approaching each other, if their speed is
+   below this share of the highest speed. */
 #define KERN_REST KERN_R(1e-4)
-/* Limits or speeds that differ by at most this share count as equal. The first
-   of equals is then reported, and not the one that rounding makes largest. */
+/* Two limits of contact points (kern_critical_of()), or two speeds, count as
+   equal if they differ by at most this share. The first of equal ones is then
+   reported, and not the one that rounding makes largest. */
 #define KERN_TIE KERN_R(1e-4)
-/* Sensitivity: a sum of powers below this share of its terms is rounding. */
+/* Sensitivity: a sum of powers counts as 0 if it is below this share of the sum
+   of the magnitudes of its terms. */
 #define KERN_RATE_LEAST KERN_PICK(1e-10, 1e-5)
-/* Sensitivity: largest distance from a corner to the end of a contact at which
-   the corner moves the end [size], the length of the shortest line. */
+/* Sensitivity: the corner of a block moves the end of a contact if it is not
+   farther from it than this [size]. The distance is the length of the shortest
+   line contact. */
 #define KERN_CORNER_NEAR KERN_R(1e-3)
 /* Sensitivity: two distances from corners to an end count as equal if they
    differ by less than this [size]. */
@@ -1839,32 +1990,36 @@ extern "C" {
 
 /* Largest residual of equilibrium of a group that a method may leave, as a
    share of its load. The value is far below KERN_TOL, since residuals of many
-   groups may add up. With 1e-10 in double, a light stone beside heavy ones is
-   reported to stand although it falls. */
+   groups may add up. If it were 1e-10 in double, a light stone beside heavy
+   ones would be reported to stand although it falls. */
 #define KERN_PASS_TOL KERN_PICK(1e-11, 1e-6)
-/* Largest residual that a program of all groups may leave. A tenth of KERN_TOL
-   is small enough, since forces are not passed on from group to group and
-   residuals do not add up. */
+/* Largest residual of equilibrium that minimum-norm forces of all groups may
+   leave (kern_forces(), >>raised), as a share of the least load of a group. A
+   tenth of KERN_TOL is small enough, since these forces are not passed on from
+   group to group and residuals do not add up. */
 #define KERN_PART_TOL KERN_PICK(1e-10, 1e-5)
-/* Rounding of a residual, as a share of the largest force or value in it. */
+/* Rounding error of a residual, as a share of the largest force or value in
+   it. */
 #define KERN_RESIDUAL (4 * KERN_EPS)
 
 /* ---- minimum-norm forces ---- */
 
-/* Shift of the diagonal of Newton's matrix, as a share of its mean. Without it
-   a row has no pivot if no ray of the group presses. */
+/* Number that is added to the diagonal of Newton's matrix, as a share of the
+   mean of the diagonal. Without this shift the rows of a group would be 0 if no
+   contact presses on the group, and the matrix would be singular. */
 #define KERN_DUAL_SHIFT KERN_ROUNDING
-/* Most rounds of Newton's method. The method takes far fewer, unless rounding
-   spoils it. */
+/* Most rounds of Newton's method for minimum-norm forces. The method takes far
+   fewer, unless rounding errors spoil it. */
 #define KERN_NORM_ROUNDS 100
-/* Line search: factor by which the derivative must fall. Newton's next step
-   makes up for the rest. */
+/* Line search: factor by which the derivative must fall. A rough maximum is
+   enough, since the next step of Newton's method starts from it. */
 #define KERN_SHARE_TOL 8
-/* Line search with prices: factor by which the derivative must fall. This
-   factor is larger since the next prices are computed from the result. */
+/* Line search if contacts have prices (>>raised): factor by which the
+   derivative must fall. This factor is larger than KERN_SHARE_TOL, since the
+   next prices are computed from the result. */
 #define KERN_SHARE_TOL_PRICED 1000
-/* Line search: most steps until the maximum has been passed, each four times
-   the last. */
+/* Line search: most steps until the maximum has been passed. Each step is four
+   times as long as the last. */
 #define KERN_SHARE_GROWS 13
 /* Line search: most places that regula falsi tries after the maximum has been
    passed. Usually few are enough. */
@@ -1872,75 +2027,84 @@ extern "C" {
 
 /* ---- top-down pass ---- */
 
-/* A pivot of a 3 x 3 matrix below this share of its trace is rounding. With
-   1e-11 in double, a profile of rubble wrongly starts above the margin. */
+/* A pivot of a 3 x 3 matrix counts as rounding if it is below this share of the
+   trace of the matrix. If this were 1e-11 in double, a profile of rubble would
+   wrongly start above the margin. */
 #define KERN_THREE_TOL KERN_PICK(1e-12, 1e-5)
-/* A pivot of a 3 x 3 matrix above this share of its trace needs no refinement
-   of the solution. */
+/* If all pivots of a 3 x 3 matrix are above this share of its trace, the
+   solution needs no refinement. */
 #define KERN_THREE_GOOD KERN_PICK(1e-4, 1e-2)
-/* Most contacts of a group that is balanced alone; length of arrays on the
-   stack. */
+/* A group is balanced alone only if it is carried by at most this number of
+   contacts, which is the length of arrays on the stack. */
 #define KERN_ROWS_MOST 12
 /* Most rounds of Newton's method for one group. Usually it ends in four. */
 #define KERN_ALONE_ROUNDS 10
-/* Factor by which a residual must fall in a round; otherwise no forces
-   exist. */
+/* If the same rays press in two rounds, the second one must divide the residual
+   by this factor. Otherwise no forces balance the group. */
 #define KERN_ALONE_PACE 8
-/* Load that a joint within 30 degrees of upright takes, as a share of the load
-   that a bed takes. With 0.3, verdicts on 126 courses of bricks take eight
-   times the work, and with 1 they take 900 times. */
+/* Unit of the forces of a joint within 30 degrees of upright, as a share of the
+   unit of a bed. For the same approach the joint takes the square of this share
+   of the load of a bed. If this were 0.3, verdicts on 126 courses of bricks
+   would take eight times the work, and if it were 1, they would take 900 times
+   the work. */
 #define KERN_SIDE_SHARE KERN_R(0.1)
-/* Norm of the forces, as a multiple of the cluster's loads, above which the
-   cluster counts as infeasible. With a larger bound clusters grow later and
-   Newton's method takes more steps: without a bound kern_plan_try() costs 4 %
-   more. */
+/* A cluster counts as one that no forces can balance if the norm of its forces
+   exceeds this multiple of its loads. With a larger bound clusters grow later
+   and Newton's method takes more steps. Without a bound kern_plan_try() would
+   take 4 % more work. */
 #define KERN_CLUSTER_NORM KERN_R(100)
-/* Closing speed, as a share of the largest speed, below which a contact counts
-   as parting. */
+/* A contact counts as one that does not close if its closing speed is below
+   this share of the largest speed. */
 #define KERN_PARTS_TOL KERN_R(1e-4)
-/* Number of groups divided by the largest size of a cluster in a verdict. In a
-   search the number is KERN_CLUSTER + 1, and in a search from known forces
-   KERN_CLUSTER + 3. With 5 verdicts take 7 % more work. With 4 in a search
-   measures take 6 % more. With 5 in a search from known forces kern_plan_try()
-   takes 6 % more. */
+/* In a verdict on at most KERN_SMALL groups, a cluster may have the number of
+   all groups divided by KERN_CLUSTER, plus one. In a search the divisor is
+   KERN_CLUSTER + 1, and in a search from known forces KERN_CLUSTER + 3. If the
+   divisor of verdicts were 5, they would take 7 % more work. If that of
+   searches were 4, measures would take 6 % more. If that of searches from known
+   forces were 5, kern_plan_try() would take 6 % more. */
 #define KERN_CLUSTER 4
-/* Most groups of a cluster if the structure has more than KERN_SMALL groups.
-   With smaller clusters some measures of 100 blocks take four times the
-   work. */
+/* Number of groups that a cluster may have if the structure has more than
+   KERN_SMALL groups, before KERN_CLUSTER_MORE is counted. With smaller clusters
+   some measures of 100 blocks take four times the work. */
 #define KERN_CLUSTER_MOST 20
-/* The largest number of groups in a cluster grows by one for each
+/* A cluster may have one group more than KERN_CLUSTER_MOST for each
    KERN_CLUSTER_MORE groups of the structure. */
 #define KERN_CLUSTER_MORE 32
-/* Largest work of a pass for each group and contact [units]. With 30, measures
-   of bricks take 1.4 times as long. */
+/* Most work of a top-down pass, for each group and contact [units]. If this
+   were 30, measures of bricks would take 1.4 times as long. */
 #define KERN_PASS_UNITS 9
 
 /* ---- search ---- */
 
-/* Critical values that differ by less count as equal [mean block size]. With a
-   smaller difference Newton's method would follow rounding. */
+/* Critical values that differ by less than this count as equal [mean block
+   size]. If this were smaller, Newton's method would follow rounding errors. */
 #define KERN_VALUE_SAME KERN_PICK(1e-10, 1e-5)
-/* A negative force of a known basis below this share of the weight is
-   rounding. */
+/* A negative force of a basis counts as rounding if its magnitude is below this
+   share of the weight. A known force makes its column basic only if it is above
+   this share. */
 #define KERN_BASIS_NOISE KERN_PICK(1e-10, 1e-5)
-/* Most places at which one bracket is cut. Four to eight suffice, unless
-   rounding spoils the proofs. */
+/* Most places at which the search evaluates a verdict to narrow one bracket.
+   Four to eight suffice, unless rounding spoils the proofs. */
 #define KERN_BRACKET_ROUNDS 100
-/* Most verdicts of kern_least_load_of(): it takes one for each mechanism. */
+/* Most verdicts of kern_least_load_of(), which needs one for each mechanism
+   that it meets. */
 #define KERN_LEAST_ROUNDS 100
-/* Most places where a kern closes that Newton's method for the critical value
-   passes. */
+/* Most steps of Newton's method for the shrinkage at which a mechanism stops
+   falling. The power of a mechanism has a kink wherever a kern closes, so that
+   one step is not always enough. */
 #define KERN_BENDS 8
-/* Most falling parts that a search follows before it solves the whole. */
+/* Most falling parts that a search follows before it solves the whole
+   structure. */
 #define KERN_PARTS 8
 /* A bracket without a predicted value is cut at 1 / KERN_CUT of its width,
    since mechanisms are found near its lower end more often. */
 #define KERN_CUT KERN_R(4)
-/* Largest step of Halley's method, in steps of Newton's. */
+/* Largest step of Halley's method, as a multiple of the step of Newton's
+   method. */
 #define KERN_HALLEY_MOST KERN_R(4)
 /* First step of a search: KERN_CLIMB [mean size], KERN_CLIMB_PUSH [load factor,
    tangent of a quarter of the angle]. Both are tuned on the odd half of the
-   corpus and on walls of 100 to 200 blocks. */
+   corpus (tests/CORPUS.md) and on walls of 100 to 200 blocks. */
 #define KERN_CLIMB KERN_R(0.1)
 #define KERN_CLIMB_PUSH KERN_R(0.5)
 /* Factor from one step of a search to the next. */
@@ -1948,158 +2112,178 @@ extern "C" {
 
 /* ---- interior point ---- */
 
-/* Most steps of the interior point. Ten usually suffice, unless rounding spoils
-   it. */
+/* Most steps of the interior-point method. Ten usually suffice, unless rounding
+   spoils the method. */
 #define KERN_IPM_ROUNDS 100
-/* Shift of the diagonal of M where M is singular, as a share of its mean. */
+/* Number that is added to the diagonal of the matrix M (>>ipm) if M is
+   singular, as a share of the mean of the diagonal. */
 #define KERN_IPM_SHIFT KERN_PICK(1e-10, 1e-5)
-/* Share of the way to the boundary (x or z = 0) that a step leaves, less as the
-   gap closes. From the boundary itself no step is possible. */
+/* A step of the interior point stops short of the boundary, x = 0 or z = 0, by
+   at most this share of the way, and by less as the gap closes. From the
+   boundary itself no further step is possible. */
 #define KERN_IPM_BACKOFF KERN_R(1e-3)
-/* Least share of its force that a ray keeps in a step, since a force that
-   rounds to 0 would never grow again. */
+/* Least share of its force that a ray keeps in a step of the interior point. A
+   force that became 0 by rounding would never grow again. */
 #define KERN_IPM_KEEP KERN_EPS
-/* Least share of its force that a ray keeps when forces are balanced. */
+/* Least share of its force that a ray keeps when kern_ipm_balance() corrects
+   the forces. */
 #define KERN_IPM_BALANCE KERN_R(1e-3)
 /* Starting point (Mehrotra): if the least entry of x or z is negative, the
    vector is raised by this multiple of that entry's magnitude. */
 #define KERN_IPM_LIFT_LEAST KERN_R(1.5)
-/* Starting point: the vector is also raised by this share of its largest
-   entry. */
+/* Starting point (Mehrotra): x and z are also raised by this share of their
+   largest entry. */
 #define KERN_IPM_LIFT_SHARE KERN_R(1e-3)
-/* Least -s with which a query continues from the solution of the last one. From
-   s = 0 the query could not find that the structure falls. */
+/* A query that continues from the solution of the last query sets s to at most
+   minus this number. From s = 0 the query could not find that the structure
+   falls. */
 #define KERN_IPM_S KERN_R(1e-3)
-/* Least gap with which a query continues from the last solution. Closer to the
-   boundary the method makes no progress in a new direction. */
+/* A query that continues from the solution of the last query raises the gap to
+   at least this number. Closer to the boundary the method makes no progress in
+   a new direction. */
 #define KERN_IPM_GAP KERN_R(1e-3)
-/* Least product x z after a step, as a share of the mean product. */
+/* Least product x z of a ray after a step, as a share of the mean product of
+   all rays. */
 #define KERN_IPM_CENTRE KERN_R(0.03)
-/* Least share of the gap that a step aims at. With a smaller share fewer
+/* Least share of the gap that the predictor is assumed to leave. The step aims
+   at the cube of the share that it leaves. With a smaller constant fewer
    verdicts are decided. */
 #define KERN_IPM_AIM KERN_R(0.03)
-/* Gap below which a solution is exact but for rounding: the square of the shift
-   of the diagonal. */
+/* Gap below which a solution of the interior point is exact except for
+   rounding: the square of the shift of the diagonal. */
 #define KERN_IPM_GAP_LEAST (KERN_IPM_SHIFT * KERN_IPM_SHIFT)
-/* Largest gap at which the method continues: beyond it the solution has no
-   digits left. */
+/* Largest gap at which the interior point continues. At a larger gap the
+   solution has no correct digits left. */
 #define KERN_IPM_GAP_MOST KERN_BOUND
-/* A continued query restarts if after k steps its gap exceeds the first gap
-   times KERN_IPM_SLACK * KERN_IPM_PACE^k. Without the restart some walls take
-   three times the work. */
+/* A query that continues from the solution of the last query begins again from
+   scratch if, after k steps, its gap is above KERN_IPM_SLACK * KERN_IPM_PACE^k
+   times its first gap. Without this restart some walls take three times the
+   work. */
 #define KERN_IPM_PACE KERN_R(0.95)
-/* The factor of that bound on the gap before the first step. */
+/* Constant factor in the bound on the gap that the comment of KERN_IPM_PACE
+   gives. */
 #define KERN_IPM_SLACK KERN_R(1.1)
 
 /* ---- simplex method ---- */
 
-/* Least violation of x >= 0 that counts, as a share of the largest load. */
+/* Least violation of x >= 0 that counts in the simplex method, as a share of
+   the largest load. */
 #define KERN_VALUE_TOL KERN_PICK(1e-10, 1e-5)
 /* Least gain of a column that enters, as a share of the largest price. Smaller
    gains are rounding. */
 #define KERN_PRICE_TOL KERN_VALUE_TOL
 /* Least pivot, as a share of the largest entry of the entering column. */
 #define KERN_PIVOT_LEAST KERN_VALUE_TOL
-/* Rounding of a price, of a slope and of an entry of x or y, as a share of the
-   largest of its kind. */
+/* Prices, slopes and entries of x and y count as rounding below this share of
+   the largest of their kind. */
 #define KERN_LP_ROUNDING KERN_ROUNDING
-/* Amount by which a certificate's y.A_j is raised for basic columns, as a share
-   of its largest entry: the rounding that the check of a motion allows for. */
+/* Amount by which y.A_j is raised for the basic columns of a certificate y, as
+   a share of the largest entry of y. It is the rounding that the check of a
+   motion allows for. */
 #define KERN_LIFT KERN_ROUNDING
 /* Largest residual of a basic solution, as a share of its largest value, before
    the basis is factored again. */
 #define KERN_BASIS_TOL KERN_PASS_TOL
-/* Number of refinements of a basic solution. Each one gains most of the digits
-   of a number. */
+/* Most refinements of a basic solution. Each one adds almost as many correct
+   digits as a number has. */
 #define KERN_REFINES 3
 /* Least pivot of a column that is factored after all own columns (>>lp), as a
-   share of its largest entry. Below it the column depends linearly on earlier
-   columns. */
+   share of its largest entry. If its pivot is smaller, the column counts as
+   linearly dependent on earlier columns. */
 #define KERN_LATE_PIVOT KERN_PICK(1e-4, 1e-2)
 /* Least pivot of a column in its own group, where its entries are about 1. With
-   0.01 the inverse grows from course to course, and a call may take more than
-   2,000 instructions for a unit of its limit. With a larger value the inverse
-   has more entries. */
+   0.01 the entries of the inverse grow from course to course of a wall, and a
+   call may take more than 2,000 instructions for a unit of its limit. With a
+   larger constant the inverse has more entries. */
 #define KERN_OWN_TOL KERN_R(0.03)
-/* Crash basis: most columns of a group that are tried; length of arrays on the
-   stack. */
+/* Crash basis (kern_crash_choose()): most columns of a group that are tried,
+   which is the length of arrays on the stack. */
 #define KERN_CRASH_COLUMNS 12
 /* Crash basis: least determinant of three columns with entries of about 1. */
 #define KERN_CRASH_DET KERN_LATE_PIVOT
 /* Crash basis: largest tension in a column, as a multiple of its group's
    load. */
 #define KERN_CRASH_PULL KERN_R(2)
-/* Budget of pivots: KERN_PIVOTS + KERN_PIVOTS_ROW for each row. When a budget
-   is used up, prices are refined. Most programs take fewer pivots. */
+/* One budget of pivots is KERN_PIVOTS plus KERN_PIVOTS_ROW for each row of the
+   program. When the first budget is used up, prices are refined in every pivot.
+   Most programs need less than one budget. */
 #define KERN_PIVOTS 50
-/* Pivots of the budget for each row. */
+/* Pivots for each row of the program in one budget of pivots (KERN_PIVOTS). */
 #define KERN_PIVOTS_ROW 2
-/* Number of budgets of pivots after which Bland's rule is used. Bland's rule
-   cannot cycle, but is slow. */
+/* Number of budgets of pivots (KERN_PIVOTS) after which Bland's rule chooses
+   the pivots. Bland's rule cannot cycle, but is slow. */
 #define KERN_PIVOTS_BLAND 5
-/* Number of budgets of pivots after which a program of a structure ends, plus
-   one pivot for each column. Only jams take more than two budgets, and the
-   interior point solves jams sooner. */
+/* The simplex method on a structure ends after this number of budgets of pivots
+   (KERN_PIVOTS) plus one pivot for each column. Only jams take more than two
+   budgets, and the interior point solves jams sooner. */
 #define KERN_PIVOTS_JAM 3
 /* Most pivots of a caller's program are this number plus KERN_PIVOTS_EACH for
    each row and column. The bound ends cycles that rounding causes. */
 #define KERN_PIVOTS_MOST 200
-/* Pivots of that bound for each row and column. */
+/* Pivots for each row and column of a caller's program, in the bound that
+   KERN_PIVOTS_MOST begins. */
 #define KERN_PIVOTS_EACH 20
 
 /* ---- raised ---- */
 
-/* Norm of the forces, as a multiple of the loads of all groups, above which the
-   search ends. */
+/* Norm of the forces, as a multiple of the loads of all groups, above which a
+   search for raised forces ends. */
 #define KERN_RAISE_NORM KERN_R(200)
-/* Largest slide of a contact in a proof, as a multiple of its approach. A stone
-   that falls into a jam slides farther. */
+/* Largest slide of any contact in raised forces, as a multiple of the largest
+   approach of any contact. A stone that falls into a jam slides farther. */
 #define KERN_SLIDE_MOST KERN_R(100)
-/* Most rounds of Newton's method for one set of prices. Usually it takes 4. */
+/* Most rounds of Newton's method for minimum-norm forces under one set of
+   prices (>>raised). Usually it takes 4. */
 #define KERN_PRICED_ROUNDS 10
-/* A search is lost if the displacement u exceeds (KERN_RUNS_AWAY + number of
-   groups) times that of the first round, since slides add up along a row of
-   groups. It is also lost if u differs from the last u with a proof by more
-   than KERN_JUMPS times the size of that u. */
+/* A search for raised forces is lost if the displacement u is larger than
+   (KERN_RUNS_AWAY + number of groups) times the u of the first round. The
+   number of groups is added since slides add up along a row of groups. The
+   search is also lost if u differs from the last u that had a proof by more
+   than KERN_JUMPS times the size of that last u. */
 #define KERN_RUNS_AWAY KERN_R(30)
 #define KERN_JUMPS KERN_R(2)
-/* A search is also lost after this many rounds, plus one for every two groups,
-   in which the change of prices has not become smaller. With fewer rounds the
-   search of a long row ends before the far end of the row has moved. */
+/* A search for raised forces is also lost if the change of prices does not
+   become smaller in this number of rounds, plus one for every two groups. With
+   fewer rounds the search of a long row of blocks would end before the far end
+   of the row has moved. */
 #define KERN_PATIENCE 20
-/* Most work of one search, as a multiple of the cost of a factorisation. */
+/* Most work of one search for raised forces, as a multiple of the cost of one
+   step of Newton's method, which is mostly a factorisation. */
 #define KERN_SEARCH_COSTS 3000
-/* Prices are extrapolated by KERN_FORWARD times their last change if the cosine
-   between the last two changes is larger than KERN_COHERENT. */
+/* The prices of a search for raised forces are extrapolated by KERN_FORWARD
+   times their last change if the cosine between their last two changes is
+   larger than KERN_COHERENT. */
 #define KERN_FORWARD KERN_R(2)
 #define KERN_COHERENT KERN_R(0.7)
-/* Share of the difference to its new value by which a falling price changes in
-   a round. */
+/* A price that falls is not set to its new value, but changes in a round by
+   this share of the difference. */
 #define KERN_PRICE_FALL KERN_R(0.3)
-/* Newton's method begins if at most KERN_FEW_CHANGES contacts changed in the
-   last round, and takes at most KERN_NEWTON_ROUNDS steps. More steps cost more
-   and find no more solutions. */
+/* A search for raised forces tries Newton's method if at most KERN_FEW_CHANGES
+   contacts have changed between open, sticking and sliding in the last round.
+   The method takes at most KERN_NEWTON_ROUNDS steps. More steps cost more and
+   find no more solutions. */
 #define KERN_FEW_CHANGES 2
 #define KERN_NEWTON_ROUNDS 3
-/* A load grows to the load factor in KERN_LOAD_STEPS steps. A step that fails,
-   which takes the work of ten others, is divided by KERN_LOAD_FINER. The least
-   step is the share KERN_LOAD_NARROW of the largest load with a proof. As a
-   share of the load factor, which may be several times too high, it would end
-   the search 3 % below limit equilibrium. */
+/* kern_raised_load() raises a load to the load factor in KERN_LOAD_STEPS steps.
+   A step that fails, which takes the work of ten others, is divided by
+   KERN_LOAD_FINER. The least step is the share KERN_LOAD_NARROW of the largest
+   load with a proof. If it were a share of the load factor, which may be
+   several times too high, the search would end 3 % below limit equilibrium. */
 #define KERN_LOAD_STEPS 10
 #define KERN_LOAD_FINER 4
 #define KERN_LOAD_NARROW KERN_R(0.005)
 /* kern_stays(): distance from the stone, in contacts from block to block, up to
-   which blocks are free. All other blocks are held. With 3 or 5 the chance
-   separates stones that stay from stones that move less well. */
+   which blocks are free. All other blocks are held. If this were 3 or 5, the
+   chance would separate stones that stay from stones that move less well. */
 #define KERN_STAYS_NEAR 4
-/* kern_stays(): stiffness of contacts along t, as kern_dual.shear. The
-   stiffness for a proof is larger, since contacts must then stick within
-   KERN_STICKS. */
+/* kern_stays(): stiffness of contacts along t, in mu times their stiffness
+   along n (kern_dual.shear). The stiffness for a proof is larger, since
+   contacts must then stick within KERN_STICKS. */
 #define KERN_STAYS_STIFF KERN_R(4)
-/* kern_stays(): constants of its law, fitted to placements. KERN_STAYS_MOST is
-   the largest reserve that counts, KERN_STAYS_ADD is added to the reserve, and
-   KERN_STAYS_ODDS scales the odds. */
+/* kern_stays(): constants of the law by which it computes the chance, fitted to
+   placements. KERN_STAYS_MOST is the largest reserve that counts,
+   KERN_STAYS_ADD is added to the reserve, and KERN_STAYS_ODDS scales the
+   odds. */
 #define KERN_STAYS_MOST KERN_R(0.01)
 #define KERN_STAYS_ADD KERN_R(0.004)
 #define KERN_STAYS_ODDS KERN_R(5.5e7)
@@ -2223,7 +2407,8 @@ static void kern_clip(kern_real *low, kern_real *high, kern_real offset,
     }
 }
 
-/* Returns the velocity of a point of a body, at an arm from its centre. */
+/* Returns the velocity of the point at `arm` from the centre of a body that has
+   the motion v. */
 static inline kern_vec kern_velocity(const kern_motion *v, kern_vec arm)
 {
     return kern_vec_make(v->vx - v->spin * arm.y, v->vy + v->spin * arm.x);
@@ -2234,8 +2419,9 @@ static kern_real kern_block_size(const kern_block *block)
     return KERN_SQRT(kern_abs(block->area));
 }
 
-/* Returns the sum of the magnitudes of a wrench or a motion: 0 only if all are
-   0, finite only if all are finite. */
+/* Returns the sum of the magnitudes of the three numbers of a wrench or a
+   motion. The sum is 0 only if all three are 0, and finite only if all three
+   are finite. */
 static kern_real kern_wrench_sum(const void *w)
 {
     const kern_real *value = (const kern_real *)w;
@@ -2282,7 +2468,7 @@ static kern_real kern_largest(const kern_real *v, int n)
     kern_real size = 0;
     int i;
     for (i = 0; i < n; i++)
-        if (!(size > kern_abs(v[i]))) /* no call: it would cost a third */
+        if (!(size > kern_abs(v[i]))) /* a call would take a third of a solve */
             size = kern_abs(v[i]);
     return size;
 }
@@ -2331,25 +2517,29 @@ static void kern_box_add(kern_box *box, kern_vec p)
    columns for each contact point. The unit of a length is the size of the
    block, and the unit of a force is the total weight. */
 
-/* Contacts that may carry: all, or only those with nested kerns. */
+/* Which contacts may carry: all, or only those whose kerns are nested (lines,
+   and points that do not move). */
 typedef enum kern_carry { KERN_CARRY_ALL, KERN_CARRY_NESTED } kern_carry;
 
 /* A query: the weights and loads that the structure has to carry, and the
    shrinkage of its kerns. */
 typedef struct kern_query {
     kern_real shrink;    /* shrinkage of all kerns [m; relative: a share] */
-    int relative;        /* nonzero: shrink is a share                    */
+    int relative;        /* nonzero: shrink is a share of each travel     */
     kern_real narrow;    /* options.narrow of the task                    */
     kern_real mean_size; /* mean size of the free blocks                  */
     kern_vec gravity;
-    const kern_wrench *pattern; /* NULL: side * m |g| horizontally          */
+    const kern_wrench *pattern; /* load pattern; NULL: a horizontal force of
+                                   side * m |g| on each block               */
     kern_real factor;           /* factor of the pattern                    */
     kern_real loads;            /* factor of the loads of the blocks        */
-    int side;                   /* 1 or -1: side of a NULL pattern or tilt  */
+    int side;                   /* right (1) or left (-1): side of the tilt,
+                                   or of the load if pattern is NULL        */
     const kern_real *fallen;    /* block i has been removed if fallen[i] >=
-                                   0; NULL: no block                        */
-    kern_real length_min;       /* [m]: shorter contacts carry nothing      */
-    kern_carry carry;           /* contacts that may carry                  */
+                                   0; NULL: no block has been removed       */
+    kern_real length_min;       /* contacts shorter than this carry nothing
+                                   [m]                                      */
+    kern_carry carry;           /* which contacts may carry                 */
 } kern_query;
 
 /* Returns the tangent of the angle by which a query narrows friction cones. */
@@ -2382,8 +2572,9 @@ KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
     return kern_abs(c->travel) < KERN_TRAVEL_LEAST * mean ? 0 : c->travel;
 }
 
-/* Returns the length of a contact's line, or the approximate length of the
-   interface of its points. Returns 0 for a single point. */
+/* Returns the length of the line contact to which a contact point belongs. For
+   a point of an interface of several points, returns the approximate length of
+   the interface. Returns 0 for a single point. */
 static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
 {
     return 2 * kern_abs(kern_travel(c, mean));
@@ -2403,7 +2594,7 @@ static inline int kern_is_idle(const kern_query *q, const kern_contact *c)
         || kern_is_gone(q, c->b);
 }
 
-/* Writes the weight of a mass. */
+/* Writes the weight of a mass to *w. */
 static void kern_weigh(kern_vec gravity, kern_real mass, kern_wrench *w)
 {
     w->fx = gravity.x * mass;
@@ -2422,8 +2613,8 @@ static void kern_pattern_wrench(const kern_structure *s, const kern_query *q,
                    s->block[i].mass * KERN_R(q->side), w);
 }
 
-/* Returns the magnitude of a force. The result is not 0 if only the squares of
-   the components underflow. */
+/* Returns the magnitude of a force. If the squares of the components underflow,
+   the result is the larger component, and not 0. */
 static kern_real kern_force_size(const kern_wrench *w)
 {
     const kern_vec f = kern_vec_make(w->fx, w->fy);
@@ -2443,8 +2634,8 @@ static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
 }
 
 /* Writes the sum of all wrenches on block i except those of its contacts to
-   *sum. Returns the sum of their magnitudes, the scale of the block's
-   residual. */
+   *sum. Returns the sum of their magnitudes, by which the residual of the block
+   is scaled. */
 static inline kern_real kern_block_wrench(const kern_structure *s,
                                           const kern_query *q, int i,
                                           kern_wrench *sum)
@@ -2460,8 +2651,8 @@ static inline kern_real kern_block_wrench(const kern_structure *s,
     return size + kern_wrench_add(sum, b, &pattern, q->factor);
 }
 
-/* Returns how far along t a shrinkage moves a contact point. Writes the rate of
-   that motion to *rate. */
+/* Returns how far along t a shrinkage moves a contact point. Writes the
+   derivative of this distance by the shrinkage to *rate. */
 static kern_real kern_shift(kern_real travel, kern_real shrink, int relative,
                             kern_real *rate)
 {
@@ -2485,8 +2676,9 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
 
 /* Writes the arms from the centres of blocks a and b to the place where contact
    c acts. Returns how far along t the shrinkage has moved the contact. The
-   centre is subtracted before that motion is added, since far from the origin a
-   place has fewer digits than an arm. A tenth of the time is spent here. */
+   centre of a block is subtracted from the place of the contact before the
+   motion of the contact is added, since far from the origin a place has fewer
+   digits than an arm. The library spends a tenth of its time here. */
 static inline kern_real kern_arms(const kern_structure *s,
                                   const kern_contact *c, const kern_query *q,
                                   kern_vec arm[2])
@@ -2545,7 +2737,7 @@ typedef struct kern_take {
     int reals, indices;
 } kern_take;
 
-/* Opens the whole work memory of a call. */
+/* Writes to *take that the whole work memory of a call is free. */
 KERN_SHARED static void kern_take_open(kern_take *take, const kern_work *work)
 {
     const kern_take memory = {work->real, work->index, work->reals,
@@ -2605,8 +2797,9 @@ static void kern_work_begin(kern_work *work)
     work->units = 0;
 }
 
-/* Counts work before it is done. Returns 0 if the work exceeds the limit of the
-   call: this and all further work is refused, and the call ends. */
+/* Adds the units of some work to work->units before it is done. Returns 0 if
+   the limit of the call is then exceeded: this work and all further work is
+   refused, and the call ends. */
 static int kern_spend(kern_work *work, int limit, int units)
 {
     const int rest = kern_limit_of(limit) - work->units;
@@ -2718,9 +2911,9 @@ static kern_status kern_structure_check(const kern_structure *s,
 }
 
 /* Checks all arguments except the contents of the arrays. `out` is the address
-   of the caller's result; a query without a result passes the task instead.
-   Clears the units and the fault of the work memory. The other counters of the
-   work memory add up over calls. */
+   of the caller's result; a function without a result passes the task instead.
+   Clears the units and the fault of the work memory. It does not clear the
+   other counters, which add up over calls. */
 static kern_status kern_task_check(const kern_task *task, kern_real shrink,
                                    const void *out)
 {
@@ -2803,24 +2996,29 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
-/* Proofs read only the caller's data. The error of a proof is a share of the
-   allowed error. A proof holds if its error is at most 1.
+/* The check of a proof reads only the caller's data and the proof. The error of
+   a proof is a share of the allowed error. A proof holds if its error is at
+   most 1.
 
-   Forces prove "stands". Each force lies in its friction cone. The residual of
-   each row of equilibrium is at most KERN_TOL times the loads on the block plus
-   the rounding of the contact forces there. The sum of all forces is at most
-   KERN_BOUND times the weight.
+   Forces prove that a structure stands if three conditions hold. Each force
+   lies in its friction cone. The residual of each equation of equilibrium of a
+   block is at most KERN_TOL times the loads on the block plus the rounding of
+   its contact forces. The sum of all forces is at most KERN_BOUND times the
+   total weight.
 
-   A motion proves "falls". The power of the loads exceeds its own rounding
-   error plus KERN_BOUND times the moving weight times the highest speed at
-   which the motion closes a contact. So contact forces with a sum of up to
-   KERN_BOUND weights cannot stop it. The speed includes a bound of its own
-   rounding error, so the proof also holds in exact arithmetic. */
+   A motion proves that a structure falls if the power of the loads is larger
+   than the sum of two terms. The first is the rounding error of the power. The
+   second is KERN_BOUND times the weight of the blocks that move, times the
+   highest speed at which the motion closes a contact. So contact forces cannot
+   stop the motion if their sum is at most KERN_BOUND times that weight. The
+   speed includes a bound of its own rounding error, so the proof also holds in
+   exact arithmetic. */
 
-/* Returns the error of equilibrium as a share of the allowed error. Two errors
-   count: the largest residual of a free block, and the sum `total` of all
-   normal forces. `sum` has four numbers per block, as kern_prove_end() adds
-   them up. An error above 1 is returned as at least 2. */
+/* Returns the error of equilibrium as a share of the allowed error. This is the
+   larger of two shares: the largest residual of a free block divided by the
+   allowed residual, and the sum `total` of all normal forces divided by the
+   allowed sum. `sum` has four numbers per block, which kern_prove_end() has
+   added up. If the error is above 1, the result is at least 2. */
 static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
                                  const kern_real *sum, kern_real total)
 {
@@ -2849,7 +3047,7 @@ static kern_real kern_prove_rows(const kern_structure *s, const kern_query *q,
 
     /* Computes the sum of the forces as a share of the largest allowed sum. */
     weight *= KERN_BOUND;
-    if (!kern_is_finite(weight)) /* it allows any forces                */
+    if (!kern_is_finite(weight)) /* a bound that would allow any forces */
         return KERN_INFINITY;
     if (total > 0)
         error = kern_max(error, total / weight);
@@ -2971,7 +3169,7 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
                                    const kern_motion *motion)
 {
     kern_real power = 0, terms = power, weight = power, closing = power;
-    int i, first = -1; /* block that moves */
+    int i, first = -1; /* the first block that moves */
 
     /* Sums the power of the loads on the moving blocks, the magnitudes of its
        terms, which bound its rounding, and the weight of the moving blocks. */
@@ -2997,8 +3195,9 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
     if (!(power > KERN_POWER_LEAST) || !kern_is_finite(terms + weight))
         return KERN_INFINITY;
 
-    /* Finds the fastest closing. Begins with the contacts of the last stone,
-       which are the most likely to stop the motion. */
+    /* Finds the highest speed at which the motion closes a contact. Begins with
+       the contacts of the last stone, which are the most likely to stop the
+       motion. */
     for (i = s->contacts - 1; i >= 0 && weight * closing <= power; i--) {
         const kern_contact *c = s->contact + i;
         if ((c->a >= first || c->b >= first) && kern_speeds(c, motion) > 0
@@ -3015,10 +3214,11 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
 }
 
 /* Returns the error of forces and of the displacement that raises them, as a
-   share of the allowed error. The proof requires that each loaded contact
-   approaches, and that it slides only against its friction, on the cone. Forces
-   and displacement are then a solution for some stiffness of each contact: its
-   force divided by its approach. */
+   share of the allowed error. The proof requires that the blocks of each loaded
+   contact approach each other. It also requires that a contact slides only if
+   its force lies on the edge of the friction cone, and only against the
+   friction. Forces and displacement are then a solution for some stiffness of
+   each contact, which is its force divided by its approach. */
 static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
                                    const kern_force *force,
                                    const kern_motion *motion, kern_real *sum)
@@ -3060,9 +3260,10 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
     return error;
 }
 
-/* Finds the blocks that hang, in the set of blocks i with value[i] >= 0:
-   removes those that are fixed or loaded, or that a block outside of the set
-   holds up against gravity. Returns the number of blocks that are left. */
+/* Finds the blocks that hang among the set of blocks i with value[i] >= 0.
+   Removes from this set each block that is fixed, that has a load, or that a
+   block outside of the set holds up against gravity. Returns the number of
+   blocks that are left. */
 static int kern_unsupported(const kern_structure *s, kern_real *value)
 {
     const kern_real pull = kern_vec_length(s->gravity);
@@ -3153,28 +3354,33 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 
 /* ---- The model ------------------------------------------------- >>model */
 /* Each free block becomes a group of three rows. Groups are numbered along
-   gravity from top to bottom, so a group has a larger number than those that it
-   carries. Fixed blocks and blocks that have been removed are the ground, whose
-   number follows the last group. A contact belongs to its upper group, which is
-   the group that it carries. */
+   gravity from top to bottom, so a group has a larger number than the groups
+   that it carries. Fixed blocks and blocks that have been removed form the
+   ground, whose number follows that of the last group. A contact belongs to its
+   upper group, which is the group that it carries. */
 
 /* Groups and the contacts between them.
 
-   `local` has the groups of the open part. This array has three phases. While
-   no part is open it is KERN_OUT for every group. Before a part is opened it is
-   KERN_MARKED for the groups of the next part. While a part is open it is the
-   number of a group in the part, and KERN_OUT for all other groups. Exception:
-   kern_norm_open() opens the groups with KERN_OUT and holds all others. */
+   `local` tells which groups belong to the open part (>>part). This array has
+   three phases. While no part is open it is KERN_OUT for every group. Before a
+   part is opened it is KERN_MARKED for the groups of the next part. While a
+   part is open it is the number that a group has in the part, and KERN_OUT for
+   all other groups. kern_norm_open() makes an exception: it opens the groups
+   with KERN_OUT and holds all others. */
 typedef struct kern_graph {
     int groups;
-    int *group;        /* per block                                       */
-    int *block;        /* per group                                       */
-    int *ends;         /* groups of b (2 i) and a (2 i + 1), contact i    */
-    int *first_end;    /* per group: first end of a contact at it         */
-    int *next_end;     /* per end: the next end at the same group         */
-    kern_real *torque; /* two per end: torques of n and t, as in kern_row */
+    int *group;        /* per block: the number of its group              */
+    int *block;        /* per group: the index of its block               */
+    int *ends;         /* two per contact i: the groups of its blocks b
+                          (2 i) and a (2 i + 1)                           */
+    int *first_end;    /* per group: first end of a contact at this group */
+    int *next_end;     /* per end of a contact: the next end at the same
+                          group                                           */
+    kern_real *torque; /* two per end: torques of unit forces along n and
+                          t, as in kern_row                               */
     int *local;        /* per group: its number in the open part          */
-    int *carrier;      /* per group: its only carrier, or KERN_OUT        */
+    int *carrier;      /* per group: the only group that carries it, or
+                          KERN_OUT                                        */
 } kern_graph;
 
 /* The forces and the motion of the last verdict.
@@ -3187,7 +3393,7 @@ typedef struct kern_answer {
     const kern_known *known; /* forces that held a similar structure, or NULL */
     kern_force *force;       /* one per contact: contact forces [N]          */
     kern_motion *motion;     /* one per block: the mechanism                 */
-    kern_real *scratch;      /* four per block                               */
+    kern_real *scratch;      /* four numbers per block                       */
 } kern_answer;
 
 /* State of a cluster. KERN_OPEN: it must be balanced. KERN_TRIED: its groups
@@ -3197,20 +3403,22 @@ enum { KERN_OPEN = 1, KERN_TRIED = 2 };
 /* A value of graph.local: the group will belong to the next part. */
 enum { KERN_MARKED = 0 };
 
-/* Disjoint sets of groups that are balanced together. */
+/* Clusters: disjoint sets of groups, each of which the top-down pass balances
+   together. */
 typedef struct kern_clusters {
     int *last;      /* per group: the last group of its cluster              */
-    int *next;      /* per group: the next of its cluster, cyclic            */
-    int *flags;     /* per last group of a cluster: its state                */
-    int front;      /* no open cluster ends before this group                */
-    int groups_max; /* largest number of groups of a cluster                 */
+    int *next;      /* per group: the next group of its cluster, in a ring   */
+    int *flags;     /* per last group of a cluster: state of the cluster     */
+    int front;      /* the last group of every open cluster is this group or
+                       a later one                                           */
+    int groups_max; /* largest number of groups that a cluster may have      */
     int budget_end; /* value of work->units at which the pass ends           */
     int unbalanced; /* the only group that the known forces may not balance;
-                       KERN_OUT: all may not                                 */
+                       KERN_OUT: they may not balance any group              */
 } kern_clusters;
 
 typedef struct kern_model {
-    const kern_task *task; /* its task */
+    const kern_task *task; /* the caller's task */
     const kern_structure *s;
     kern_graph graph;
     kern_answer answer;
@@ -3218,14 +3426,17 @@ typedef struct kern_model {
     kern_real mean_size;     /* mean size of the free blocks                */
     kern_real weight;        /* unit of force: sum of the loads on free
                                 blocks [N]                                  */
-    kern_real *torque_scale; /* per group: 1 / unit of its torques [1/m]    */
-    kern_real *load;         /* three per group: wrench of its contacts [N] */
+    kern_real *torque_scale; /* per group: torques are multiplied by this, so
+                                that they have the unit of forces [1/m]     */
+    kern_real *load;         /* three per group: wrench that its contacts must
+                                exert [N]                                   */
     kern_real *load_size;    /* per group: magnitude of its loads [N]       */
-    kern_real shrunk;        /* shrinkage for which graph.torque is set; or
-                                infinity                                    */
-    kern_real reduction;     /* kern_reduction() of the last query          */
+    kern_real shrunk;        /* shrinkage for which graph.torque is set;
+                                infinity: none                              */
+    kern_real reduction;     /* tangent of the angle by which the last query
+                                narrows friction cones                      */
     kern_clusters cluster;
-    int whole;        /* nonzero: all groups are one part        */
+    int whole;        /* nonzero: all groups are open as one part */
     kern_take common; /* work memory for a program of all groups */
     kern_take rest;   /* work memory for parts                   */
 } kern_model;
@@ -3284,10 +3495,11 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
 }
 
 /* Sorts the blocks of all groups along gravity, and blocks of equal height from
-   side to side. If rounding ordered blocks of equal height, few columns of a
-   flat arch would be own columns of their groups (>>lp). In float, rounding is
-   too large for an order from side to side, and the index decides. Shell's sort
-   needs neither memory nor recursion. */
+   side to side. If rounding errors decided the order of blocks of equal height,
+   few columns of a flat arch would be own columns of their groups (>>lp). In
+   float rounding is too large for an order from side to side, and blocks of
+   equal height are ordered by their index. Shell's sort needs neither memory
+   nor recursion. */
 static void kern_model_order(const kern_model *m)
 {
     const kern_block *block = m->s->block;
@@ -3296,7 +3508,7 @@ static void kern_model_order(const kern_model *m)
                             ? gravity
                             : kern_vec_step(gravity, KERN_LEVEL_SLOPE,
                                             kern_vec_turn(gravity));
-    kern_real *const height = m->answer.scratch; /* per block  */
+    kern_real *const height = m->answer.scratch; /* one per block */
     int *const list = m->graph.block, groups = m->graph.groups;
     int gap, i, j;
     for (i = 0; i < m->s->blocks; i++)
@@ -3371,7 +3583,7 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     }
 
     /* Chains the ends at each group, from the first contact to the last. */
-    for (i = 2 * s->contacts - 1; i >= 0; i--) { /* an end */
+    for (i = 2 * s->contacts - 1; i >= 0; i--) { /* i is an end */
         g = graph->ends[i];
         if (g < groups) {
             graph->next_end[i] = graph->first_end[g];
@@ -3380,7 +3592,9 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     }
 }
 
-/* Opens the model of a task that has been checked, for a query. */
+/* Opens the model of a task for a query: takes the arrays of the model and
+   makes its groups. The data of the task must have been checked. Returns
+   KERN_NO_SPACE if the work memory is too small. */
 static kern_status kern_model_open(kern_model *m, const kern_task *task,
                                    const kern_query *q)
 {
@@ -3411,7 +3625,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
                                                + 4 * s->blocks);
     m->common = *take;
 
-    /* Takes the arrays of the pass and of parts. */
+    /* Takes the arrays of the top-down pass and of parts. */
     graph->first_end = kern_take_ints(take, 6 * groups + 1);
     graph->carrier = graph->first_end + groups;
     m->cluster.last = graph->carrier + groups;
@@ -3432,14 +3646,16 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     return KERN_OK;
 }
 
-/* The row of a contact at one of its ends: its coefficients in the three
-   equations of the group there. The row maps a motion of the group to speeds
-   along n and t, and forces along n and t to a wrench. Every method that looks
-   for forces uses it. Proofs have code of their own, so that they share no
-   fault with it. */
+/* The row of a contact at one of its two ends, each of which is at one of its
+   groups: the coefficients of the contact in the three equations of that group.
+   The row maps a motion of the group to speeds along n and t, and forces along
+   n and t to a wrench. Every method that looks for forces uses these rows.
+   The checks of proofs have code of their own, so that they share no mistake
+   with the code of rows. */
 typedef struct kern_row {
-    kern_real n[3];   /* wrench of a unit of normal force    */
-    kern_real torque; /* unit along t: (-n[1], n[0], torque) */
+    kern_real n[3];   /* wrench of a unit force along n           */
+    kern_real torque; /* torque of a unit force along t, whose wrench is
+                         (-n[1], n[0], torque)                    */
 } kern_row;
 
 /* Returns the row of a normal n that acts at an arm. Torques are multiplied by
@@ -3451,7 +3667,8 @@ static inline kern_row kern_row_of(kern_vec n, kern_vec arm, kern_real unit)
     return row;
 }
 
-/* w += the speeds of motion v along n and t. */
+/* w += the speeds along n and t that motion v of the group gives to the
+   contact. */
 static inline void kern_row_speed(const kern_row *c, const kern_real *v,
                                   kern_real w[2])
 {
@@ -3500,8 +3717,8 @@ static inline kern_row kern_model_row(const kern_model *m, int end)
     return row;
 }
 
-/* Sets the reduction of cones for a query. Sets the torques of all rows, unless
-   they are already those of this shrinkage. */
+/* Sets the reduction of friction cones for a query. Sets the torques of all
+   rows, unless they have already been set for this shrinkage. */
 static void kern_model_arms(kern_model *m, const kern_query *q)
 {
     kern_real *torque = m->graph.torque;
@@ -3582,10 +3799,11 @@ static int kern_model_loaded(const kern_model *m)
     return 0;
 }
 
-/* Returns 1 if kerns are nested: a larger kern carries every load that a
-   smaller one carries. Kerns of lines are nested. Kerns of points that move
-   toward each other along different tangents are not. Writes the shortest
-   travel and the longest, d_max, to range. */
+/* Returns 1 if kerns are nested: a contact that is shrunk less then carries
+   every load that it carries when it is shrunk more. Kerns of lines are nested.
+   Kerns of points that move toward each other along different tangents are not
+   nested. Writes the shortest travel to range[0], and d_max to range[1], which
+   is the longest travel (relative: 1). */
 static int kern_is_nested(const kern_model *m, kern_real range[2])
 {
     const int *ends = m->graph.ends, both_held = 2 * m->graph.groups;
@@ -3626,7 +3844,7 @@ static int kern_model_charge(const kern_model *m, int queries)
         m, queries * (3 + (m->s->blocks + m->s->contacts) / KERN_QUERY_UNIT));
 }
 
-/* Returns 1 if the work memory has its full size. */
+/* Returns 1 if the work memory has its full size: KERN_REALS and KERN_INTS. */
 static int kern_model_has_room(const kern_model *m)
 {
     const kern_work *work = m->task->work;
@@ -3695,31 +3913,31 @@ KERN_SHARED static void kern_proof_write(const kern_model *m,
 
 /* ---- The simplex method -------------------------------------------- >>lp */
 /* Minimises cost . x where A x = rhs, x >= 0, by the revised simplex method.
-   The variables are the columns, then the place (see kern_program), then one
-   logical for each row. A logical is a variable whose column is a unit vector,
-   and it must be zero.
+   The variables are numbered: first one for each column of A, then the place
+   (see kern_program), then one logical for each row. A logical is a variable
+   whose column is a unit vector, and it must be zero.
 
    The inverse of the basis B is a product of factors:
 
        B^-1 = E_n ... E_2 E_1 B_0^-1.
 
-   Rows come in groups of three. A column of a network (`ends` given) touches
-   one or two groups. The column is an own column of the upper of these groups.
-   B_0 has three own columns, or logicals, of each group, so it is block
-   triangular. For each group B_0 stores only a 3 x 3 inverse, and the entries
-   of its three columns in the rows of other groups. Without `ends` B_0 is the
-   unit matrix.
+   The rows come in threes: the equations of one group. If the program is a
+   network (`ends` is given), a column has entries in the rows of one or two
+   groups. The column is an own column of the upper of these groups. B_0 has
+   three own columns, or logicals, of each group, so it is block triangular. For
+   each group B_0 stores only a 3 x 3 inverse, and the entries of its three
+   columns in the rows of other groups. Without `ends` B_0 is the unit matrix.
 
-   Each E_i makes one more column enter (the product form of the inverse). E_i
-   is the unit matrix except for column p. Let alpha = B^-1 A_j for the entering
-   column j, and let p be the row in which it pivots. Then column p of E_i is
-   -alpha / alpha_p, with 1 / alpha_p in row p. Its entries are stored in
-   threes, from the first that is not zero to the last.
+   Each E_i makes one more column enter the basis (the product form of the
+   inverse). E_i is the unit matrix except for column p. Let alpha = B^-1 A_j
+   for the entering column j, and let p be the row in which it pivots. Then
+   column p of E_i is -alpha / alpha_p, with 1 / alpha_p in row p. Its entries
+   are stored in threes, from the first that is not zero to the last.
 
    Vectors over the rows have three more entries at their end, the rows of the
-   ground. The ground is the other group of a column that touches only one: it
-   reads as 0 and is written without effect, so no loop has to test for such
-   columns. */
+   ground. The ground is the second group of a column that touches only one
+   group. Its entries read as 0, and what is written to them has no effect, so
+   no loop has to test for such columns. */
 
 /* A linear program. It is dense, or its columns are those of a network: two
    columns for each contact. Columns 2 i and 2 i + 1 touch the groups ends[2 i]
@@ -3731,15 +3949,17 @@ KERN_SHARED static void kern_proof_write(const kern_model *m,
    distance by which rhs has moved along a path. */
 typedef struct kern_program {
     int rows, cols;
-    const kern_real *a; /* dense: by columns; network: four per column */
+    const kern_real *a; /* dense: all entries, by columns; network: the four
+                           entries of each column                      */
     const kern_real *rhs;
-    const kern_real *cost; /* NULL: all are 0                            */
-    const int *ends;       /* NULL: the program is dense                 */
+    const kern_real *cost; /* NULL: all costs are 0                      */
+    const int *ends;       /* groups of the columns of a network (see above);
+                              NULL: the program is dense                 */
     const kern_real *rate; /* column of the place: minus the rate of rhs */
     int follow;            /* 1: the place grows from 0; 0: it is fixed  */
     kern_real bound;       /* largest value of a variable; 0: no bound   */
     int limit;             /* largest value of work->units               */
-    kern_work *work;       /* of the call                                */
+    kern_work *work;       /* work memory of the call                    */
 } kern_program;
 
 /* The inverse of a basis: the inverse of B_0, group by group, and the factors
@@ -3747,51 +3967,60 @@ typedef struct kern_program {
    the entries of its column in the three rows of the other group. `other_row`
    is the first of these rows. */
 typedef struct kern_factors {
-    int padded_rows;     /* rows, rounded up to a multiple of three         */
-    int groups;          /* of B_0: all of a network, 0 if B_0 is the unit  */
-    kern_real *column;   /* per row: six numbers                            */
+    int padded_rows;     /* number of rows, rounded up to a multiple of
+                            three                                           */
+    int groups;          /* number of groups of B_0; 0 if B_0 is the unit
+                            matrix                                          */
+    kern_real *column;   /* per row: the six numbers of B_0                 */
     int *other_row;      /* per row: first row of its column's other group  */
     int count_max, room; /* largest number of factors, and of their entries */
-    int count;           /* of factors                                      */
+    int count;           /* number of factors E_i                           */
     int *pivot;          /* per factor: the row of its pivot                */
     int *first_row;      /* per factor: its first row with an entry         */
-    int *first_entry;    /* per factor: its first entry; last: end of all   */
-    kern_real *entry;    /* entries of all factors, in threes of rows       */
+    int *first_entry;    /* per factor: index of its first entry; one more
+                            index is the end of the last factor             */
+    kern_real *entry;    /* entries of all factors, for three rows at a time */
 } kern_factors;
 
 typedef enum kern_basis {
-    KERN_BASIS_NONE,  /* no basis: the next solve begins with logicals  */
-    KERN_BASIS_STALE, /* its columns have changed since it was factored */
-    KERN_BASIS_READY
+    KERN_BASIS_NONE,  /* there is no basis: the next solve makes one    */
+    KERN_BASIS_STALE, /* there is a basis, but its columns have changed since
+                         it was factored                                */
+    KERN_BASIS_READY  /* the factors of the basis are valid             */
 } kern_basis;
 
-/* Solvers that may be used. KERN_SOLVER_ANY: the backend (KERN_USE_GLPK), too.
-   KERN_SOLVER_BUILTIN: only the simplex method of this chapter. */
+/* Solvers that may be used. KERN_SOLVER_ANY: also GLPK, if KERN_USE_GLPK is
+   defined. KERN_SOLVER_BUILTIN: only the simplex method of this chapter. */
 typedef enum kern_solver { KERN_SOLVER_ANY, KERN_SOLVER_BUILTIN } kern_solver;
 
 /* `alpha` and `list` are scratch: no phase reads values that another phase left
-   there. In the crash `alpha` is the load that is not carried yet, during
-   refinement it is a residual, and otherwise it is the entering column. In the
-   crash `list` has the first column of each group, during a factorisation the
-   columns that wait, and in a ratio test its rows. */
+   there. While a crash basis is made, `alpha` is the load that is not carried
+   yet. During refinement `alpha` is a residual, and otherwise the entering
+   column in terms of the basis. While a crash basis is made, `list` has the
+   first column of each group. During a factorisation `list` has the columns
+   that are still to be entered, and during a ratio test the rows that it
+   compares. */
 typedef struct kern_simplex {
     const kern_program *lp;
     kern_basis basis;
     kern_factors factors;
-    int *base;        /* per row: its variable                               */
-    int *basic_row;   /* per column, and of the place: its row, or KERN_OUT;
-                         in the crash: the next column of a group            */
-    kern_real *value; /* per row: value of its variable                      */
-    kern_real *slope; /* per row: c of its variable (see "pivots")           */
-    kern_real *price; /* per row: y                                          */
-    kern_real *alpha; /* per row                                             */
-    kern_real *ratio; /* per row of the ratio test: the step to zero         */
-    int *list;
+    int *base;        /* per row: the basic variable of this row             */
+    int *basic_row;   /* per column, and for the place: the row in which it is
+                         basic, or KERN_OUT; while a crash basis is made: the
+                         next column of the same group                       */
+    kern_real *value; /* per row: value of its basic variable                */
+    kern_real *slope; /* per row: c of its basic variable (see "pivots")     */
+    kern_real *price; /* per row: the price y of this row                    */
+    kern_real *alpha; /* per row: scratch, see above                         */
+    kern_real *ratio; /* per row of the ratio test: the step after which its
+                         variable is zero                                    */
+    int *list;        /* per row: scratch, see above                         */
+
     int entering;        /* the entering column                          */
     kern_real tolerance; /* smallest violation that counts               */
     kern_real gain;      /* c_j - y.A_j of the entering column           */
     int refined;         /* 1: no pivot since the values were refined    */
-    int violated;        /* number of variables that violate their bound */
+    int violated;        /* number of basic variables in violation       */
 } kern_simplex;
 
 /* ---- columns ---- */
@@ -3802,7 +4031,7 @@ static const kern_real *kern_lp_dense(const kern_program *lp, int j)
     return j == lp->cols ? lp->rate : lp->a + j * lp->rows;
 }
 
-/* Returns y.A_j for a column, or for the place. */
+/* Returns the product of y with column j, or with the column of the place. */
 static inline kern_real kern_lp_dot(const kern_program *lp, int j,
                                     const kern_real *y)
 {
@@ -3820,8 +4049,8 @@ static inline kern_real kern_lp_dot(const kern_program *lp, int j,
    it is an own column. KERN_LP_END_OTHER: the other group. */
 typedef enum kern_lp_end { KERN_LP_END_OWN, KERN_LP_END_OTHER } kern_lp_end;
 
-/* Writes column j's entries in the rows of one of its groups. Returns the first
-   of these rows. */
+/* Writes the three entries of column j in the rows of one of its groups.
+   Returns the first of these rows. */
 static inline int kern_lp_part(const kern_program *lp, int j, kern_lp_end side,
                                kern_real out[3])
 {
@@ -3856,16 +4085,16 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
 
 /* ---- the basis ---- */
 
-/* v := B^-1 v. Input: one number per row. Output: one number per basic
-   variable. */
+/* v := B^-1 v. Before the call v has one number per row, and afterwards one
+   number per basic variable. */
 static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 {
     const kern_factors *f = &sx->factors;
     int e, g, k;
 
-    /* Multiplies by B_0^-1, from the top group to the bottom one. Solves the
-       rows of each group for its own columns, and subtracts the products of
-       these columns in the rows of other groups. */
+    /* Multiplies v by B_0^-1, from the top group to the bottom one. Solves the
+       rows of each group for its own columns, and subtracts the entries that
+       these columns have in the rows of other groups, times their values. */
     for (g = 0; g < f->groups; g++) {
         const kern_real *d = f->column + 18 * g;
         kern_real *own_rows = v + 3 * g;
@@ -3882,7 +4111,7 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
         }
     }
 
-    /* Multiplies by E_1 to E_n: each adds a multiple of its column. */
+    /* Multiplies v by E_1 to E_n: each adds a multiple of its column to v. */
     for (e = 0; e < f->count; e++) {
         const kern_real x = v[f->pivot[e]], *a;
         kern_real *w;
@@ -3899,8 +4128,8 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
     }
 }
 
-/* c := B^-T c. Input: one number per basic variable. Output: one number per
-   row, and zeros after the last row. */
+/* c := B^-T c. Before the call c has one number per basic variable, and
+   afterwards one number per row, with zeros after the last row. */
 static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
     const kern_factors *f = &sx->factors;
@@ -3935,7 +4164,7 @@ static void kern_basis_column(kern_simplex *sx, int j)
     kern_basis_solve(sx, sx->alpha);
 }
 
-/* Returns 1 if there is no room for one more factor. */
+/* Returns 1 if there is no room for one more factor of the basis. */
 static int kern_basis_full(const kern_simplex *sx)
 {
     const kern_factors *f = &sx->factors;
@@ -3977,14 +4206,16 @@ static kern_real kern_three_det(const kern_real *a, const kern_real *b,
 }
 
 typedef enum kern_crash {
-    KERN_CRASH_PUSHING, /* columns that push against the load            */
-    KERN_CRASH_ANY      /* any column, and the logical of the torque     */
+    KERN_CRASH_PUSHING, /* only columns that push against the load       */
+    KERN_CRASH_ANY      /* any column, and the logical of the group's
+                           torque                                        */
 } kern_crash;
 
-/* Chooses three columns of group g from the list that begins with j, and makes
-   them basic. The three columns carry the load of the group, and the least of
-   their three forces is as large as possible. Adds these forces to the loads of
-   other groups. With KERN_CRASH_PUSHING no column may pull by more than
+/* Chooses three columns of group g from the list that begins with column j, and
+   makes them basic. The forces of these columns carry the load of the group,
+   and of all triples of columns the one is chosen whose least force is largest.
+   Adds these forces to the loads of the groups at the other ends of the
+   columns. With KERN_CRASH_PUSHING no column may pull by more than
    KERN_CRASH_PULL loads. Returns 0 if there are no such columns. */
 static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash crash)
 {
@@ -4051,15 +4282,15 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, kern_crash crash)
         }
 
     /* Adds the forces of the three columns to the loads of their other groups.
-       A column that pulls counts as 0. */
+       The force of a column that pulls counts as 0. */
     for (k = 0; k < 3 && found; k++)
         kern_lp_subtract(sx->lp, base[k], kern_max(share[k], 0), sx->alpha);
     return found;
 }
 
-/* Makes a basis of the columns that x uses, and fills it up with the last
-   columns. If x uses more columns than there are rows, the next program begins
-   without a basis. */
+/* Makes a basis of the columns j with x[j] > threshold, and fills it up with
+   the last columns of the program. If there are more such columns than rows,
+   the next program begins without a basis. */
 static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
                                kern_real threshold)
 {
@@ -4077,15 +4308,16 @@ static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
     sx->basis = KERN_BASIS_STALE;
 }
 
-/* Makes a basis of logicals. For a network, three columns of each group then
-   replace its logicals, from top to bottom. */
+/* Makes a crash basis, from which the simplex method starts. At first all
+   logicals are basic. For a network, three columns of each group then replace
+   its logicals, from the top group to the bottom one. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     int *next = sx->basic_row, *first = sx->list; /* columns of a group */
     int g, j;
     for (j = 0; j < lp->rows; j++) {
-        sx->base[j] = lp->cols + 1 + j; /* its logical */
+        sx->base[j] = lp->cols + 1 + j; /* the logical of row j */
         sx->alpha[j] = lp->rhs[j];
         first[j] = KERN_OUT;
     }
@@ -4104,8 +4336,9 @@ static void kern_simplex_crash(kern_simplex *sx)
 /* ---- factors ---- */
 
 /* Makes column j basic in a row of its own group that still has its logical.
-   Takes the row with the largest entry of the column in terms of the columns
-   that are already basic. Returns 0 if no such entry is large enough. */
+   Of these rows it takes the one in which the column, in terms of the columns
+   that are already basic, has its largest entry. Returns 0 if that entry is too
+   small. */
 static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
@@ -4178,8 +4411,9 @@ static kern_real kern_basis_residual(kern_simplex *sx)
 }
 
 /* Computes the basic solution and refines it until its residual is rounding.
-   The inverse grows with every course of a wall, so one solve may lose half of
-   the digits. Returns 0 if the residual stays too large. */
+   The entries of the inverse grow with every course of a wall, so one solve
+   without refinement may lose half of the digits. Returns 0 if the residual
+   stays too large. */
 static int kern_basis_values(kern_simplex *sx)
 {
     kern_real residual = kern_basis_residual(sx);
@@ -4230,8 +4464,9 @@ static void kern_basis_refactorise(kern_simplex *sx)
     kern_basis_values(sx);
 }
 
-/* Computes the basic solution. Factors the basis again if the matrix has
-   changed, or if the factors are full or have lost digits. */
+/* Computes the basic solution. Factors the basis again if its columns have
+   changed, if there is no room for another factor, or if the factors have lost
+   digits. */
 static void kern_basis_renew(kern_simplex *sx)
 {
     if (sx->basis != KERN_BASIS_READY || kern_basis_full(sx)
@@ -4241,23 +4476,26 @@ static void kern_basis_renew(kern_simplex *sx)
 
 /* ---- pivots ---- */
 /* Every basis gives an x with A x = rhs. A variable is in violation if it is
-   negative, or if it is a logical that is not zero. The first phase minimises
-   the sum of violations. With
+   negative, or if it must be zero (a logical, or a place that is fixed) but is
+   not. The first phase minimises the sum of violations. With
 
        y = B^-T c,    c = +1 or -1 for a variable that violates, otherwise 0,
 
    y.A_j < 0 is the rate at which the sum falls when column j enters. If no
-   column lowers the sum and it is not zero, y is a Farkas certificate. It is
-   the certificate with the largest sum of violations, -y.rhs, as a step of
-   Newton's method requires. If there are no violations, c is minus the costs,
-   and y is minus their prices. */
+   column lowers the sum and it is not zero, y is a Farkas certificate. Among
+   the certificates it is the one with the largest -y.rhs, which is the sum of
+   violations; a step of Newton's method along a path requires this one. If
+   there are no violations, c is minus the costs, and y is minus their
+   prices. */
 
 /* Rules by which pivots are chosen. */
 typedef enum kern_rule {
-    KERN_RULE_LARGEST, /* the column of the largest gain                   */
-    KERN_RULE_REFINED, /* the column of the largest gain, prices refined   */
-    KERN_RULE_BLAND    /* the first column of any gain, and of equal rows
-                                 the least index: this cannot cycle        */
+    KERN_RULE_LARGEST, /* the column of the largest gain enters            */
+    KERN_RULE_REFINED, /* the column of the largest gain enters, after prices
+                          have been refined                                */
+    KERN_RULE_BLAND    /* the first column with a gain enters, and of equal
+                          rows the variable of least index leaves: this cannot
+                          cycle                                            */
 } kern_rule;
 
 /* Returns 1 if variable j must be zero: a logical, or a place that is fixed. */
@@ -4266,8 +4504,8 @@ static int kern_lp_fixed(const kern_program *lp, int j)
     return j >= lp->cols + lp->follow;
 }
 
-/* Returns the rate at which the costs fall as variable j grows, or 1 for a
-   place that grows. */
+/* Returns the rate at which the costs fall as variable j grows. For the place
+   the rate is 1 if the place may grow. */
 static kern_real kern_lp_worth(const kern_program *lp, int j)
 {
     return lp->cost && j < lp->cols ? -lp->cost[j]
@@ -4298,11 +4536,12 @@ static kern_real kern_violations(kern_simplex *sx)
     return sum;
 }
 
-/* Refines y once by the residual of y.A_j = c for basic columns. At the same
-   time raises y.A_j of these columns by `lift` times the largest entry of y. A
-   certificate needs this lift, since rounding leaves y.A_j below zero as often
-   as above. The lift costs little of the certificate's power. Returns 0 without
-   a basis, as after an answer of the backend. */
+/* Refines y once by the residual of the equations y.A_j = c of the basic
+   columns j. At the same time raises y.A_j of these columns by `lift` times the
+   largest entry of y. A certificate needs this lift, since rounding leaves
+   y.A_j below zero as often as above. The lift costs little of the
+   certificate's power. Returns 0 if there is no basis, as after an answer of
+   GLPK (KERN_USE_GLPK). */
 static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 {
     const kern_program *lp = sx->lp;
@@ -4323,9 +4562,9 @@ static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 
 /* Computes prices and chooses the entering variable, sx->entering, by the rule.
    sx->gain = c_j - y.A_j is the rate at which this variable lowers the sum of
-   violations, or the costs. A variable that would have to exceed lp->bound to
-   remove the violations does not enter: it belongs to a jam. Returns 0 if no
-   variable enters. */
+   violations, or the costs. If a variable would have to exceed lp->bound to
+   remove the violations, it does not enter, since it belongs to a jam. Returns
+   0 if no variable enters. */
 static int kern_entering(kern_simplex *sx, kern_rule rule)
 {
     const kern_program *lp = sx->lp;
@@ -4342,9 +4581,9 @@ static int kern_entering(kern_simplex *sx, kern_rule rule)
     if (rule > KERN_RULE_LARGEST)
         kern_prices_mend(sx, sx->price, 0);
 
-    /* Computes the least gain that counts, which is above rounding. If
-       variables are bounded, a variable must also be able to remove the
-       violations within its bound. */
+    /* Computes the least gain with which a variable may enter, which is above
+       rounding. If variables are bounded, the variable must also be able to
+       remove all violations within its bound. */
     size = kern_largest(sx->price, lp->rows);
     gain_min = costs || !(lp->bound > 0) ? KERN_PRICE_TOL * size
                                          : sum / lp->bound;
@@ -4408,14 +4647,16 @@ static int kern_leaving(kern_simplex *sx, kern_rule rule, kern_real *step)
     const int bland = rule == KERN_RULE_BLAND;
     int *list = sx->list, i, n = 0, best = KERN_OUT, next, seen = 0;
 
-    /* Lists the rows whose variables change, and where each reaches zero. */
+    /* Lists the rows whose variables change, and the step after which each of
+       these variables reaches zero. */
     for (i = 0; i < sx->lp->rows; i++)
         if (kern_abs(sx->alpha[i]) > pivot_min) {
             list[n] = i;
             n += kern_break(sx, i, ratio + n) > 0;
         }
 
-    /* Passes the closest of these rows until the sum no longer falls. */
+    /* Passes these rows, the closest first, until the sum of violations no
+       longer falls. */
     for (; n > 0 && slope > 2 * KERN_LP_ROUNDING * sx->gain; n--) {
         seen += n;
         next = 0;
@@ -4456,14 +4697,14 @@ static int kern_pivot_spend(const kern_simplex *sx)
 /* Pivots until no column lowers the sum of violations, and then until no column
    lowers the costs. The sum falls with every step whose length is not zero,
    unless rounding spoils the prices. So prices are refined after one budget of
-   pivots, and Bland's rule, which cannot cycle, is used after five. A limit
-   ends cycles that rounding causes. Programs of structures take less than two
-   budgets of pivots, except in jams. Their limit is three budgets, plus one
-   pivot for each column.
+   pivots (KERN_PIVOTS), and Bland's rule, which cannot cycle, is used after
+   five budgets. A limit on the number of pivots ends cycles that rounding
+   causes. Programs of structures take less than two budgets of pivots, except
+   in jams. Their limit is three budgets, plus one pivot for each column.
 
    Returns KERN_LP_OPTIMAL, KERN_LP_INFEASIBLE or KERN_LP_UNBOUNDED. Returns
-   KERN_NO_SPACE if there is no room for a pivot, KERN_LIMIT if its work is
-   refused, and otherwise KERN_UNDECIDED. */
+   KERN_NO_SPACE if there is no room for the factor of a pivot, KERN_LIMIT if
+   the work of a pivot is refused, and otherwise KERN_UNDECIDED. */
 static kern_status kern_simplex_run(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4497,8 +4738,8 @@ static kern_status kern_simplex_run(kern_simplex *sx)
             continue;
         }
 
-        /* Ends if no column lowers the sum or the costs, or if a column may
-           grow without bound. */
+        /* Ends if no column lowers the sum of violations or the costs, or if
+           the entering variable may grow without bound. */
         if (!enters)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
         if (p == KERN_OUT)
@@ -4530,7 +4771,8 @@ static kern_status kern_simplex_run(kern_simplex *sx)
 
 /* ---- opening, starting, reading ---- */
 
-/* Takes the arrays of a simplex, with room for `room` entries of factors. */
+/* Takes the arrays of the simplex method for a program, with room for `room`
+   entries of factors. */
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take)
 {
@@ -4558,8 +4800,8 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->ratio = kern_take_reals(take, m);
 }
 
-/* Makes the next program begin without a basis (KERN_BASIS_NONE), or with the
-   same basis factored again (KERN_BASIS_STALE). */
+/* Makes the next solve begin without a basis (KERN_BASIS_NONE), or with the
+   same basis after factoring it again (KERN_BASIS_STALE). */
 static void kern_simplex_change(kern_simplex *sx, kern_basis basis)
 {
     if (sx->basis > basis)
@@ -4571,7 +4813,8 @@ static void kern_simplex_change(kern_simplex *sx, kern_basis basis)
 #include "kern_lp.h"
 #endif
 
-/* x := all variables. The basic ones have the values v, the others are 0. */
+/* Writes all variables to x: the basic variables have the values v, and the
+   others are 0. */
 static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
                             kern_real *x)
 {
@@ -4582,8 +4825,8 @@ static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
             x[sx->base[i]] = v[i];
 }
 
-/* Writes B^-1 v as a vector of variables to x. Destroys v. Returns 0 without a
-   basis. */
+/* Writes B^-1 v as a vector of variables to x. Destroys v. Returns 0 if there
+   is no basis. */
 static int kern_simplex_direction(kern_simplex *sx, kern_real *v, kern_real *x)
 {
     if (sx->basis == KERN_BASIS_NONE)
@@ -4594,11 +4837,11 @@ static int kern_simplex_direction(kern_simplex *sx, kern_real *v, kern_real *x)
 }
 
 /* Solves a program, beginning with the last basis or with that of
-   kern_simplex_crash(). All solves go through this function. Writes x for every
-   status. For an infeasible program x is the last basic solution: A x = rhs
-   with negative entries, from which Newton's step along a path is taken. Writes
-   to y a certificate for KERN_LP_INFEASIBLE, and minus the prices for
-   KERN_LP_OPTIMAL. */
+   kern_simplex_crash(). Every linear program is solved by this function. Writes
+   x for every status. For an infeasible program x is the last basic solution,
+   which satisfies A x = rhs but has negative entries. Newton's method along a
+   path takes its step from this x. Writes to y a certificate for
+   KERN_LP_INFEASIBLE, and minus the prices for KERN_LP_OPTIMAL. */
 static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
                                       kern_real *x, kern_real *y)
 {
@@ -4614,8 +4857,8 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
 #endif
     (void)solver;
 
-    /* Charges the start, unless the last basis is ready: reading the columns
-       and factoring a basis. */
+    /* Charges the work of the start, unless the last basis is ready. This work
+       is to read the columns and to factor a basis. */
     sx->tolerance = KERN_VALUE_TOL * kern_largest(lp->rhs, lp->rows);
     if (sx->basis != KERN_BASIS_READY
         && !kern_lp_spend(lp, lp->ends ? (lp->rows + lp->cols) / 2
@@ -4636,8 +4879,8 @@ static kern_status kern_program_solve(kern_simplex *sx, kern_solver solver,
    both. */
 typedef enum kern_sign { KERN_SIGN_PLUS, KERN_SIGN_ANY } kern_sign;
 
-/* Sets numbers to 0 whose magnitude is at most `share` of the largest of all n,
-   and numbers of a sign that is not kept. */
+/* Sets each of n numbers to 0 if its magnitude is at most `share` times the
+   largest magnitude, or if its sign is not one of those that are kept. */
 KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
                                       kern_sign sign)
 {
@@ -4649,9 +4892,9 @@ KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
             v[i] = 0;
 }
 
-/* Returns start + u.v, divided by the sum of the magnitudes of its terms.
-   Vectors have n numbers, and those of v lie `stride` from each other. Returns
-   NaN if a term is not finite. */
+/* Returns start + u.v, divided by the sum of the magnitudes of its terms. The
+   vectors u and v have n numbers; those of v lie `stride` apart. Returns NaN if
+   a term is not finite. */
 static kern_real kern_lp_sum(kern_real start, const kern_real *u,
                              const kern_real *v, int stride, int n)
 {
@@ -4665,8 +4908,8 @@ static kern_real kern_lp_sum(kern_real start, const kern_real *u,
 }
 
 /* Returns 1 if x and y prove the status. The check uses only products with the
-   matrix, and each row and column must hold to KERN_LP_TOL of its own terms.
-   NaN proves nothing.
+   matrix A. The condition of each row and column must hold within KERN_LP_TOL
+   times the sum of the magnitudes of its terms. Returns 0 if a number is NaN.
 
        optimal      A x = rhs,  cost + y A >= 0, = 0 where x > 0
        infeasible   y A >= 0,  y.rhs < 0
@@ -4699,8 +4942,9 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
 }
 
 /* Sets negative entries of x to 0. Returns 1 if x and y then prove the status.
-   Otherwise sets entries of the size of rounding to 0, since they spoil a row
-   that has no other entries, and checks once more. */
+   Otherwise sets the entries of x and y that are as small as rounding to 0, and
+   checks once more: such entries spoil the check of a row that has no other
+   entries. */
 static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
@@ -4716,7 +4960,7 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
     return 0;
 }
 
-/* Solves a checked program, for kern_lp_solve(). */
+/* Solves a program whose data have been checked, for kern_lp_solve(). */
 static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
                                kern_work *work)
 {
