@@ -414,13 +414,13 @@
              factor and tilt are too high. Compared with a simulator they were
              too high by 11 to 26 % on four published brick walls with openings
              (tests/PUBLISHED.md), by a factor of up to 2.5 on random brick
-             walls, and never on settled rubble. For rows of columns that
-             topple, load factor and tilt are up to five times too high, and the
-             least friction at which the verdict is "stands" is up to 31 % too
-             low. If such a row stands on a base that slopes as the row does,
-             the error has no bound: one load factor was 100 times too high, and
-             one verdict was "stands" with a friction of .44 where 2.07 is
-             needed.
+             walls, and never on settled rubble. For 90 rows of columns
+             that topple, the load factor was up to 3.1 times too high
+             (tests/TRUST.md). The least friction at which the verdict is
+             "stands" is up to 31 % too low for such rows. If such a row stands
+             on a base that slopes as the row does, the error has no bound: one
+             load factor was 100 times too high, and one verdict was "stands"
+             with a friction of .44 where 2.07 is needed.
              kern_raised_load() has no dilatancy. kern_let_go() tells whether
              such a row stays: it returned KERN_STANDS for none of 600 random
              slopes with less friction than limit equilibrium needs.
@@ -1089,7 +1089,7 @@ KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
    farthest from the centroid, and their indices in `vertex` to kept[0..room).
    Returns the number of these vertices; `room` must not be less. They form a
    simple polygon, ready for kern_block_init(): if edges would cross, the
-   tolerance is halved, up to eight times, and then set to 0. The result does
+   tolerance is halved, up to seven times, and then set to 0. The result does
    not depend on the vertex with which the outline begins. If two vertices are
    equally far from an edge, a mirrored or turned outline may keep the other
    one. `vertex` may touch or cross itself. `vertex` must not overlap `out`.
@@ -1145,10 +1145,10 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
    differences. First, a hollow wider than the gap divides a line: a block on
    two feet has one contact from the outer end of one foot to that of the other,
    but two stretches. Second, all contacts with fixed blocks are written as
-   contacts with the first fixed block, so that cutting a fixed block in two
-   changes nothing. For margins use kern_contacts() instead. Time: that of
-   kern_contacts(), plus O(C) for each pair of blocks that has point contacts
-   and, if there are several fixed blocks, for each contact. */
+   contacts with one fixed block, that of the first such contact. So cutting a
+   fixed block in two changes nothing. For margins use kern_contacts() instead.
+   Time: that of kern_contacts(), plus O(C) for each pair of blocks that has
+   point contacts and, if there are several fixed blocks, for each contact. */
 KERN_API int kern_stretches(const kern_block *block, int blocks,
                             const kern_options *options, kern_contact *out,
                             int room, kern_work *work);
@@ -1597,10 +1597,11 @@ KERN_API kern_status kern_plan_copy(kern_plan *to, const kern_plan *from);
    than friction holds, or a turn while it slides at two touches that friction
    does not hold. Friction is options.mu, and at two touches at least 0.01. A
    motion turns the stone by at most 28 degrees. The stone is at rest where no
-   motion lowers its centre. A touch of two convex corners holds nothing. Of
-   41,000 stones on blocks that cannot move, such as cubes on a grid, stairs and
-   saw teeth, a share of 0.993 stand where they come to rest. To check whether a
-   stone stands, call kern_plan_bears(). Blocks of the structure do not move.
+   motion lowers its centre, or where it touches the structure at 24 points. A
+   touch of two convex corners holds nothing. Of 41,000 stones on blocks that
+   cannot move, such as cubes on a grid, stairs and saw teeth, a share of 0.993
+   stand where they come to rest. To check whether a stone stands, call
+   kern_plan_bears(). Blocks of the structure do not move.
    Each motion ends where the stone meets a block, so the stone overlaps no
    block by more than 1e-6 (float: 1e-4) of its size. A mirrored stone and
    structure have the mirrored pose, and the order of blocks does not matter.
@@ -2251,8 +2252,8 @@ extern "C" {
    step of Newton's method, which is mostly a factorisation. */
 #define KERN_SEARCH_COSTS 3000
 /* The prices of a search for raised forces are extrapolated by KERN_FORWARD
-   times their last change if the cosine between their last two changes is
-   larger than KERN_COHERENT. */
+   times the difference between those that the last two rounds computed, if the
+   cosine between the last two changes is larger than KERN_COHERENT. */
 #define KERN_FORWARD KERN_R(2)
 #define KERN_COHERENT KERN_R(0.7)
 /* A price that falls is not set to its new value, but changes in a round by
