@@ -472,12 +472,14 @@ passive() { # passive OUT BRIDGE: what counts on the passive pressure of fill sa
         "$2" && says 'no passive  [0, 0.525]: the same without' "$2" &&
         "$kern" --sweep 6 --svg "$1/passive.svg" --report "$1/passive.html" \
             "$1/axle.kern" >"$1/o" && $judge svg "$1"/passive*.svg &&
+        grep -q '^  warning     as the live load drives over, it falls' "$1/o" &&
         grep -q 'worst place 0.8633 .*, with the full passive pressure of the fill' \
             "$1/o" && grep -q 'no passive  0.5095 .* without the passive' "$1/o" &&
         grep -q 'governs is 0.8633, .*full passive pressure of the fill; without' \
             "$1/passive.html" && grep -q '>without passive pressure<' \
             "$1/passive.html" &&
-        grep -q '>worst place, factor 0.8633<' "$1/passive.svg" || return 1
+        grep -q '>worst place<' "$1/passive.svg" &&
+        grep -q 'black: worst place, factor 0.8633<' "$1/passive.html" || return 1
     # a dead load that only this pressure holds is the first thing said
     { grep -v ^axle "$2" && echo load v12 0 -40 -1.6 1.4; } >"$1/dead.kern"
     "$kern" --report "$1/dead.html" "$1/dead.kern" >"$1/o" &&

@@ -145,6 +145,8 @@ static inline void page_reversals(FILE *out, const struct analysis *a)
         page_text(out, as_stated(a) == KERN_STANDS
                            ? " Under the live load as stated it stands."
                            : " Under the live load as stated it falls.");
+    if (sweep_loss(a))
+        fprintf(out, " As this load drives over, %s.", sweep_loss(a));
     if (is_loosened(a))
         fputs(" Let go under the live load as stated, it is not shown to stay.",
               out);

@@ -111,8 +111,12 @@ static inline void write_caption(const struct analysis *a, char *out,
         snprintf(shrunk, sizeof shrunk, " when shrunk by %.4g",
                  (double)shrinkage(a));
     stem = (int)strlen(name);
-    snprintf(out, room, "%.*s %s%s; %s", stem > 100 ? 100 : stem, name,
-             status_word(a), shrunk, level);
+    char worst[60] = "";
+    if (sweep_governs(a) >= 0)
+        snprintf(worst, sizeof worst, "; black: worst place, factor %.4g",
+                 sweep_factor_least(a));
+    snprintf(out, room, "%.*s %s%s; %s%s", stem > 100 ? 100 : stem, name,
+             status_word(a), shrunk, level, worst);
 }
 
 /* Stones in the colours of their margins. */
@@ -212,47 +216,37 @@ static inline void draw_pushes(const struct draw_view *v,
 }
 
 /* An arrow of the live load, down from where it stands at x, with a patch as wide
-   as the axle and a text at its right, or at its left where `anchor` is "end".
-   `axle` is NULL for a force, which stands on the stones. */
+   as the axle and a text at its right. `axle` is NULL for a force, which stands on
+   the stones. */
 static inline void draw_axle(const struct draw_view *v,
                              const struct analysis *a,
                              const struct text_axle *axle, double x,
-                             const char *text, const char *anchor)
+                             const char *colour, const char *text)
 {
     double cone = 0, y = axle ? text_road(&a->text, x, &cone) : 0;
     const double to = x + (axle ? axle->width / 2 : 0);
     const double half = fmax(draw_place(v, to, 0).x - draw_place(v, x, 0).x, 2);
+    char style[60];
     if (!(cone > 0) && sweep_top(a, x, &y) < 0)
         return;
     struct draw_pt from = draw_place(v, x, y);
     from.y = fmax(from.y, v->top + 2); /* the road may be out of view */
+    snprintf(style, sizeof style, "stroke=\"%s\" stroke-width=\"3\"", colour);
     draw_line(v->out, draw_vec(from.x - half, from.y),
-              draw_vec(from.x + half, from.y),
-              "stroke=\"" DRAW_LIVE "\" stroke-width=\"3\"");
-    draw_arrow(v->out, from, draw_vec(from.x, from.y + 26), 2, DRAW_LIVE);
-    draw_text(v->out, from.x + (strcmp(anchor, "end") == 0 ? -6 : 6),
-              from.y + 12, 10, anchor, text, strlen(text));
+              draw_vec(from.x + half, from.y), style);
+    draw_arrow(v->out, from, draw_vec(from.x, from.y + 26), 2, colour);
+    draw_text(v->out, from.x + 6, from.y + 12, 10, "start", text, strlen(text));
 }
 
-/* The live load at the worst place of a sweep, with its factor at the first
-   force. */
+/* The live load at the worst place of a sweep. */
 static inline void draw_worst(const struct draw_view *v,
                               const struct analysis *a)
 {
     const int worst = sweep_governs(a), lives = sweep_lives(a);
-    char text[80];
-    if (worst < 0)
-        return;
-    const double middle = (a->swept[0].x + a->swept[a->sweeps - 1].x) / 2;
-    const char *anchor = a->swept[worst].x < middle ? "end" : "start";
-    snprintf(text, sizeof text, "worst place, factor %.4g",
-             sweep_factor_least(a));
-    for (int k = 0; k < sweep_forces(a); k++) {
-        const double x = sweep_place(a, k) - sweep_place(a, 0)
-                       + a->swept[worst].x;
-        draw_axle(v, a, k < lives ? NULL : a->text.wheel + k - lives, x,
-                  k == 0 ? text : "", anchor);
-    }
+    for (int k = 0; k < sweep_forces(a) && worst >= 0; k++)
+        draw_axle(v, a, k < lives ? NULL : a->text.wheel + k - lives,
+                  sweep_place(a, k) - sweep_place(a, 0) + a->swept[worst].x,
+                  DRAW_INK, k == 0 ? "worst place" : "");
 }
 
 /* Draws fill and earth beside the stones that bear it. */
@@ -273,7 +267,8 @@ static inline void draw_soil(const struct draw_view *v, const void *analysis)
     for (int k = 0; k < a->text.wheels; k++) {
         const struct text_axle *w = &a->text.wheel[k];
         char value[LOADS_QUANTITY];
-        draw_axle(v, a, w, w->x, loads_number(a, w->force, 0, value), "start");
+        draw_axle(v, a, w, w->x, DRAW_LIVE,
+                  loads_number(a, w->force, 0, value));
     }
     draw_worst(v, a);
 }
@@ -291,7 +286,7 @@ static inline void draw_over(const struct draw_view *v, const void *analysis)
 
 static inline int draw_to(FILE *out, const struct analysis *a)
 {
-    char caption[256];
+    char caption[400];
     write_caption(a, caption, sizeof caption);
     int falls = a->shown == KERN_FALLS;
     struct draw_scene scene = scene_of(a);

@@ -139,6 +139,11 @@ static inline void report_let_go(const struct analysis *a)
     if (as_stated(a) == KERN_FALLS)
         printf("  warning     it falls under the live load as stated: 1 is "
                "outside of its factors\n");
+    if (sweep_loss(a))
+        printf(
+            "  warning     as the live load drives over, %s: its least factor "
+            "is below 1\n",
+            sweep_loss(a));
     if (is_loosened(a))
         printf("  warning     let go under the live load as stated, it is not "
                "shown to stay\n");

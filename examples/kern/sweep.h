@@ -246,6 +246,18 @@ static inline double sweep_factor_least(const struct analysis *a)
                             : a->swept[least].live;
 }
 
+/* What is lost as the load as stated drives over; NULL: nothing. */
+static inline const char *sweep_loss(const struct analysis *a)
+{
+    const int limit = sweep_least(a);
+    if (limit >= 0 && a->swept[limit].live < 1 - 1e-9)
+        return "it falls";
+    return sweep_governs(a) >= 0 && sweep_factor_least(a) < 1 - 1e-9
+             ? "it is not shown to stay"
+             : NULL;
+}
+
+/* The least factor, or why there is none. */
 static inline const char *sweep_text(const struct analysis *a, char *out)
 {
     if (sweep_governs(a) < 0)
