@@ -184,6 +184,17 @@ def wall_of_bricks(width, rows, mu, gap):
     return lines
 
 
+def without(name):
+    """Without the passive pressure of its fill a file says what the next one
+    does, whose fill has none: the same digits."""
+    one, two = objects(name)
+    bare = one['without_passive']
+    assert bare and two['without_passive'] is None, one
+    assert bare['worst_live'] < one['worst_live'], one
+    for key in bare:
+        assert bare[key] == two[key], (key, bare[key], two[key])
+
+
 def let_go_files(slope, folder):
     """Writes bricks at some frictions, and the slope with its blocks in another
     order, mirrored, and at a friction just below and above its least one."""
@@ -391,6 +402,6 @@ def walls(folder):
 
 if __name__ == '__main__':
     checks = (svg, structures, axles, worst, page, keys, each_block,
-              let_go_files, let_go, undecided, profiles, pushes, best, figures,
+              without, let_go_files, let_go, undecided, profiles, pushes, best, figures,
               functions, tokens, rules, walls)
     {f.__name__: f for f in checks}[sys.argv[1]](*sys.argv[2:])

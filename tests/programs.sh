@@ -335,7 +335,7 @@ let_go() { # the whole structure let go, by textbook answers and by laws
     [ $? -le 1 ] && $judge let_go "$out/let-go.json" || return 1
     "$kern" "$out/let-go/slope-above.kern" >"$out/o" &&
         grep -q '^  let go      stays ' "$out/o" &&
-        grep -q '^  load  .* Coulomb friction bears from rest$' "$out/o" &&
+        grep -q '^  load  .* Coulomb friction bears as it grows from 0$' "$out/o" &&
         grep -q '^  load limit .* too high' "$out/o" || return 1
     # loads that differ by less than a per cent are two in report, page and JSON
     "$kern" --report "$out/two.html" examples/structures/prestwood.kern >"$out/o"
@@ -450,6 +450,38 @@ axles() { # axles OUT: what bears an axle on fill
     says '    -1.58385           0 ' --sweep 10 "$1/whole.kern"
 }
 
+passive() { # passive OUT BRIDGE: what counts on the passive pressure of fill says so,
+    # and beside it stands what the same file says whose fill has no phi
+    sed 's/^axle.*/axle -1.5 60 .3/' "$2" >"$1/axle.kern"
+    { cat "$1/axle.kern" && echo strength 1500; } >"$1/crush.kern"
+    sed 's/^fill/prop v8 -1 0 -2.25 1.05 9\n&/' "$1/axle.kern" >"$1/prop.kern"
+    { cat "$1/axle.kern" && echo 'prop v8 -1 0 -2.25 1.05 9'; } >"$1/last.kern"
+    for f in axle crush prop last; do
+        sed 's/ phi 37//' "$1/$f.kern" >"$1/$f-weight.kern" &&
+            "$kern" --json --sweep 6 "$1/$f.kern" "$1/$f-weight.kern" \
+                >"$1/passive.json" && $judge without "$1/passive.json" || return 1
+    done
+    says '0.9854]: factors of the live load at which it stays when it is let go, with the' \
+        "$2" && says 'no passive  [0, 0.525]: the same without' "$2" &&
+        "$kern" --sweep 6 --svg "$1/passive.svg" --report "$1/passive.html" \
+            "$1/axle.kern" >"$1/o" && $judge svg "$1"/passive*.svg &&
+        grep -q '^  warning     as the live load drives over, it falls' "$1/o" &&
+        grep -q 'worst place 0.8633 .*, with the full passive pressure of the fill' \
+            "$1/o" && grep -q 'no passive  0.5095 .* without the passive' "$1/o" &&
+        grep -q 'governs is 0.8633, .*full passive pressure of the fill; without' \
+            "$1/passive.html" && grep -q '>without passive pressure<' \
+            "$1/passive.html" &&
+        grep -q '>worst place<' "$1/passive.svg" &&
+        grep -q 'black: worst place, factor 0.8633<' "$1/passive.html" || return 1
+    # a dead load that only this pressure holds is the first thing said
+    { grep -v ^axle "$2" && echo load v12 0 -40 -1.6 1.4; } >"$1/dead.kern"
+    "$kern" --report "$1/dead.html" "$1/dead.kern" >"$1/o" &&
+        sed -n 3p "$1/o" |
+        grep -q '^  warning     without the passive pressure of the fill it falls$' &&
+        grep -q '<p class="verdict">.* Without the passive .* it falls\.</p>' \
+            "$1/dead.html"
+}
+
 soil() { # a bridge with backfill and a retaining wall, from their files alone
     local kern bridge=examples/structures/prestwood.kern
     local wall=examples/structures/retaining-wall.kern
@@ -464,7 +496,7 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
     # K = .2444 of Coulomb, 57 kN/m level; tests/REALITY.md: falls at 25.2 feet
     says 'earth       57 kN to the left and 24.59 kN down, ' $wall &&
         says '(1.626, 2.032), on 20 faces; K = 0.2444, phi 35, delta 23.33' $wall &&
-        says ' when it is let go, 1.924 times by limit' $wall &&
+        says 'earth grows 1.924     times the whole thrust, horizontal and' $wall &&
         sed 's/^earth right 6.096/earth right 7.66/' $wall >"$out/high.kern" &&
         "$kern" --verdict "$out/high.kern" | grep -q stands &&
         sed 's/^earth right 6.096/earth right 7.7/' $wall >"$out/high.kern" &&
@@ -477,6 +509,16 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
         "$kern" --verdict "$out/heavy.kern" | grep -q stands &&
         sed 's/13.67/26.33/' $wall >"$out/heavy.kern" &&
         ! "$kern" --verdict "$out/heavy.kern" >"$out/o" || return 1
+    # about the toe the wall, 22.3 6.5443, and the earth on its back, 24.59 1.6256,
+    # are 1.605 of 57 2.032; the whole thrust is 1.924
+    says 'earth grows 1.605     times the horizontal part of its thrust, ' $wall &&
+        "$kern" --json $wall |
+        grep -q '"earth": 1.9238.*, "earth_horizontal": 1.6050' &&
+        says 'on 20 faces: live load, its vertical part as well' \
+            "$out/live.kern" &&
+        sed 's/23.3333/0/' $wall >"$out/level.kern" &&
+        says 'times the whole thrust, when it is let go' "$out/level.kern" &&
+        ! "$kern" "$out/level.kern" | grep 'earth grows .* horizontal' || return 1
     # a stone 1 wide and 2 tall of the weight 20 crushes by 20 / (2 40) at its toe
     printf '%s\n' 'gravity 0 -10' 'fixed g -3 -1 3 -1 3 0 -3 0' 'friction 2' \
         'block a 2 0 0 1 0 1 2 0 2' 'live a 1 0 0 2' 'strength 40' \
@@ -528,7 +570,7 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
     sed '/^earth/d; s/^strength.*/axle 2 100 1/' "$out/bed.kern" \
         >"$out/edge.kern" && says '% of the axles reaches no free block' \
         "$out/edge.kern" || return 1
-    axles "$out" || return 1
+    axles "$out" && passive "$out" $bridge || return 1
     # mirrored it is the same wall
     sed 's/^earth right/earth left/' $wall | awk '$1 ~ /^(fixed|block)$/ {
         for (i = $1 == "fixed" ? 3 : 4; i < NF; i += 2) $i = -$i } { print }' \
@@ -722,7 +764,7 @@ END
         $judge page "$out/$name.html" || { echo "$name"; return 1; }
     done
     # its headline has the factor that governs; large forces in N are kN
-    grep -q 'The factor that governs is 1.924, on the pressure of the earth' \
+    grep -q 'thrust of the earth is 1.924 for all of it and 1.605 for its hor' \
         "$out/all-retaining-wall.html" &&
         "$kern" --title 'Wall <B>, 1834' --report "$out/n.html" "$out/wall.kern" \
             >"$out/o" && grep -q '<h1>Wall &lt;B&gt;, 1834</h1>' "$out/n.html" &&

@@ -101,7 +101,8 @@ static inline void free_work(struct analysis *a)
         free(a->fate[k]);
 }
 
-static inline void free_analysis(struct analysis *a)
+/* Frees what was found of a structure. */
+static inline void free_found(struct analysis *a)
 {
     if (a->contact != a->text.contact)
         free(a->contact);
@@ -116,6 +117,17 @@ static inline void free_analysis(struct analysis *a)
     free(a->whole);
     free(a->live_force);
     free_work(a);
+}
+
+static inline void free_analysis(struct analysis *a)
+{
+    if (a->without) {
+        free_found(a->without);
+        free(a->without->text.contact);
+        free(a->without->text.own_mu);
+        free(a->without);
+    }
+    free_found(a);
     text_free(&a->text);
     drawing_free(&a->drawing);
 }
@@ -271,13 +283,74 @@ static inline int find_lengths(struct analysis *a)
     return a->measured == KERN_STANDS ? find_bearing(a) : 0;
 }
 
+/* Returns how many of the last blocks are pushes of fill. */
+static inline int fill_pushes(const struct analysis *a)
+{
+    int pushes = 0;
+    for (int k = 0; k < a->text.soils; k++)
+        if (a->text.soil[k].kind == TEXT_FILL)
+            pushes += a->text.soil[k].props;
+    return pushes;
+}
+
+/* Copies the contacts of all blocks but these pushes, as they were found. Returns
+   -1 where memory is lacking. */
+static inline int copy_without(const struct analysis *a, struct analysis *w,
+                               int pushes)
+{
+    const int contacts = a->task.s.contacts + 2 * a->broken;
+    const kern_contact *found = a->whole ? a->whole : a->contact;
+    w->text.blocks -= pushes;
+    w->text.props -= pushes;
+    w->text.contacts = 0;
+    w->text.contact = array(contacts, sizeof *w->text.contact);
+    w->text.own_mu = array(contacts, 1);
+    if (!w->text.contact || !w->text.own_mu)
+        return -1;
+    memset(w->text.own_mu, 1, (size_t)contacts); /* all have theirs by now */
+    for (int k = 0; k < contacts; k++)
+        if (found[k].a < w->text.blocks && found[k].b < w->text.blocks)
+            w->text.contact[w->text.contacts++] = found[k];
+    return 0;
+}
+
+/* Asks the same where fill weighs and spreads axles, but does not push back:
+   whether it stands and stays, and the factors of the live load. */
+static inline int find_without(struct analysis *a)
+{
+    const int pushes = fill_pushes(a);
+    struct analysis *w;
+    if (pushes == 0 || a->verdict != KERN_STANDS)
+        return 0;
+    w = a->without = array(1, sizeof *w);
+    if (!w)
+        return fail_memory(a);
+    w->set = a->set;
+    w->text = a->text;
+    w->task = a->task;
+    w->task.work = &w->work;
+    w->task.s.blocks -= pushes;
+    w->critical.contact = -1;
+    if (copy_without(a, w, pushes))
+        return fail_memory(a);
+    if (decide(w, &a->task.options))
+        return fail(a, 0, "%s", w->error);
+    w->verdict = w->shown;
+    if (find_let_go(w))
+        return fail(a, 0, "%s", w->error);
+    find_raised_loads(w);
+    return find_live(w) || (a->set->sweep > 0 && find_sweep(w))
+             ? fail(a, 0, "%s", w->error)
+             : 0;
+}
+
 /* What options ask for beside the margin and the loads. */
 static inline int find_more(struct analysis *a)
 {
     const struct settings *set = a->set;
     find_earth(a);
     return (set->page && find_live_forces(a))
-                || (set->sweep > 0 && find_sweep(a))
+                || (set->sweep > 0 && find_sweep(a)) || find_without(a)
                 || (set->place && find_places(a))
                 || (set->thrust && find_thrust(a))
              ? -1

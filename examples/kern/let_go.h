@@ -22,6 +22,9 @@ enum { RAISED_MOST = 200 };
    as a rule (tests/TRUST.md). */
 #define ENOUGH_RESERVE ((kern_real)0.0055)
 
+/* Why it stays. */
+#define LOAD_BUILDS_UP "its own load builds up the forces that hold it"
+
 /* The block that moves fastest, by its name. */
 static inline const char *fastest_name(const struct analysis *a,
                                        const kern_motion *motion,
@@ -62,8 +65,7 @@ static inline void explain_staying(struct analysis *a)
     kern_status status = KERN_UNDECIDED;
     if (gravity_of(a) > 0 && a->task.s.blocks <= RAISED_MOST)
         status = kern_raised(&a->task, 0, &how, &reserve, NULL);
-    snprintf(a->let_go_why, sizeof a->let_go_why,
-             "its load raises the forces that hold it");
+    snprintf(a->let_go_why, sizeof a->let_go_why, "%s", LOAD_BUILDS_UP);
     const size_t used = strlen(a->let_go_why);
     if (gravity_of(a) > 0 && a->task.s.blocks > RAISED_MOST && !a->set->raised)
         snprintf(a->let_go_why + used, sizeof a->let_go_why - used,

@@ -118,8 +118,10 @@ static inline void loads_line(const struct analysis *a, int i,
                  loads_number(a, fabs(fx), 0, one), fx < 0 ? "left" : "right",
                  loads_number(a, fabs(fy), 0, two), fy > 0 ? "up" : "down",
                  loads_at(a, s->sum.at, at), s->blocks, plural(s->blocks),
-                 s->live ? ": live load" : "", back,
-                 soil_active(s->earth.phi, s->earth.delta, s->earth.lean),
+                 !s->live       ? ""
+                 : fabs(fy) > 0 ? ": live load, its vertical part as well"
+                                : ": live load",
+                 back, soil_active(s->earth.phi, s->earth.delta, s->earth.lean),
                  degrees * s->earth.phi, degrees * s->earth.delta);
         return;
     }
@@ -144,27 +146,6 @@ static inline void loads_masses(const struct analysis *a, char out[LOADS_ROOM])
              loads_number(a, t->added * gravity_of(a), 0, one),
              loads_at(a, middle, at), a->drawing.made ? "on" : "in", t->masses,
              a->drawing.made ? "block" : "statement", plural(t->masses));
-}
-
-/* Is it known, or asked and not known, by how much earth may grow? */
-static inline int has_growth(const struct analysis *a)
-{
-    return isnan(a->earth_limit) || a->earth_limit > 0;
-}
-
-/* To how many times its pressure the earth may grow. */
-static inline void loads_growth(const struct analysis *a, char out[LOADS_ROOM])
-{
-    char limit[40] = "any", let_go[80] = "";
-    if (isnan(a->earth_limit))
-        snprintf(limit, sizeof limit, "undecided");
-    else if (isfinite(a->earth_limit))
-        snprintf(limit, sizeof limit, "%.4g", a->earth_limit);
-    if (isfinite(a->earth_let_go))
-        snprintf(let_go, sizeof let_go, "%.4g times when it is let go, ",
-                 a->earth_let_go);
-    snprintf(out, LOADS_ROOM, "may grow to %s%s times by limit analysis",
-             let_go, limit);
 }
 
 static const char *const loads_word[] = {"fill", "earth", "prop"};

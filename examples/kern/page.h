@@ -55,53 +55,47 @@ static inline void page_line(const char *word, const char *what, void *out)
     page_row(out, word, "", what);
 }
 
-/* The largest factor of the live load where the file has it: that at which it
-   stays when it is let go, where that is asked for. */
+/* The factors of the live load where the file has it: those at which it stays when
+   it is let go, where that is asked for. */
 static inline const char *page_live(const struct analysis *a, char out[100])
 {
-    char one[40], two[40];
-    if (!asks_raised_loads(a))
-        snprintf(out, 100, "%s to %s", factor_text(a->live_least, 1, "", one),
-                 factor_text(a->live, 1, "", two));
-    else if (isnan(a->live_let_go[0]))
-        snprintf(out, 100, "not shown");
+    char low[40], high[40];
+    if (live_text(a, low, high))
+        snprintf(out, 100, "%s to %s", low, high);
     else
-        snprintf(out, 100, "%s to %s",
-                 factor_text(a->live_let_go[0], 1, "", one),
-                 shown_text(a, LIVE, two));
+        snprintf(out, 100, "%s", low);
     return out;
 }
 
-/* Writes the factor on the pressure of earth: let go where that is asked for.
-   Without a live load it is the one that governs. */
+/* Writes the factors on the thrust of earth. */
 static inline void page_growing(FILE *out, const struct analysis *a)
 {
-    const char *name = a->text.lives > 0 ? "factor" : "factor that governs";
     const int asked = asks_raised_loads(a);
-    const double value = asked ? a->earth_let_go : a->earth_limit;
-    char limit[48] = "", shown[40];
-    if (!has_growth(a))
+    const int two = has_growth(a, EARTH_HORIZONTAL);
+    char text[32];
+    if (!has_growth(a, EARTH_WHOLE))
         return;
+    fprintf(out, " The factor on the thrust of the earth is %s",
+            growth_text(a, EARTH_WHOLE, text));
+    if (two)
+        fprintf(out, " for all of it and %s for its horizontal part alone",
+                growth_text(a, EARTH_HORIZONTAL, text));
+    fputs(asked ? ", when it is let go (limit analysis " : " (limit analysis",
+          out);
     if (asked)
-        snprintf(limit, sizeof limit, " %s",
-                 factor_text(a->earth_limit, 1, "", shown));
-    if (isnan(value))
-        fprintf(out,
-                " The %s, on the pressure of the earth, is not shown%s (limit "
-                "analysis%s).",
-                name, asked ? " when it is let go" : "", limit);
-    else
-        fprintf(out,
-                " The %s is %s, on the pressure of the earth%s (limit "
-                "analysis%s).",
-                name, factor_text(value, 1, "", shown),
-                asked ? ", when it is let go" : "", limit);
+        fputs(factor_text(a->earth[EARTH_WHOLE].limit, 1, "", text), out);
+    if (asked && two)
+        fprintf(out, " and %s",
+                factor_text(a->earth[EARTH_HORIZONTAL].limit, 1, "", text));
+    fputs(").", out);
 }
 
-/* Writes the factor that governs: of all places, or of the file's. */
+/* Writes the factor that governs: of all places, or of the file's, and what it is
+   without the passive pressure that it counts on. */
 static inline void page_governing(FILE *out, const struct analysis *a)
 {
-    const int least = sweep_governs(a);
+    const struct analysis *w = a->without;
+    const int least = sweep_governs(a), without = w ? sweep_governs(w) : -1;
     char value[100], one[40];
     if (a->lived != KERN_STANDS || a->text.lives == 0)
         return;
@@ -115,22 +109,56 @@ static inline void page_governing(FILE *out, const struct analysis *a)
                 factor_text(sweep_factor_least(a), 1, "", one),
                 tidy(a, a->swept[least].x),
                 sweeps_let_go(a) ? "" : " (limit analysis)");
-    else {
-        fputs(" Factors of the live load: ", out);
-        page_text(out, page_live(a, value));
-        fputs(asks_raised_loads(a) ? "." : " (limit analysis).", out);
+    else
+        fprintf(out, " Factors of the live load: %s%s.", page_live(a, value),
+                asks_raised_loads(a) ? "" : " (limit analysis)");
+    if (!w)
+        return;
+    fprintf(out,
+            " %s the full passive pressure of the fill; without that pressure "
+            "%s %s",
+            a->sweeps > 0 ? "It counts on" : "They count on",
+            a->sweeps > 0 ? "it is" : "they are",
+            a->sweeps > 0 ? sweep_text(w, one) : page_live(w, value));
+    if (without >= 0)
+        fprintf(out, ", at x = %.4g", tidy(a, w->swept[without].x));
+    fputs(".", out);
+}
+
+/* Writes what may turn the verdict round: let go, the live load, and fill that does
+   not push back. */
+static inline void page_reversals(FILE *out, const struct analysis *a)
+{
+    const int live = a->text.lives > 0;
+    const char *lost = lost_without(a),
+               *load = live ? " without that load" : "";
+    if (a->let_go_why[0]) {
+        if (a->let_go >= 0)
+            fprintf(out, " Let go from rest%s, it %s: ", load, let_go_word(a));
+        else
+            fprintf(out,
+                    " That it stays when it is let go%s is not shown: ", load);
+        page_text(out, a->let_go_why);
+        fputs(".", out);
     }
-    if (as_stated(a) == KERN_STANDS && asks_raised_loads(a)
-        && !(a->live_let_go[0] <= 1 && a->live_let_go[1] >= 1 - 1e-9))
+    if (live && as_stated(a) != KERN_UNDECIDED)
+        page_text(out, as_stated(a) == KERN_STANDS
+                           ? " Under the live load as stated it stands."
+                           : " Under the live load as stated it falls.");
+    if (sweep_loss(a))
+        fprintf(out, " As this load drives over, %s.", sweep_loss(a));
+    if (is_loosened(a))
         fputs(" Let go under the live load as stated, it is not shown to stay.",
               out);
+    if (lost)
+        fprintf(out, " Without the passive pressure of the fill %s.", lost);
 }
 
 /* The verdict in a sentence. */
 static inline void page_verdict(FILE *out, const struct analysis *a)
 {
-    fputs("<p class=\"verdict\">", out);
     const int live = a->text.lives > 0;
+    fputs("<p class=\"verdict\">", out);
     page_text(out, a->verdict == KERN_STANDS
                        ? live ? "It stands without the live load: forces hold "
                                 "it."
@@ -143,22 +171,14 @@ static inline void page_verdict(FILE *out, const struct analysis *a)
     if (a->crushes)
         page_text(out, " It crushes: at a strength without limit it would "
                        "stand.");
-    if (live && as_stated(a) != KERN_UNDECIDED)
-        page_text(out, as_stated(a) == KERN_STANDS
-                           ? " Under the live load as stated it stands."
-                           : " Under the live load as stated it falls.");
-    page_governing(out, a);
-    page_growing(out, a);
+    page_reversals(out, a);
     if (a->certain >= 0)
         page_text(out, a->certain ? " Within the error of the outlines that is "
                                     "certain."
                                   : " Within the error of the outlines it may "
                                     "be otherwise.");
-    if (a->let_go_why[0]) {
-        fprintf(out, " Let go from rest, it %s: ", let_go_word(a));
-        page_text(out, a->let_go_why);
-        fputs(".", out);
-    }
+    page_governing(out, a);
+    page_growing(out, a);
     fputs("</p>\n", out);
 }
 
@@ -179,7 +199,7 @@ static inline void page_margin(FILE *out, const struct analysis *a)
                            "before it falls");
         if (!isnan(a->bearing) && !isinf(a->bearing))
             page_row(out, "bearing", length_text(a, a->bearing, value),
-                     "length of the shortest contact that it needs");
+                     "it would fall without contacts of up to this length");
     } else
         page_row(out, "margin", "undecided", "");
 }
@@ -187,6 +207,7 @@ static inline void page_margin(FILE *out, const struct analysis *a)
 /* Factors of the live load, first the one that governs. */
 static inline void page_live_load(FILE *out, const struct analysis *a)
 {
+    static const char without[] = "without passive pressure";
     char one[40], two[40], value[100], means[LOADS_ROOM];
     if (a->shown < 0 || a->text.lives == 0)
         return;
@@ -197,6 +218,10 @@ static inline void page_live_load(FILE *out, const struct analysis *a)
                      ? "unknown"
                      : factor_text(sweep_factor_least(a), 1, "", one),
                  means);
+    }
+    if (a->sweeps > 0 && a->without) {
+        sweep_sentence(a->without, means);
+        page_row(out, without, sweep_text(a->without, one), means);
     }
     if (a->lived != KERN_STANDS) {
         page_row(out, "live load",
@@ -211,13 +236,17 @@ static inline void page_live_load(FILE *out, const struct analysis *a)
               "has it"
             : "factors at which it stands by limit analysis, where the "
               "file has it (--raised: let go)");
+    if (a->without)
+        page_row(out, without, page_live(a->without, value),
+                 "the same where the fill does not push back");
     if (!asks_raised_loads(a))
         return;
     snprintf(value, sizeof value, "%s to %s",
              factor_text(a->live_least, 1, "", one),
              factor_text(a->live, 1, "", two));
     page_row(out, "the same, limit analysis", value,
-             "with dilatant sliding: where it is larger it is too high");
+             "in which sliding stones part: where it is larger it is too "
+             "high");
 }
 
 /* Horizontal loads, and tilts. */
@@ -231,15 +260,15 @@ static inline void page_factors(FILE *out, const struct analysis *a)
         snprintf(value, sizeof value, "%s left, %s right",
                  shown_text(a, LEFT, one), shown_text(a, RIGHT, two));
         page_row(out, "horizontal load", value,
-                 "in g, that Coulomb friction bears from rest");
+                 "in g, that Coulomb friction bears as it grows from 0");
     }
     snprintf(value, sizeof value, "%s left, %s right",
              factor_text(a->load[LEFT], 1, "", one),
              factor_text(a->load[RIGHT], 1, "", two));
     page_row(
         out, "horizontal load, limit", value,
-        "in g, of limit analysis with dilatant sliding: where it is larger "
-        "it is too high");
+        "in g, of limit analysis, in which sliding stones part: where it is "
+        "larger it is too high");
 
     /* of weight alone, what friction bears sideways is what it bears tilted */
     if (has_friction_loads(a) && !has_loads(a)) {
@@ -249,7 +278,8 @@ static inline void page_factors(FILE *out, const struct analysis *a)
                  angle_text(atan(a->raised_load[RIGHT]), a->cut[RIGHT], degrees,
                             "\xc2\xb0", two));
         page_row(out, "tilt", value,
-                 "of the ground, that Coulomb friction bears from rest");
+                 "of the ground, that Coulomb friction bears as it grows "
+                 "from 0");
     }
     snprintf(value, sizeof value, "%s left, %s right",
              factor_text(a->tilt[LEFT], degrees, "\xc2\xb0", one),
@@ -296,11 +326,14 @@ static inline void page_edge(FILE *out, const struct analysis *a, int loaded)
     if (k >= 0) {
         snprintf(
             means, sizeof means,
-            "between %s and %s at %s, %s: linear over the joint",
+            "between %s and %s at %s, %s: linear over the joint. Not unique: "
+            "other forces may hold it as well",
             name_of(a, bed[k].a, one), name_of(a, bed[k].b, two),
             loads_at(a, worst.low < most ? worst.high_end : worst.low_end, at),
             page_of(a, loaded));
-        page_row(out, "largest edge stress",
+        page_row(out,
+                 a->least ? "edge stress, least forces"
+                          : "edge stress, forces found",
                  isinf(most) ? "all on an edge"
                              : loads_number(a, most, 2, value),
                  means);
@@ -319,9 +352,15 @@ static inline void page_results(FILE *out, const struct analysis *a)
     page_head(out, "Results");
     fputs("<table>\n", out);
     page_live_load(out, a);
-    if (has_growth(a)) {
-        loads_growth(a, earth);
-        page_row(out, "earth", "", earth);
+    for (int k = 0; k < EARTH_PARTS; k++) {
+        const enum earth_part part = (enum earth_part)k;
+        if (!has_growth(a, part))
+            continue;
+        growth_means(a, part, earth);
+        page_row(out,
+                 part == EARTH_WHOLE ? "earth, thrust"
+                                     : "earth, horizontal part",
+                 growth_text(a, part, value), earth);
     }
     page_margin(out, a);
     page_factors(out, a);
@@ -475,7 +514,8 @@ static inline void page_thrust(FILE *out, const struct analysis *a, int loaded)
                 page_of(a, loaded));
         page_reactions(out, a);
         fprintf(out,
-                "<p>%s. Forces are those of \"from\" on \"on\"; shear and "
+                "<p>%s; others may as well, with other stresses. "
+                "Forces are those of \"from\" on \"on\"; shear and "
                 "eccentricity are above 0 toward the second end. "
                 "Eccentricity is a share of the length, below 1/6 where "
                 "all of it is pressed; stresses are linear over all of it%s, "
@@ -548,6 +588,12 @@ static inline void page_sweep(FILE *out, const struct analysis *a)
     fprintf(out, "<p>The least factor is %s, ",
             factor_text(sweep_factor_least(a), 1, "", one));
     page_text(out, what);
+    if (a->without) {
+        sweep_sentence(a->without, what);
+        fprintf(out, ". Without the passive pressure of the fill it is %s, ",
+                sweep_text(a->without, one));
+        page_text(out, what);
+    }
     fputs(". Arrows at the top: any factor.</p>\n<div class=\"picture\">\n",
           out);
     sweep_plot(a, out);
@@ -640,6 +686,13 @@ static inline void page_assumptions(FILE *out, const struct analysis *a)
     page_item(out, a->text.props > 0,
               "Pushes (passive pressure, props) are there as far as they are "
               "needed, up to their largest value, whatever the movement.");
+    page_item(out, a->without != NULL,
+              "Margin, stresses, horizontal loads and tilts count on the "
+              "passive pressure of the fill as well.");
+    page_item(out, has_growth(a, EARTH_HORIZONTAL),
+              "A factor on all of the thrust of earth makes its vertical part "
+              "larger as well; one on its horizontal part alone compares "
+              "overturning and resisting moments as a design does.");
     page_item(out, earth,
               "Earth is level and presses with its active pressure, in "
               "proportion to depth.");
@@ -787,8 +840,11 @@ static inline int page_write(FILE *out, const struct analysis *a)
         return -1;
     fputs("</div>\n", out);
     if (a->text.lives > 0 && a->shown == KERN_STANDS)
-        fprintf(out, "<p>Forces and thrust line of the picture are %s.</p>\n",
-                page_of(a, a->live_force != NULL));
+        fprintf(out, "<p>Forces and thrust line of the picture are %s%s.</p>\n",
+                page_of(a, a->live_force != NULL),
+                sweep_governs(a) < 0 ? ""
+                : a->live_force      ? ", not at its worst place"
+                                     : "; its worst place is marked");
     if (a->text.props > 0)
         fputs("<p>Short arrows onto the stones: pushes (of fill, props) where "
               "these forces need them; none is drawn where none is "

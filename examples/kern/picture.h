@@ -10,6 +10,7 @@
 #include "place.h"
 #include "loads.h"
 #include "state.h"
+#include "sweep.h"
 
 #include <errno.h>
 #include <math.h>
@@ -110,8 +111,12 @@ static inline void write_caption(const struct analysis *a, char *out,
         snprintf(shrunk, sizeof shrunk, " when shrunk by %.4g",
                  (double)shrinkage(a));
     stem = (int)strlen(name);
-    snprintf(out, room, "%.*s %s%s; %s", stem > 100 ? 100 : stem, name,
-             status_word(a), shrunk, level);
+    char worst[60] = "";
+    if (sweep_governs(a) >= 0)
+        snprintf(worst, sizeof worst, "; black: worst place, factor %.4g",
+                 sweep_factor_least(a));
+    snprintf(out, room, "%.*s %s%s; %s%s", stem > 100 ? 100 : stem, name,
+             status_word(a), shrunk, level, worst);
 }
 
 /* Stones in the colours of their margins. */
@@ -210,22 +215,38 @@ static inline void draw_pushes(const struct draw_view *v,
     }
 }
 
-/* An axle, down from where it stands, with its force. */
+/* An arrow of the live load, down from where it stands at x, with a patch as wide
+   as the axle and a text at its right. `axle` is NULL for a force, which stands on
+   the stones. */
 static inline void draw_axle(const struct draw_view *v,
-                             const struct analysis *a, int k)
+                             const struct analysis *a,
+                             const struct text_axle *axle, double x,
+                             const char *colour, const char *text)
 {
-    const struct text_axle *w = &a->text.wheel[k];
-    double cone, y = text_road(&a->text, w->x, &cone);
-    char value[LOADS_QUANTITY];
-    if (!(cone > 0) && sweep_top(a, w->x, &y) < 0)
+    double cone = 0, y = axle ? text_road(&a->text, x, &cone) : 0;
+    const double to = x + (axle ? axle->width / 2 : 0);
+    const double half = fmax(draw_place(v, to, 0).x - draw_place(v, x, 0).x, 2);
+    char style[60];
+    if (!(cone > 0) && sweep_top(a, x, &y) < 0)
         return;
-    struct draw_pt from = draw_place(v, w->x, y), to;
+    struct draw_pt from = draw_place(v, x, y);
     from.y = fmax(from.y, v->top + 2); /* the road may be out of view */
-    to = draw_vec(from.x, from.y + 26);
-    draw_arrow(v->out, from, to, 2, DRAW_LIVE);
-    loads_number(a, w->force, 0, value);
-    draw_text(v->out, from.x + 6, from.y + 10, 10, "start", value,
-              strlen(value));
+    snprintf(style, sizeof style, "stroke=\"%s\" stroke-width=\"3\"", colour);
+    draw_line(v->out, draw_vec(from.x - half, from.y),
+              draw_vec(from.x + half, from.y), style);
+    draw_arrow(v->out, from, draw_vec(from.x, from.y + 26), 2, colour);
+    draw_text(v->out, from.x + 6, from.y + 12, 10, "start", text, strlen(text));
+}
+
+/* The live load at the worst place of a sweep. */
+static inline void draw_worst(const struct draw_view *v,
+                              const struct analysis *a)
+{
+    const int worst = sweep_governs(a), lives = sweep_lives(a);
+    for (int k = 0; k < sweep_forces(a) && worst >= 0; k++)
+        draw_axle(v, a, k < lives ? NULL : a->text.wheel + k - lives,
+                  sweep_place(a, k) - sweep_place(a, 0) + a->swept[worst].x,
+                  DRAW_INK, k == 0 ? "worst place" : "");
 }
 
 /* Draws fill and earth beside the stones that bear it. */
@@ -243,8 +264,13 @@ static inline void draw_soil(const struct draw_view *v, const void *analysis)
             draw_earth(v, a, s, &seen);
         free(seen.edge);
     }
-    for (int k = 0; k < a->text.wheels; k++)
-        draw_axle(v, a, k);
+    for (int k = 0; k < a->text.wheels; k++) {
+        const struct text_axle *w = &a->text.wheel[k];
+        char value[LOADS_QUANTITY];
+        draw_axle(v, a, w, w->x, DRAW_LIVE,
+                  loads_number(a, w->force, 0, value));
+    }
+    draw_worst(v, a);
 }
 
 /* What lies over the picture: the best places of a stone, and soil. */
@@ -260,7 +286,7 @@ static inline void draw_over(const struct draw_view *v, const void *analysis)
 
 static inline int draw_to(FILE *out, const struct analysis *a)
 {
-    char caption[256];
+    char caption[400];
     write_caption(a, caption, sizeof caption);
     int falls = a->shown == KERN_FALLS;
     struct draw_scene scene = scene_of(a);
@@ -300,6 +326,22 @@ static inline int draw(const struct analysis *a)
     FILE *out;
     char *path = open_output(a, a->set->svg, &out);
     return close_output(path, out, !out || draw_to(out, a));
+}
+
+/* OUT-sweep.svg beside the picture OUT.svg. */
+static inline int draw_sweep(const struct analysis *a)
+{
+    FILE *out = NULL;
+    char *picture = output_name(a, a->set->svg);
+    const size_t n = picture ? strlen(picture) - strlen(".svg") : 0;
+    char *path = picture ? (char *)malloc(n + sizeof "-sweep.svg") : NULL;
+    if (path) {
+        memcpy(path, picture, n);
+        strcpy(path + n, "-sweep.svg");
+        out = fopen(path, "w");
+    }
+    free(picture);
+    return close_output(path, out, !out || sweep_plot(a, out));
 }
 
 #endif /* PROGRAM_PICTURE_H */

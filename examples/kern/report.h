@@ -8,6 +8,7 @@
 #include "../../kern.h"
 
 #include "beds.h"
+#include "earth.h"
 #include "let_go.h"
 #include "loads.h"
 #include "state.h"
@@ -102,9 +103,53 @@ static inline const char *undecided_why(const struct analysis *a,
                "weights differ by much";
 }
 
+/* What is lost where fill does not push back; NULL: nothing, or no fill does. */
+static inline const char *lost_without(const struct analysis *a)
+{
+    const struct analysis *w = a->without;
+    if (!w)
+        return NULL;
+    if (w->shown != KERN_STANDS)
+        return w->shown == KERN_FALLS ? "it falls" : "it is undecided";
+    if (a->let_go == KERN_STANDS && w->let_go != KERN_STANDS)
+        return w->let_go == KERN_FALLS
+                 ? "it moves when it is let go"
+                 : "it is not shown to stay when it is let go";
+    if (as_stated(a) == KERN_STANDS && as_stated(w) != KERN_STANDS)
+        return as_stated(w) == KERN_FALLS
+                 ? "it falls under the live load as stated"
+                 : "it is not known to stand under the live load as stated";
+    return NULL;
+}
+
+/* Returns 1 if it stands under the live load as stated, but is not shown to stay
+   when it is let go. */
+static inline int is_loosened(const struct analysis *a)
+{
+    return a->text.lives > 0 && as_stated(a) == KERN_STANDS
+        && asks_raised_loads(a)
+        && !(a->live_let_go[0] <= 1 && a->live_let_go[1] >= 1 - 1e-9);
+}
+
+/* Right below the verdict: what may turn it round. */
 static inline void report_let_go(const struct analysis *a)
 {
+    const char *lost = lost_without(a);
     printf("  let go      %-9s %s\n", let_go_word(a), a->let_go_why);
+    if (as_stated(a) == KERN_FALLS)
+        printf("  warning     it falls under the live load as stated: 1 is "
+               "outside of its factors\n");
+    if (sweep_loss(a))
+        printf(
+            "  warning     as the live load drives over, %s: its least factor "
+            "is below 1\n",
+            sweep_loss(a));
+    if (is_loosened(a))
+        printf("  warning     let go under the live load as stated, it is not "
+               "shown to stay\n");
+    if (lost)
+        printf("  warning     without the passive pressure of the fill %s\n",
+               lost);
 }
 
 static inline void report_level(const struct analysis *a)
@@ -183,8 +228,8 @@ static inline void report_bearing(const struct analysis *a)
     else if (isinf(a->bearing))
         printf("none      it needs points alone\n");
     else
-        printf("%-8s  length of the shortest contact that it needs, %.3g %% "
-               "of the mean block size\n",
+        printf("%-8s  it would fall without contacts of up to this length, "
+               "%.3g %% of the mean block size\n",
                length_text(a, a->bearing, length),
                100 * a->bearing / mean_size(a));
 }
@@ -336,6 +381,38 @@ static inline const char *factor_text(double value, double scale,
     return out;
 }
 
+/* To how many times the part of the thrust may grow: let go where that is asked
+   for. */
+static inline const char *growth_text(const struct analysis *a,
+                                      enum earth_part part, char out[32])
+{
+    const struct growth *g = &a->earth[part];
+    if (!asks_raised_loads(a))
+        return factor_text(g->limit, 1, "", out);
+    return isnan(g->let_go) ? "not shown" : factor_text(g->let_go, 1, "", out);
+}
+
+/* What of the thrust grows, and by which analysis. */
+static inline void growth_means(const struct analysis *a, enum earth_part part,
+                                char out[LOADS_ROOM])
+{
+    char limit[32];
+    snprintf(out, LOADS_ROOM, "times the %s%s%s",
+             part == EARTH_HORIZONTAL ? "horizontal part of its thrust, with "
+                                        "the vertical part as it is"
+             : has_growth(a, EARTH_HORIZONTAL)
+                 ? "whole thrust, horizontal and vertical part together"
+                 : "whole thrust",
+             asks_raised_loads(a) ? ", when it is let go; limit analysis "
+                                  : ", by limit analysis",
+             asks_raised_loads(a)
+                 ? factor_text(a->earth[part].limit, 1, "", limit)
+                 : "");
+}
+
+/* Why a factor of limit analysis may be too high. */
+#define SLIDING_PARTS ", in which sliding stones part"
+
 /* Raised load k; where the limit did not end it, none that is raised exists or
    none was found. Where the load factor has no bound, a path that ended says no
    more than that: it doubled its end until then. */
@@ -350,6 +427,41 @@ static inline const char *shown_text(const struct analysis *a, int k,
     if (isinf(plain) && isfinite(raised))
         strcat(out, " or more");
     return isfinite(raised) ? out : factor_text(raised, 1, "", out);
+}
+
+/* Between which factors of the live load it stays let go, where that is asked for,
+   or stands. Returns 0, and writes a word into `low`, where none are known. */
+static inline int live_text(const struct analysis *a, char low[40],
+                            char high[40])
+{
+    const int asked = asks_raised_loads(a);
+    char text[32];
+    if (a->lived != KERN_STANDS || (asked && isnan(a->live_let_go[0]))) {
+        snprintf(low, 40, "%s",
+                 a->lived == KERN_FALLS    ? "none"
+                 : a->lived != KERN_STANDS ? "undecided"
+                                           : "not shown");
+        return 0;
+    }
+    snprintf(
+        low, 40, "%s",
+        factor_text(asked ? a->live_let_go[0] : a->live_least, 1, "", text));
+    snprintf(high, 40, "%s",
+             asked ? shown_text(a, LIVE, text)
+                   : factor_text(a->live, 1, "", text));
+    return 1;
+}
+
+/* Beside the range of the live load that where fill does not push back. */
+static inline void report_without(const struct analysis *a)
+{
+    char low[40], high[40] = "";
+    if (!a->without)
+        return;
+    const int known = live_text(a->without, low, high);
+    printf("  no passive  %s%s%s%s%s: the same without the passive pressure of "
+           "the fill\n",
+           known ? "[" : "", low, known ? ", " : "", high, known ? "]" : "");
 }
 
 /* The range of the live load: first that in which it stays let go, where that is
@@ -368,9 +480,9 @@ static inline void report_live(const struct analysis *a)
                "it stays when it is let go\n");
     else if (asked)
         printf("  live        [%s, %s]: factors of the live load at which it "
-               "stays when it is let go\n",
+               "stays when it is let go%s\n",
                factor_text(a->live_let_go[0], 1, "", low),
-               shown_text(a, LIVE, high));
+               shown_text(a, LIVE, high), passive_note(a));
     if (a->lived == KERN_STANDS)
         printf("  live limit  [%s, %s]: %s%s\n",
                factor_text(a->live_least, 1, "", low),
@@ -380,10 +492,8 @@ static inline void report_live(const struct analysis *a)
                        "analysis (--raised: let go)",
                !is_lower(a, LIVE) ? ""
                : isinf(a->live)   ? ", no bound"
-                                  : ", dilatant sliding, too high");
-    if (as_stated(a) == KERN_FALLS)
-        printf("  warning     it falls under the live load as stated: 1 is "
-               "outside of these factors\n");
+                                  : SLIDING_PARTS ": too high");
+    report_without(a);
 }
 
 /* The load factors: those that Coulomb friction bears from rest, wherever they
@@ -396,16 +506,16 @@ static inline void report_load(const struct analysis *a, const char *stay)
     char left[32], right[32];
     if (asked)
         printf("  load        %s left, %s right: horizontal load, in g, that "
-               "Coulomb friction bears from rest%s\n",
+               "Coulomb friction bears as it grows from 0%s\n",
                shown_text(a, LEFT, left), shown_text(a, RIGHT, right), stay);
     printf("  load limit  %s left, %s right: %slimit analysis%s%s%s\n",
            factor_text(a->load[LEFT], 1, "", left),
            factor_text(a->load[RIGHT], 1, "", right),
            asked ? "" : "horizontal load, in g, by ",
-           lower_left || lower_right ? ", dilatant sliding, too high " : "",
-           lower_left && lower_right ? "here"
-           : lower_left              ? "to the left"
-           : lower_right             ? "to the right"
+           lower_left || lower_right ? SLIDING_PARTS ": too high" : "",
+           lower_left && lower_right ? ""
+           : lower_left              ? " to the left"
+           : lower_right             ? " to the right"
            : asks_raised_loads(a)    ? ""
                                      : " (--raised: of friction)",
            asked ? "" : stay);
@@ -451,11 +561,12 @@ static inline void report_loads(const struct analysis *a)
     if (tilts) {
         const double angle[2] = {atan(a->raised_load[LEFT]),
                                  atan(a->raised_load[RIGHT])};
-        report_tilt("tilt", angle, a->cut, ": Coulomb friction, from rest");
+        report_tilt("tilt", angle, a->cut,
+                    ": Coulomb friction, growing from 0");
     }
     report_tilt("tilt limit", a->tilt, undecided,
                 is_lower(a, LEFT) || is_lower(a, RIGHT)
-                    ? ": limit analysis, dilatant sliding"
+                    ? ": limit analysis" SLIDING_PARTS
                     : ": limit analysis");
 }
 
@@ -754,11 +865,11 @@ static inline void report_raised(const struct analysis *a)
         printf("%s\n", a->raised == KERN_FALLS ? "no: it falls" : "undecided");
         return;
     }
-    printf("%s", a->raising == KERN_RAISED
-                     ? "yes       its load raises the forces that hold it"
+    printf("%s", a->raising == KERN_RAISED ? "yes       " LOAD_BUILDS_UP
                  : a->raising == KERN_HANGS
                      ? "hangs     some blocks rest on nothing"
-                     : "not shown  no forces were found that its load raises");
+                     : "not shown  no forces were found that its load builds "
+                       "up");
     if (a->raising == KERN_RAISED && !isnan(a->reserve))
         printf("; reserve %.4g g to either side", a->reserve);
     printf("\n");
@@ -785,7 +896,7 @@ static inline void report_raised_loads(const struct analysis *a)
         return;
     if (gravity_of(a) > 0 && is_near(a))
         printf("  raised load %s left, %s right: where stones slide without "
-               "parting, from rest\n",
+               "parting, as the load grows from 0\n",
                shown_text(a, LEFT, left), shown_text(a, RIGHT, right));
 }
 
@@ -876,11 +987,14 @@ static inline void report_near(const struct analysis *a)
 
 static inline void report_growth(const struct analysis *a)
 {
-    char growth[LOADS_ROOM];
-    if (!has_growth(a))
-        return;
-    loads_growth(a, growth);
-    loads_print("earth", growth, NULL);
+    char value[32], means[LOADS_ROOM];
+    for (int k = 0; k < EARTH_PARTS; k++) {
+        const enum earth_part part = (enum earth_part)k;
+        if (!has_growth(a, part))
+            continue;
+        growth_means(a, part, means);
+        printf("  earth grows %-8s  %s\n", growth_text(a, part, value), means);
+    }
 }
 
 static inline void report_thrust(const struct analysis *a)
@@ -910,10 +1024,10 @@ static inline void report_warnings(const struct analysis *a)
 
 static inline void report(const struct analysis *a)
 {
+    report_let_go(a);
     report_structure(a);
     loads_each(a, loads_print, NULL);
     report_warnings(a);
-    report_let_go(a);
     if (is_near(a))
         report_near(a);
     if (shrinkage(a) > 0)

@@ -10,6 +10,7 @@
 
 #include "../parts/json.h"
 #include "beds.h"
+#include "earth.h"
 #include "let_go.h"
 #include "loads.h"
 #include "state.h"
@@ -411,6 +412,68 @@ static inline void json_measure(const struct analysis *a, int good, int asked)
     json_known("peak_stress", most < 0 ? 0 : a->stress[most], most >= 0);
 }
 
+/* With the live load as the file states it. */
+static inline const char *stated_word(const struct analysis *a)
+{
+    const kern_status status = as_stated(a);
+    return status == KERN_STANDS ? "stands"
+         : status == KERN_FALLS  ? "falls"
+                                 : "undecided";
+}
+
+/* What the live load does as the file states it; verdict, margin, stress, load
+   and tilt are without it. */
+static inline void json_stated(const struct analysis *a, int known)
+{
+    known = known && a->text.lives > 0;
+    json_flag("without_live", a->text.lives > 0, known);
+    json_word("as_stated", known ? stated_word(a) : NULL);
+}
+
+/* The ranges of the live load. */
+static inline void json_live(const struct analysis *a, int asked)
+{
+    if (a->text.lives == 0)
+        return;
+    json_known("live_least", a->live_least, asked);
+    json_known("live", a->live, asked);
+    json_known("live_least_let_go", a->live_let_go[0], asked);
+    json_known("live_let_go", a->live_let_go[1], asked);
+}
+
+/* The same where fill does not push back; null where no fill does. */
+static inline void json_without(const struct analysis *a)
+{
+    const struct analysis *w = a->without;
+    if (!w) {
+        json_word("without_passive", NULL);
+        return;
+    }
+    printf(", \"without_passive\": {");
+    json_string("status", status_word(w));
+    json_word("let_go", let_go_word(w));
+    json_live(w, 1);
+    if (a->text.lives > 0)
+        json_word("as_stated", stated_word(w));
+    if (a->set->sweep > 0)
+        json_worst(w);
+    printf("}");
+}
+
+/* By how much earth may grow. */
+static inline void json_growth(const struct analysis *a, int asked)
+{
+    static const char *const key[EARTH_PARTS][2] = {
+        {"earth", "earth_let_go"},
+        {"earth_horizontal", "earth_horizontal_let_go"}};
+    for (int k = 0; k < EARTH_PARTS; k++) {
+        if (!has_growth(a, (enum earth_part)k))
+            continue;
+        json_known(key[k][0], a->earth[k].limit, asked);
+        json_known(key[k][1], a->earth[k].let_go, asked);
+    }
+}
+
 static inline void json_loads(const struct analysis *a, int asked)
 {
     json_known("load_left", a->load[LEFT], asked);
@@ -423,13 +486,11 @@ static inline void json_loads(const struct analysis *a, int asked)
     json_known("raised_load_right", a->raised_load[RIGHT], asked);
     json_word("raised_end_left", a->raised_end[LEFT]);
     json_word("raised_end_right", a->raised_end[RIGHT]);
-    if (a->text.lives > 0) {
-        json_known("live_least", a->live_least, asked);
-        json_known("live", a->live, asked);
-        json_known("live_least_let_go", a->live_let_go[0], asked);
-        json_known("live_let_go", a->live_let_go[1], asked);
+    json_live(a, asked);
+    if (a->text.lives > 0)
         json_word("raised_end_live", a->raised_end[LIVE]);
-    }
+    json_without(a);
+    json_growth(a, asked);
     if (a->set->thrust) {
         json_known("thrust_least", a->thrust_least, asked);
         json_known("thrust_most", a->thrust_most, asked);
@@ -458,19 +519,6 @@ static inline void json_borne(const struct analysis *a, int asked)
     json_known("least_friction_let_go", a->least_friction_let_go, asked);
     json_known("tilt_let_go_left", a->tilt_let_go[LEFT], asked);
     json_known("tilt_let_go_right", a->tilt_let_go[RIGHT], asked);
-}
-
-/* What the live load does as the file states it; verdict, margin, stress, load
-   and tilt are without it. */
-static inline void json_stated(const struct analysis *a, int known)
-{
-    const kern_status status = as_stated(a);
-    known = known && a->text.lives > 0;
-    json_flag("without_live", a->text.lives > 0, known);
-    json_word("as_stated", !known                  ? NULL
-                           : status == KERN_STANDS ? "stands"
-                           : status == KERN_FALLS  ? "falls"
-                                                   : "undecided");
 }
 
 /* A file with an error has the same keys as any other. */

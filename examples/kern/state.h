@@ -48,6 +48,13 @@ struct swept {
     int edge;  /* `raised` is known to .1 %        */
 };
 
+/* How many times the earth may press, 0: not asked. */
+enum earth_part { EARTH_WHOLE, EARTH_HORIZONTAL, EARTH_PARTS };
+
+struct growth {
+    double limit, let_go; /* by limit analysis; let go NAN: not shown */
+};
+
 /* A place of one more stone, which is there. */
 struct placed {
     kern_place rank;
@@ -103,11 +110,12 @@ struct analysis {
     int settled;               /* the forces no longer move ends             */
 
     double thrust_least, thrust_most; /* of --thrust, to the left     */
-    double earth_limit, earth_let_go; /* times that earth may grow to, 0: there
-                                         is none; let go NAN: not shown */
+    struct growth earth[EARTH_PARTS]; /* what of the thrust of earth grows */
     struct swept *swept;              /* the live load at each place       */
     int sweeps;
     int untried; /* places where the least factor may be as well       */
+    struct analysis *without; /* the same where fill does not push back;
+                                 NULL: no fill does, or it falls with it   */
 
     struct text_file stone; /* of --place                      */
     struct placed *placed;  /* the best places of --place       */

@@ -4,7 +4,8 @@
    do, from where the last of them enters to where the first leaves. Each force
    stands on the upper outline, vertically above or below where it was; one that
    is beyond the structure carries nothing. Axles spread through fill at each
-   place, and bear on the structure from beside it. The place with the least factor is found, and added.
+   place, and bear on the structure from beside it. The place with the least factor
+   is found, and added.
 
    SPDX-License-Identifier: MIT */
 
@@ -19,7 +20,6 @@
 #include "crush.h"
 #include "let_go.h"
 #include "loads.h"
-#include "picture.h"
 #include "state.h"
 
 #include <math.h>
@@ -199,6 +199,12 @@ static inline int sweep_hidden(const struct analysis *a)
     return hidden;
 }
 
+/* What a factor of the live load counts on, where fill pushes back. */
+static inline const char *passive_note(const struct analysis *a)
+{
+    return a->without ? ", with the full passive pressure of the fill" : "";
+}
+
 /* Writes what the least factor is, and where. */
 static inline void sweep_sentence(const struct analysis *a,
                                   char out[LOADS_ROOM])
@@ -217,15 +223,15 @@ static inline void sweep_sentence(const struct analysis *a,
                  a->sweeps);
     else if (sweeps_let_go(a))
         snprintf(out, LOADS_ROOM,
-                 "with the first force at x = %.4g, when it is let go%s; limit "
-                 "analysis %s",
-                 tidy(a, a->swept[least].x), more, bound);
+                 "with the first force at x = %.4g%s, when it is let go%s; "
+                 "limit analysis %s",
+                 tidy(a, a->swept[least].x), passive_note(a), more, bound);
     else
         snprintf(
             out, LOADS_ROOM,
-            "with the first force at x = %.4g, by limit analysis: too high "
+            "with the first force at x = %.4g%s, by limit analysis: too high "
             "where stones slide%s",
-            tidy(a, a->swept[least].x),
+            tidy(a, a->swept[least].x), passive_note(a),
             asks_raised_loads(a)
                 ? "; let go without the live load it is not shown to stay"
                 : " (--raised: let go)");
@@ -238,6 +244,26 @@ static inline double sweep_factor_least(const struct analysis *a)
     return least < 0        ? (double)NAN
          : sweeps_let_go(a) ? a->swept[least].raised
                             : a->swept[least].live;
+}
+
+/* What is lost as the load as stated drives over; NULL: nothing. */
+static inline const char *sweep_loss(const struct analysis *a)
+{
+    const int limit = sweep_least(a);
+    if (limit >= 0 && a->swept[limit].live < 1 - 1e-9)
+        return "it falls";
+    return sweep_governs(a) >= 0 && sweep_factor_least(a) < 1 - 1e-9
+             ? "it is not shown to stay"
+             : NULL;
+}
+
+/* The least factor, or why there is none. */
+static inline const char *sweep_text(const struct analysis *a, char *out)
+{
+    if (sweep_governs(a) < 0)
+        return a->shown == KERN_FALLS ? "none" : "unknown";
+    snprintf(out, 32, "%.4g", sweep_factor_least(a));
+    return out;
 }
 
 /* Takes the place of *least where the factor is less. */
@@ -514,6 +540,13 @@ static inline void report_sweep(const struct analysis *a)
                sweep_factor_least(a), what);
     else
         printf("  worst place none      %s\n", what);
+    if (a->without) {
+        sweep_sentence(a->without, what);
+        printf(
+            "  no passive  %-8s  the same without the passive pressure of the "
+            "fill, %s\n",
+            sweep_text(a->without, shown), what);
+    }
     if (a->untried > 0)
         printf("  sweep       %d places where the least may be were not tried: "
                "it may be less than that below\n",
@@ -538,6 +571,14 @@ static inline void report_sweep(const struct analysis *a)
     }
 }
 
+/* The place that governs; null where none is known. */
+static inline void json_worst(const struct analysis *a)
+{
+    const int worst = sweep_governs(a);
+    json_number("worst_live", sweep_factor_least(a));
+    json_number("worst_x", worst < 0 ? (double)NAN : a->swept[worst].x);
+}
+
 static inline void json_sweep(const struct analysis *a)
 {
     printf(", \"sweep\": [");
@@ -556,6 +597,7 @@ static inline void json_sweep(const struct analysis *a)
         printf("}");
     }
     printf("], \"sweep_untried\": %d", a->untried);
+    json_worst(a);
     if (a->sweeps == 0) {
         printf(", ");
         json_string("sweep_why", sweep_why);
@@ -565,9 +607,9 @@ static inline void json_sweep(const struct analysis *a)
 /* A curve through each run of places where the factor is finite, and arrows up at
    the top where any factor does. */
 static inline void sweep_curve(const struct analysis *a, const struct plot *p,
-                               int let_go, double *x, double *y)
+                               int let_go, const char *colour, double *x,
+                               double *y)
 {
-    const char *colour = let_go ? DRAW_FORCE : DRAW_INK;
     int n = 0;
     for (int k = 0; k <= a->sweeps; k++) {
         const double value = k == a->sweeps ? (double)NAN
@@ -592,8 +634,10 @@ static inline void sweep_curve(const struct analysis *a, const struct plot *p,
 static inline int sweep_plot(const struct analysis *a, FILE *out)
 {
     const int least = sweep_least(a), last = a->sweeps - 1;
+    const struct analysis *w = a->without;
+    const int more = w && w->sweeps > a->sweeps ? w->sweeps : a->sweeps;
     struct plot p = {0};
-    double *x = array(2 * a->sweeps, sizeof *x);
+    double *x = array(2 * more, sizeof *x);
     if (!x)
         return -1;
     p.x0 = a->swept[0].x;
@@ -604,27 +648,16 @@ static inline int sweep_plot(const struct analysis *a, FILE *out)
                    ? "Live load: red let go, black limit analysis; arrows: any"
                    : "Live load: limit analysis; arrows: any factor",
                "place of the first force", "factor", 0);
-    sweep_curve(a, &p, 0, x, x + a->sweeps);
+    sweep_curve(a, &p, 0, DRAW_INK, x, x + more);
     if (sweeps_let_go(a))
-        sweep_curve(a, &p, 1, x, x + a->sweeps);
+        sweep_curve(a, &p, 1, DRAW_FORCE, x, x + more);
+    if (w && w->sweeps > 0) {
+        sweep_curve(w, &p, sweeps_let_go(w), DRAW_LOAD, x, x + more);
+        plot_text(&p, p.left + 6, p.top + p.height - 6, 10.5, "start",
+                  "green: without the passive pressure of the fill");
+    }
     free(x);
     return plot_end(&p);
-}
-
-/* OUT-sweep.svg beside the picture OUT.svg. */
-static inline int draw_sweep(const struct analysis *a)
-{
-    FILE *out = NULL;
-    char *picture = output_name(a, a->set->svg);
-    const size_t n = picture ? strlen(picture) - strlen(".svg") : 0;
-    char *path = picture ? (char *)malloc(n + sizeof "-sweep.svg") : NULL;
-    if (path) {
-        memcpy(path, picture, n);
-        strcpy(path + n, "-sweep.svg");
-        out = fopen(path, "w");
-    }
-    free(picture);
-    return close_output(path, out, !out || sweep_plot(a, out));
 }
 
 #endif /* PROGRAM_SWEEP_H */

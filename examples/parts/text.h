@@ -101,6 +101,7 @@ struct text_soil {
 
 /* A push that is made of a statement. */
 struct text_push {
+    enum text_soil_kind kind;
     int block;
     kern_vec at, way;
     double most;
@@ -136,7 +137,7 @@ struct text_file {
     struct text_soil *soil;  /* the statements fill, earth, prop              */
     int wheels, soils;
     int spread; /* the last of `lives` that axles and earth made         */
-    int props;  /* the last of `blocks` that push, as props do            */
+    int props;  /* the last of `blocks` that push: of props, then of fill */
     int found;  /* nonzero: `given` contacts were found here              */
     double bond, strength; /* 0: none                                         */
     const char *force_units; /* NULL: not known                               */
@@ -968,6 +969,7 @@ static int text_add_push(struct text_reader *r, struct text_soil *s, int block,
         return text_no_memory(r->t);
     r->push = p;
     p += r->pushes++;
+    p->kind = s->kind;
     p->block = block;
     p->at = at;
     p->way = way;
@@ -1719,7 +1721,7 @@ static int text_prop_room(struct text_reader *r)
              : text_no_memory(t);
 }
 
-/* Makes a block of each push, and its contacts. */
+/* Makes a block of each push, and its contacts: first of props, then of fill. */
 static int text_props(struct text_reader *r)
 {
     struct text_file *t = r->t;
@@ -1734,11 +1736,13 @@ static int text_props(struct text_reader *r)
                             "fill push, read none");
     if (text_prop_room(r))
         return -1;
-    for (int k = 0; k < r->pushes; k++) {
-        const struct text_push *p = r->push + k;
+    for (int k = 0; k < 2 * r->pushes; k++) {
+        const struct text_push *p = r->push + k % r->pushes;
         const int i = t->blocks;
-        char *name = t->prop_name + 16 * k;
-        const int bad = soil_prop(t->block, i, t->prop_vertex + 4 * k,
+        char *name = t->prop_name + 16 * t->props;
+        if ((p->kind == TEXT_FILL) != (k >= r->pushes))
+            continue;
+        const int bad = soil_prop(t->block, i, t->prop_vertex + 4 * t->props,
                                   t->contact + t->contacts, &t->options, floor,
                                   p->block, p->at, p->way, p->most, t->gravity,
                                   size);
