@@ -3522,7 +3522,8 @@ static void kern_model_order(const kern_model *m)
             const kern_real height_b = height[b];
             for (j = i; j >= gap; j -= gap) {
                 const int c = list[j - gap];
-                if (height[c] < height_b || (c < b && height[c] <= height_b))
+                /* cppcheck-suppress arrayIndexThenCheck ; `c < b` breaks ties */
+                if (height[c] < height_b || (height[c] <= height_b && c < b))
                     break;
                 list[j] = c;
             }
@@ -10740,7 +10741,7 @@ KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
 {
     kern_fault ignored;
     kern_status status = kern_vertices_check(vertex, vertices);
-    /* cppcheck-suppress uninitvar: only the address is taken here */
+    /* cppcheck-suppress uninitvar ; only the address is taken here */
     fault = fault ? fault : &ignored;
     kern_fault_clear(fault);
     if (!block)
