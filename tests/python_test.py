@@ -1176,7 +1176,7 @@ class BadInput(unittest.TestCase):
                  lambda: s.raised_load(0)),
                 ("tilt..: a side is LEFT or RIGHT, read 2", lambda: s.tilt(2)),
                 ("profile..: a side is LEFT or RIGHT", lambda: s.profile(9)),
-                ("no error was told", s.interval), ("no error was", s.certain),
+                ("errors of the poses", s.interval), ("errors of", s.certain),
                 ("load_factor..: there is no gravity",
                  lambda: still.load_factor(kern.LEFT)),
                 ("tilt..: there is no gravity", lambda: still.tilt(kern.LEFT)),

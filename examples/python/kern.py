@@ -1006,9 +1006,9 @@ class Block(_Answer):
     vertices becomes an Array (n, 2). A numpy array of float64 in C order is not
     copied: a later change of it counts from the next update(), until move()
     gives the block vertices of its own. A closed ring loses its last vertex, and
-    a MultiPolygon of one part is that part. Raises ValueError for other shapes and for polygons
-    with holes or of several parts. body() and Structure() raise KernError where
-    the polygon crosses itself or has no area.
+    a MultiPolygon of one part is that part. Raises ValueError for other shapes
+    and for polygons with holes or of several parts. body() and Structure()
+    raise KernError where the polygon crosses itself or has no area.
 
     >>> b = Block("b", [(0, 0), (2, 0), (2, 1), (0, 1)], density=2)
     >>> b.body()
@@ -1905,7 +1905,8 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         m, out, status = _Margin(), _Interval(), int(Status.NO_SPACE)
         if not self.options.pose_error > 0:
             raise KernError(Status.BAD_OPTION, text="interval() and certain(): "
-                            "no error was told, Options.measured() does")
+                            "the errors of the poses are not known; "
+                            "Options.measured() sets them")
         self._check(_measure(self._at_task, byref(m), None))
         task = _Task.from_buffer_copy(self._task)
         points = 2 * self._task.s.contacts + 12 * len(self.blocks)
