@@ -1175,7 +1175,8 @@ python() { # python WANT OPTIONS: doctests and tests; is numpy there (0) or not?
 
 types() { # mypy and pyright, both strict; pyright where npm can bring it
     local tool=pyright
-    mypy --strict examples/python/*.py || return 1
+    MYPYPATH=examples/python mypy --strict examples/python/*.py \
+        tests/typed.py || return 1
     if ! command -v pyright >/dev/null; then
         npm install --silent --prefix "$out" pyright@1.1.414 >/dev/null 2>&1 ||
             { echo "pyright is not installed, and npm does not bring it"

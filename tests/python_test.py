@@ -686,12 +686,16 @@ class ManyWalls(unittest.TestCase):
             kern.many(wall, poses={"x": [(0, 0, 0)]})
 
     def test_labels(self):
-        """The example writes the same lines in one process and in a pool."""
+        """The example writes the same lines in one process, in a pool and under
+        Dask."""
+        ways = [[], ["--on", "pool"]]
+        if there("dask"):
+            ways.append(["--on", "dask"])
         runs = [subprocess.run(
             [sys.executable, *(["-S"] if kern.numpy is None else []),
              str(MODULE / "labels.py"), "600", *more], check=True,
-            stdout=subprocess.PIPE).stdout for more in ([], ["--on", "pool"])]
-        self.assertEqual(runs[0], runs[1])
+            stdout=subprocess.PIPE).stdout for more in ways]
+        self.assertEqual(len(set(runs)), 1)
         rows = [json.loads(line) for line in runs[0].splitlines()]
         self.assertEqual(len(rows), 600)
         for row in rows[::97]:
@@ -783,20 +787,48 @@ class Conventions(unittest.TestCase):
 
         class MultiPolygon:
             geoms = (Ring(),) * 3
+
+        class One:
+            geoms = (Ring(),)
         with self.assertRaisesRegex(ValueError, "'a': the polygon has 2 holes"):
             Block("a", Polygon())
         with self.assertRaisesRegex(ValueError, "'a': a MultiPolygon of 3 parts"):
             Block("a", MultiPolygon())
+        self.assertEqual(Block("a", One()), Block("a", BOX))
         shapely = there("shapely.geometry")
         if shapely:
             s, made = Structure(two(0.2)), shapely.geometry
-            self.assertEqual(s.to_shapely().area, 9)
+            shape = s.to_shapely()
+            self.assertEqual((shape.area, shape.is_valid), (9, True))
+            union = __import__("shapely.ops").ops.unary_union(shape)
+            self.assertEqual((union.geom_type, union.area), ("Polygon", 9))
             self.assertEqual(Block("top", s["top"].to_shapely()), s["top"])
             with self.assertRaisesRegex(ValueError, "has 1 hole,"):
                 Block("a", s["low"].to_shapely().difference(
                     made.Point(0.5, 0.5).buffer(0.1)))
             with self.assertRaisesRegex(ValueError, "of 3 parts"):
-                Block("a", s.to_shapely())
+                Block("a", shape)
+            one = made.MultiPolygon([s["low"].to_shapely()])
+            self.assertEqual(Block("low", one), s["low"])
+
+    def test_moves_alone(self):
+        """A block that moves leaves the array that it was made of, and other
+        blocks of that array, where they are."""
+        numpy = there("numpy")
+        if not numpy:
+            self.skipTest("no numpy")
+        box = numpy.array(BOX, float)
+        box.setflags(write=False)
+        low, top = Block("low", box), Block("top", box).move(0.2, 1)
+        self.assertEqual((low, top), (Block("low", BOX), two(0.2)[2]))
+        self.assertEqual(box.tolist(), [list(p) for p in BOX])
+        box = numpy.array(BOX, float) + (0, 1)
+        s = Structure([*two(0)[:2], Block("top", box)])
+        with self.assertRaises(kern.KernError):
+            s.move("top", 0, -0.5)
+        box += (0.2, 0)
+        s.update()
+        self.assertAlmostEqual(s.measure().margin, 0.3)
 
     def test_all_overlaps(self):
         """An error of overlaps names all pairs; it is pickled with them."""
@@ -837,13 +869,24 @@ class Conventions(unittest.TestCase):
         axes = Axes()
         self.assertIs(Structure(two(0.2)).plot(axes), axes)
         self.assertEqual([axes.calls.count(name) for name in (
-            "fill", "annotate", "plot", "set_title")], [3, 3, 4, 1])
+            "fill", "annotate", "plot", "set_title")], [3, 3, 2, 1])
         matplotlib = there("matplotlib")
         if matplotlib:
             matplotlib.use("svg")
             ax = Structure(two(0.7)).plot()
             self.assertEqual(len(ax.patches), 3)
+            self.assertEqual(ax.get_title(), "structure: falls, deficit 0.2")
             ax.figure.clf()
+            title = Plan([ground()]).plot().get_title()
+            self.assertEqual(title, "plan: no block is free")
+
+    def test_ground_alone(self):
+        """An empty plan has a picture."""
+        for plan in (Plan([ground()]), Plan()):
+            self.assertIn("plan: no block is free", plan.svg())
+        picture = Plan([ground()])._repr_svg_()
+        self.assertIn(">ground</text>", picture)
+        self.assertNotIn("nan", picture)
 
     def test_manual(self):
         """Everything public has a docstring that does not begin with a name of
@@ -913,7 +956,7 @@ class Environment(unittest.TestCase):
         if env.gymnasium is None:
             self.skipTest("no gymnasium")
         from gymnasium.utils.env_checker import check_env
-        check_env(env.Stacking(), skip_render_check=True)
+        check_env(env.Stacking(render_mode="svg"))
 
 
 class BadInput(unittest.TestCase):
@@ -1133,7 +1176,7 @@ class BadInput(unittest.TestCase):
                  lambda: s.raised_load(0)),
                 ("tilt..: a side is LEFT or RIGHT, read 2", lambda: s.tilt(2)),
                 ("profile..: a side is LEFT or RIGHT", lambda: s.profile(9)),
-                ("no error was told", s.interval), ("no error was", s.certain),
+                ("errors of the poses", s.interval), ("errors of", s.certain),
                 ("load_factor..: there is no gravity",
                  lambda: still.load_factor(kern.LEFT)),
                 ("tilt..: there is no gravity", lambda: still.tilt(kern.LEFT)),

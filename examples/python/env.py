@@ -10,7 +10,10 @@ as you can. The reward is proven: forces hold the structure at that margin.
     (True, False, False)
 
 Works without gymnasium, too, with a small stand-in for its base class and
-spaces. The same seed and actions give the same episode.
+spaces. The same seed and actions give the same episode. gymnasium.make() and
+make_vec() take the environment after
+
+    gymnasium.register("kern/Stacking-v0", entry_point="env:Stacking")
 
 SPDX-License-Identifier: MIT
 """

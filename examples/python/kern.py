@@ -655,6 +655,10 @@ class Array(Protocol):
     def tobytes(self) -> bytes: ...
 
 
+_Numbers = Union[Array, Sequence[float]]
+_Table = Union[Array, Sequence[Sequence[float]]]
+
+
 class Rows:
     """An array of numbers where numpy is not installed. A row is a tuple.
 
@@ -1000,10 +1004,11 @@ class Block(_Answer):
     load:     force and torque [N, N, N m] at the centre, besides the weight
 
     vertices becomes an Array (n, 2). A numpy array of float64 in C order is not
-    copied: a later change of it counts from the next update(). A closed ring
-    loses its last vertex. Raises ValueError for other shapes and for polygons
-    with holes or of several parts. body() and Structure() raise KernError where
-    the polygon crosses itself or has no area.
+    copied: a later change of it counts from the next update(), until move()
+    gives the block vertices of its own. A closed ring loses its last vertex, and
+    a MultiPolygon of one part is that part. Raises ValueError for other shapes
+    and for polygons with holes or of several parts. body() and Structure()
+    raise KernError where the polygon crosses itself or has no area.
 
     >>> b = Block("b", [(0, 0), (2, 0), (2, 1), (0, 1)], density=2)
     >>> b.body()
@@ -1054,16 +1059,17 @@ class Block(_Answer):
 
     def _take(self) -> None:
         """Makes an array of the vertices, and remembers where it lies."""
-        parts = getattr(self.vertices, "geoms", None)
-        if parts is not None:
-            raise ValueError("'%s': a %s of %d part%s: a block is one polygon"
-                             % (self.name, type(self.vertices).__name__,
-                                len(parts), "s" if len(parts) != 1 else ""))
-        holes = len(getattr(self.vertices, "interiors", ()))
+        shape: Any = self.vertices
+        parts = getattr(shape, "geoms", (shape,))
+        if len(parts) != 1:
+            raise ValueError("'%s': a %s of %d parts: a block is one polygon"
+                             % (self.name, type(shape).__name__, len(parts)))
+        shape = parts[0]
+        holes = len(getattr(shape, "interiors", ()))
         if holes:
             raise ValueError("'%s': the polygon has %d hole%s, a block has none"
                              % (self.name, holes, "s" if holes > 1 else ""))
-        ring: Any = getattr(self.vertices, "exterior", self.vertices)
+        ring: Any = getattr(shape, "exterior", shape)
         ring = getattr(ring, "coords", ring)
         try:
             if numpy is None or not isinstance(ring, numpy.ndarray):
@@ -1147,22 +1153,24 @@ class Block(_Answer):
         return self
 
     def move(self, x: float, y: float, turn: float = 0.0) -> Block:
-        """Turns the block [rad] about its centre of mass, then shifts it [m],
-        in place. Returns the block. Structures that hold it need an
-        update()."""
+        """Turns the block [rad] about its centre of mass, then shifts it [m].
+        Returns the block, which has new vertices: an array that was given, and
+        other blocks made of it, stay as they are. Structures that hold the
+        block need an update()."""
         x, y, turn = self._told("move()", (x, y, turn), 3)
         if not math.isfinite(turn):
             raise ValueError("'%s': turn: a finite angle is expected, read %r"
                              % (self.name, turn))
         cx, cy = self.body().centre
         cos, sin = math.cos(turn), math.sin(turn)
-        v = self.vertices
-        for i in range(len(v)):
-            px, py = v[i, 0], v[i, 1]
+        points: List[Point] = []
+        for px, py in self.vertices.tolist():
             if turn:
                 px, py = (cx + cos * (px - cx) - sin * (py - cy),
                           cy + sin * (px - cx) + cos * (py - cy))
-            v[i, 0], v[i, 1] = px + x, py + y
+            points.append((px + x, py + y))
+        self.vertices = points
+        self._take()
         if self.centre is not None:
             self.centre = (cx + x, cy + y)
         return self
@@ -1408,7 +1416,15 @@ class Margin(Verdict):
     refused:   from Plan.try_() the KernError of a block that overlaps another;
                the margin is then nan. Otherwise None
     forces hold the structure at `holds`; motion moves it at `fails`, or as it
-    is where it falls, and is None where it is saturated."""
+    is where it falls, and is None where it is saturated.
+
+    >>> wall = example()
+    >>> m = wall.measure()
+    >>> wall.check_forces(m.forces, m.holds) <= 1
+    True
+    >>> wall.check_motion(m.motion, m.fails) <= 1
+    True
+    """
     margin: float
     holds: float = field(repr=False)
     fails: float = field(repr=False)
@@ -1803,14 +1819,12 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         0.2
         """
         b = self.blocks[self._index(block)]
-        before, centre = b.vertices.tolist(), b.centre
+        before, centre = b.vertices, b.centre
         b.move(x, y, turn)
         try:
             self.update()
         except ValueError:
-            for i, (px, py) in enumerate(before):
-                b.vertices[i, 0], b.vertices[i, 1] = px, py
-            b.centre = centre
+            b.vertices, b.centre = before, centre
             raise
         return self
 
@@ -1891,7 +1905,8 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         m, out, status = _Margin(), _Interval(), int(Status.NO_SPACE)
         if not self.options.pose_error > 0:
             raise KernError(Status.BAD_OPTION, text="interval() and certain(): "
-                            "no error was told, Options.measured() does")
+                            "the errors of the poses are not known; "
+                            "Options.measured() sets them")
         self._check(_measure(self._at_task, byref(m), None))
         task = _Task.from_buffer_copy(self._task)
         points = 2 * self._task.s.contacts + 12 * len(self.blocks)
@@ -2101,7 +2116,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def load_factor(self, side: int, shrink: float = 0.0,
-                    pattern: Optional[Sequence[Sequence[float]]] = None
+                    pattern: Optional[_Table] = None
                     ) -> Optional[Factor]:
         """Returns the largest factor of a load at which the structure stands, a
         Factor with its proof; inf above 1,000,000. Returns None where it falls
@@ -2126,7 +2141,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def raised_load(self, side: int, shrink: float = 0.0,
-                    pattern: Optional[Sequence[Sequence[float]]] = None
+                    pattern: Optional[_Table] = None
                     ) -> Optional[Factor]:
         """Returns the largest factor of a load for which equilibrium with
         Coulomb friction was found by raising the load from rest, a Factor. Its
@@ -2146,7 +2161,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         return out
 
     @_asks
-    def least_load(self, pattern: Sequence[Sequence[float]],
+    def least_load(self, pattern: _Table,
                    shrink: float = 0.0) -> Optional[Factor]:
         """Returns the least multiple of a load at which the structure stands, a
         Factor: 0, without a motion, where it stands without the load. Returns
@@ -2331,7 +2346,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
                  for r in blocks])
 
     @_asks
-    def check_forces(self, forces: Sequence[Sequence[float]],
+    def check_forces(self, forces: _Table,
                      shrink: float = 0.0) -> float:
         """Returns the error of a proof: these forces prove that the structure
         stands if it is at most 1.
@@ -2342,7 +2357,7 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
             forces, self._task.s.contacts, 2, "forces")))
 
     @_asks
-    def check_motion(self, motion: Sequence[Sequence[float]],
+    def check_motion(self, motion: _Table,
                      shrink: float = 0.0) -> float:
         """Returns the error of a proof: this motion proves that the structure
         falls if it is at most 1.
@@ -2380,7 +2395,13 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
         shrink:    length by which contacts are shortened at each end [m]
         mechanism: also the motion just past the margin
         profile:   colours the stones by their margins
-        caption:   the line below; None: the verdict and its numbers"""
+        caption:   the line below; None: the verdict and its numbers
+
+        Where no block is free, as in an empty plan, the picture shows the
+        ground alone."""
+        if all(block.fixed for block in self.blocks):
+            return self._picture(shrink, "%s: no block is free" % self.name
+                                 if caption is None else caption)
         verdict, m = self.verdict(shrink), self.measure()
         least = self._least(shrink) if verdict else None
         force = least or (_doubles(verdict._force) if verdict else None)
@@ -2390,24 +2411,33 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
             _falls(self._at_task, shrink, moves)
         critical = self.critical(m)
         limiting = critical.contact if critical else None
-        values = self.profile().values if profile else None
-        names = (c_char_p * len(self.blocks))(
-            *(b.name.encode() for b in self.blocks))
         if caption is None:
             caption = "%s: %s%s; level %d, %s" % (
                 self.name, "stands" if verdict else "falls",
                 " when shrunk by %.4g" % shrink if shrink > 0 else "", m.level,
                 "margin %.4g" % m.margin if m.stands
                 else "deficit %.4g" % self.deficit())
+        return self._picture(
+            shrink, caption, force, b"least forces" if least else None,
+            moves if mechanism or not verdict else None, moves,
+            m.fails if verdict else shrink,
+            b"collapse mechanism just past the margin" if verdict else None,
+            -1 if limiting is None else limiting,
+            self.profile().values if profile else None)
+
+    def _picture(self, shrink: float, caption: str, force: Any = None,
+                 force_name: Optional[bytes] = None, motion: Any = None,
+                 hinges: Any = None, hinged: float = 0.0,
+                 motion_name: Optional[bytes] = None, limiting: int = -1,
+                 values: Optional[Sequence[float]] = None) -> str:
+        """Returns the picture of struct draw_scene (examples/parts/draw.h)."""
+        names = (c_char_p * len(self.blocks))(
+            *(b.name.encode() for b in self.blocks))
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "picture.svg")
             if _draw(os.fsencode(path), byref(self._task.s), names,
-                     self.options.relative, shrink, force,
-                     b"least forces" if least else None,
-                     moves if mechanism or not verdict else None,
-                     moves, m.fails if verdict else shrink,
-                     b"collapse mechanism just past the margin" if verdict
-                     else None, -1 if limiting is None else limiting,
+                     self.options.relative, shrink, force, force_name, motion,
+                     hinges, hinged, motion_name, limiting,
                      _numbers(values) if values else None,
                      max((v for v in values or () if v < math.inf), default=0),
                      str(caption).encode(),
@@ -2429,20 +2459,25 @@ tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
                     edgecolor="0.2", linewidth=0.8)
             ax.annotate(block.name, block.body().centre, ha="center",
                         va="center", fontsize="small")
-        margin, contacts = self.measure(), self.contacts
-        critical = self.critical(margin)
-        for i, contact in enumerate(contacts):
-            limits = critical is not None and critical.contact == i
-            ax.plot(*contact.p, "ro" if limits else "k.",
-                    markersize=6 if limits else 3)
+        title, contacts = "no block is free", self.contacts
+        ax.plot([c.p[0] for c in contacts], [c.p[1] for c in contacts], "k.",
+                markersize=3)
+        if not all(block.fixed for block in self.blocks):
+            margin = self.measure()
+            title = ("stands, margin %.4g" % margin.margin if margin else
+                     "falls, deficit %.4g" % self.deficit())
+            critical = self.critical(margin)
+            if critical is not None and critical.contact is not None:
+                ax.plot(*contacts[critical.contact].p, "ro", markersize=6)
         ax.set_aspect("equal")
-        ax.set_title("%s: %s, margin %.4g" % (
-            self.name, "stands" if margin else "falls", margin.margin))
+        ax.set_title("%s: %s" % (self.name, title))
         return ax
 
     def to_shapely(self) -> Any:
-        """Returns the blocks as a MultiPolygon of shapely, in their order."""
-        return importlib.import_module("shapely.geometry").MultiPolygon(
+        """Returns the blocks as a GeometryCollection of shapely, in their
+        order: its `geoms` are Polygons. Blocks that touch share parts of their
+        edges, which the parts of a valid MultiPolygon do not."""
+        return importlib.import_module("shapely.geometry").GeometryCollection(
             [block.to_shapely() for block in self.blocks])
 
     def _repr_svg_(self) -> str:
@@ -3015,7 +3050,7 @@ def _length(name: str, rows: Any) -> int:
 
 
 def many(wall: Structure, *, poses: Any = None,
-         mu: Optional[Sequence[float]] = None,
+         mu: Optional[_Numbers] = None,
          stones: Optional[Sequence[Block]] = None, loads: bool = False,
          mechanisms: bool = False, threads: Optional[int] = None) -> Many:
     """Returns verdicts and margins of many structures that differ from one
@@ -3393,8 +3428,8 @@ def from_coco(page: Any, *, pixel: Optional[float] = None,
 # ---- Linear programs ---------------------------------------------------------
 
 
-def lp_solve(a: Sequence[Sequence[float]], rhs: Sequence[float],
-             cost: Optional[Sequence[float]] = None,
+def lp_solve(a: _Table, rhs: _Numbers,
+             cost: Optional[_Numbers] = None,
              limit: int = 0) -> Solution:
     """Minimises cost . x where a x = rhs and x >= 0. Returns a Solution.
 

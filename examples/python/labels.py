@@ -73,7 +73,8 @@ def shared(tasks: List[Tuple[str, int]],
         done = dask.compute(*map(dask.delayed(part), tasks))
     elif on == "ray":
         ray: Any = importlib.import_module("ray")
-        done = ray.get([ray.remote(part).remote(task) for task in tasks])
+        remote = ray.remote(part)
+        done = ray.get([remote.remote(task) for task in tasks])
     else:
         done = map(part, tasks)
     return cast(Iterable[List[str]], done)
