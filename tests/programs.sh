@@ -377,7 +377,7 @@ sweep() { # as an ordinary load at its place and on its block, what --sweep says
     printf '%s\n' 'gravity 0 -1' 'friction .6' 'fixed g 1 -1 3 -1 3 0 1 0' \
         'block beam 10 0 0 4 0 4 1 0 1' 'live beam 0 -1 2 1' >"$out/beam.kern"
     "$kern" --sweep 9 --report "$out/beam.html" "$out/beam.kern" >"$out/o" &&
-        grep -q 'worst place 10        least factor, with the first force at x' \
+        grep -q 'worst place 10        least factor, with the live load at x' \
             "$out/o" &&
         says ' 1.11111           1         any         any  beam' --sweep 9 \
             "$out/beam.kern" &&

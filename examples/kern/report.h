@@ -565,7 +565,10 @@ static inline void report_loads(const struct analysis *a)
                     ": Coulomb friction, growing from 0");
     }
     report_tilt("tilt limit", a->tilt, undecided,
-                is_lower(a, LEFT) || is_lower(a, RIGHT)
+                has_friction_loads(a) && has_loads(a)
+                    ? ": limit analysis; not known by Coulomb friction, since "
+                      "loads do not turn with gravity"
+                : is_lower(a, LEFT) || is_lower(a, RIGHT)
                     ? ": limit analysis" SLIDING_PARTS
                     : ": limit analysis");
 }

@@ -199,6 +199,12 @@ static inline int sweep_hidden(const struct analysis *a)
     return hidden;
 }
 
+/* What stands at the x of a place. */
+static inline const char *sweep_lead(const struct analysis *a)
+{
+    return sweep_lives(a) > 1 ? "first force" : "live load";
+}
+
 /* What a factor of the live load counts on, where fill pushes back. */
 static inline const char *passive_note(const struct analysis *a)
 {
@@ -223,18 +229,18 @@ static inline void sweep_sentence(const struct analysis *a,
                  a->sweeps);
     else if (sweeps_let_go(a))
         snprintf(out, LOADS_ROOM,
-                 "with the first force at x = %.4g%s, when it is let go%s; "
-                 "limit analysis %s",
-                 tidy(a, a->swept[least].x), passive_note(a), more, bound);
+                 "with the %s at x = %.4g%s, when it is let go%s; limit "
+                 "analysis %s",
+                 sweep_lead(a), tidy(a, a->swept[least].x), passive_note(a),
+                 more, bound);
     else
-        snprintf(
-            out, LOADS_ROOM,
-            "with the first force at x = %.4g%s, by limit analysis: too high "
-            "where stones slide%s",
-            tidy(a, a->swept[least].x), passive_note(a),
-            asks_raised_loads(a)
-                ? "; let go without the live load it is not shown to stay"
-                : " (--raised: let go)");
+        snprintf(out, LOADS_ROOM,
+                 "with the %s at x = %.4g%s, by limit analysis: too high where "
+                 "stones slide%s",
+                 sweep_lead(a), tidy(a, a->swept[least].x), passive_note(a),
+                 asks_raised_loads(a)
+                     ? "; let go without the live load it is not shown to stay"
+                     : " (--raised: let go)");
 }
 
 /* The least factor of all places. */
@@ -514,6 +520,9 @@ static inline int find_sweep(struct analysis *a)
 static const char sweep_why[] =
     "without the live load it is not known to stand";
 
+/* Above this a factor has no digits that mean anything. */
+#define SWEEP_HUGE 1e4
+
 /* As the report has it: six digits. */
 static inline void sweep_print(double value)
 {
@@ -521,6 +530,8 @@ static inline void sweep_print(double value)
         printf(" %11s", "-");
     else if (isinf(value))
         printf(" %11s", "any");
+    else if (value > SWEEP_HUGE)
+        printf(" %11s", "> 10000");
     else
         printf(" %11.6g", value);
 }
@@ -647,7 +658,9 @@ static inline int sweep_plot(const struct analysis *a, FILE *out)
                sweeps_let_go(a)
                    ? "Live load: red let go, black limit analysis; arrows: any"
                    : "Live load: limit analysis; arrows: any factor",
-               "place of the first force", "factor", 0);
+               sweep_lives(a) > 1 ? "place of the first force"
+                                  : "place of the live load",
+               "factor", 0);
     sweep_curve(a, &p, 0, DRAW_INK, x, x + more);
     if (sweeps_let_go(a))
         sweep_curve(a, &p, 1, DRAW_FORCE, x, x + more);
