@@ -334,15 +334,16 @@
    next one, so include contacts that a slight motion closes:
 
        task.options = kern_near(&task.options, kern_mean_size(block, blocks));
-       find the contacts with these options, then
-       kern_profile(&task, side, value, &c) for KERN_LEFT and KERN_RIGHT,
-       and add both c.drop, the expected drop: larger is worse
+       find the contacts with these options, then call
+       kern_profile(&task, side, value, &c) for KERN_LEFT and for KERN_RIGHT,
+       and add the two values of c.drop, the expected drop
 
-   This sum ranks structures by the shaking at which they collapse, and does so
-   better than any other measure (README; examples/laboratory/STUDY.md). Where
-   stones slide before they tip, as in low walls, no load factor exceeds mu, so
-   load factors rank less well. Do not use the contacts of kern_near() for a
-   verdict: a gap carries nothing until it is closed.
+   A larger sum is worse. This sum ranks structures by the shaking at which they
+   collapse, and does so better than any other measure (README;
+   examples/laboratory/STUDY.md). Where stones slide before they tip, as in low
+   walls, no load factor exceeds mu, so load factors rank less well. Do not use
+   the contacts of kern_near() for a verdict: a gap carries nothing until it is
+   closed.
 
    Whether a stone stays where it is released. kern_stays() returns the chance.
    Suppose that a planner releases a stone if the chance is at least a
@@ -441,12 +442,13 @@
              28 of these 360 slopes, and for 13 of 969 placements, 10 of which
              move in the simulator.
    Ambiguous The reserve does not cover equilibria that depend on the history of
-   forces    loading. Of 181 rows of wedges between cliffs that fall in a
-             simulator although forces exist that hold them, 2 have the largest
-             reserve, 0.1 g (tests/TRUST.md). A stone that is pushed out from
-             under a longer one may count on weight of the longer stone that can
-             shift to other supports. Of 51 such walls under .6 to .9 of their
-             raised load, 7 move in a simulator.
+   forces    loading. 181 rows of wedges between cliffs fall in a simulator,
+             although forces exist that hold them. Two of these rows have a
+             reserve of 0.1 g, the largest that kern_raised() tries
+             (tests/TRUST.md). If a stone is pushed out from under a longer one,
+             the forces that hold it may need the weight of the longer stone,
+             and this weight can shift to other supports. Of 51 such walls under
+             .6 to .9 of their raised load, 7 move in a simulator.
    Loads     Loads of kern_block_load() neither grow with a horizontal load nor
              turn with gravity.
    Not       If kerns are not nested (points of different normals), the path
@@ -1409,10 +1411,10 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
    travel is never left out. KERN_STANDS: writes *length, or KERN_INFINITY if no
    contact that has a length is needed. proof->force holds the structure by the
    contacts of at least this length. proof->motion moves the structure without
-   the shortest of these contacts. If that verdict is undecided, the contact
-   counts as needed and the motion is 0. KERN_FALLS: the structure falls even
-   with all contacts. Time: one verdict for each step of a bisection of the
-   lengths on a logarithmic scale. */
+   the shortest of these contacts. If the verdict without this shortest contact
+   is undecided, the contact counts as needed and the motion is 0. KERN_FALLS:
+   the structure falls even with all contacts. Time: one verdict for each step
+   of a bisection of the lengths on a logarithmic scale. */
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
@@ -1883,7 +1885,7 @@ extern "C" {
    work. */
 #define KERN_PLACE_UNIT 16
 /* Number of multiplications for one contact in a step of Newton's method: for
-   its row, its law and its blocks of the matrix. */
+   its row, its forces and their derivatives, and its blocks of the matrix. */
 #define KERN_CONTACT_PRODUCTS KERN_R(100)
 /* Number of multiplications for one row of a Cholesky factor, divided by the
    square of its number of 3 x 3 blocks. Half of all pairs of blocks are
@@ -3522,7 +3524,7 @@ static void kern_model_order(const kern_model *m)
             const kern_real height_b = height[b];
             for (j = i; j >= gap; j -= gap) {
                 const int c = list[j - gap];
-                /* cppcheck-suppress arrayIndexThenCheck ; `c < b` breaks ties */
+                /* cppcheck-suppress arrayIndexThenCheck ; c < b breaks ties */
                 if (height[c] < height_b || (height[c] <= height_b && c < b))
                     break;
                 list[j] = c;
@@ -6252,10 +6254,10 @@ static int kern_pass_grow(kern_model *m, int last)
 }
 
 /* Writes the minimum-norm forces of a part's supports, and marks the clusters
-   below whose load changes as open. If the part has been balanced before, an
-   open cluster that carries the part, but ends before it in the order of the
-   pass, joins the part. Otherwise this cluster and the part would be balanced
-   alternately without end. */
+   below whose load changes as open. If the part has been balanced before, each
+   open cluster joins the part that carries it and whose last group comes before
+   the last group of the part in the order of the pass. Otherwise this cluster
+   and the part would be balanced alternately without end. */
 static void kern_pass_keep(kern_part *p, kern_real tolerance)
 {
     kern_model *m = p->m;
@@ -7707,8 +7709,8 @@ static int kern_turn_holds(kern_model *m, const kern_path *path,
 /* Takes steps along the path from path->holds, where the whole structure
    stands, until it falls. Then finds the critical value between the last two
    places. The length of the first step is `first`. Later steps begin with the
-   length `step` and grow. If the places along a step remain unknown, the step
-   is halved. `stride` is the least length of a step, or 0 if the verdict
+   length `step` and grow. If the verdicts along a step remain unknown, the
+   step is halved. `stride` is the least length of a step, or 0 if the verdict
    changes only once along the path. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step,
@@ -9257,9 +9259,9 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
    it. `pair` is the other end of the line, or i for a point. At an end of a
    line, the block whose corner is there moves the end along the line. Across
    the line, each block moves the end by half of its own motion and turns the
-   normal by half, since the line stays midway between the two edges. At a
-   point, the block with the corner moves the point, and the block with the edge
-   turns the normal. */
+   normal by half of its own turn, since the line stays midway between the two
+   edges. At a point, the block with the corner moves the point, and the block
+   with the edge turns the normal. */
 KERN_SHARED static void kern_pose_gain(const kern_task *task,
                                        const kern_contact_rate *rate, int i,
                                        int pair, kern_block_rate *out)
@@ -9392,8 +9394,8 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
    slide also part. A price p on each contact cancels this parting. For given
    prices >>norm finds the u at which the forces of limit analysis, computed
    from wn - p instead of wn, balance b. Where a contact slides by s beyond its
-   elastic shear, limit analysis parts its blocks by mu s. So (law) and
-   (balance) hold if the prices satisfy
+   elastic shear, its two blocks move apart by mu s in limit analysis. So (law)
+   and (balance) hold if the prices satisfy
 
        p = F(p) = max(0, mu s(p))                               (fixed point)
 
@@ -9555,8 +9557,8 @@ static kern_real kern_raise_slip(const kern_part *p, int k, kern_real approach)
    The next price of a contact is F(p) of >>raised, with two exceptions. A price
    that falls is lowered slowly, since otherwise the prices of joints that lean
    on each other would alternate from round to round. If the forces balance the
-   loads, a contact whose blocks move apart keeps at least its price. If such a
-   contact still has a force, its price rises by twice the amount that would
+   loads, the price of a contact whose blocks move apart does not fall. If such
+   a contact still has a force, its price rises by twice the amount that would
    make the force 0, since otherwise a joint that no longer presses would stay
    loaded. */
 static int kern_raise_price(kern_raise *r, kern_real tolerance, int found)
@@ -9924,8 +9926,8 @@ KERN_SHARED static kern_real kern_raise_reserve(kern_raise *r,
     for (q.side = 1; q.side >= -1; q.side -= 2) {
         kern_copy(r->shown, r->shown_before, r->unknowns);
 
-        /* Bisects the list. Tries the largest share that is still possible
-           first. */
+        /* Bisects the list of shares, beginning with the largest share that is
+           still possible. */
         for (middle = low, high = low + 1, low = 0; high - low > 1;
              middle = (low + high) / 2) {
             int k, shown = 1;
@@ -11113,7 +11115,8 @@ KERN_SHARED static kern_real kern_overlap_depth(kern_pair *pair,
         return KERN_R(0);
 
     /* Finds how deep points of each block lie inside the other. If no point is
-       too deep, takes the motion that separates convex blocks. */
+       too deep and both blocks are convex, the depth is the length of the
+       motion that separates them. */
     for (i = 0; i < 2 && !(deepest > limit); i++)
         kern_overlap_boundary(pair, i, limit, &deepest);
     for (i = 0; i < 2 && !(deepest > gap); i++)
@@ -11162,8 +11165,9 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
 
 /* ---- lines and points ---- */
 
-/* Returns the widest gap that counts as a contact at p. With errors of angle
-   the gap is wider, the farther p is from the centres of the blocks. */
+/* Returns the widest gap that counts as a contact at p. If
+   options.pose_turn is set, this gap is wider, the farther p is from the
+   centres of the blocks. */
 static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 {
     const kern_vec u = kern_vec_sub(p, pair->outline[0].block->centre);
