@@ -12558,12 +12558,13 @@ KERN_SHARED static kern_status kern_certain_rest(
                                   task->work, 0, kind);
     if (s->contacts < 0)
         return (kern_status)s->contacts;
-    if (sure) {
-        if (kern_certain_rocks(task, extra))
-            *way = KERN_INFINITY;
+    if (sure && part == 0 && kern_certain_rocks(task, extra)) {
+        *way = KERN_INFINITY;
+        return kern_limit_subtract(task, kern_call_status(task, KERN_OK));
+    }
+    if (sure)
         kern_contacts_err(contact, s->contacts, KERN_ERRORS * o->pose_error,
                           KERN_ERROR_CONE * o->pose_turn);
-    }
 
     /* Lets the blocks settle, for the lower end as far as they do. */
     kern_repose_begin(&r, task);
@@ -12628,7 +12629,9 @@ static kern_real kern_certain_way(kern_task *variant, kern_real way,
     const kern_options *o = &variant->options;
     const kern_real size = kern_mean_size(variant->s.block, variant->s.blocks);
     int part;
-    for (part = 0; part < KERN_DOUBT_PARTS && *status == KERN_STANDS; part++) {
+    for (part = 0; part < KERN_DOUBT_PARTS && *status == KERN_STANDS
+                   && way < KERN_INFINITY;
+         part++) {
         *status = kern_certain_rest(
             variant, KERN_SEARCH_SURE, part, KERN_DOUBT_PARTS,
             o->gap + KERN_ERRORS * o->pose_turn * size / 2, &way, contact,
