@@ -1239,29 +1239,34 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
               Second, no block topples by its own speed if one end of its bed
               lacks support by its gap and g / 2, where g is the gap of the
               options plus 1.75 theta sizes. A stretch as long as half of the
-              bed may hide a gap: if it begins at the end that is farther from
-              the centre, that end lacks 1.25 g. Third, the structure comes to
-              rest with every third stretch, each third in turn, open by g, and
-              no contact that presses becomes shorter by half. Fourth, it stands
-              on the stretches that are closed then. `settles` is 1.5 times the
-              longest motion of these settlings and of those of `low`, at least
-              4.5 e and at most 0.45 mean sizes. If a test fails, `settles` is
+              bed may hide a gap: if it has a bump, the end lacks its gap and
+              1.25 g. Third, the structure comes to rest with every third
+              stretch, each third in turn, open by g, and no contact that
+              presses becomes shorter by half. Fourth, it stands on the
+              stretches that are closed then. `settles` is 1.5 times the longest
+              motion of these settlings and of those of `low`, at least 4.5 e
+              and at most 0.45 mean sizes. If a test fails, `settles` is
               KERN_INFINITY.
    KERN_STANDS: out->low is above 0 and out->settles is finite. KERN_FALLS is
    never returned if forces on the contacts of the task hold the structure.
-   Limits: settling has no inertia. The second test is that of a single block
-   (Housner 1963). It turns about the other end of its bed, or where the stretch
-   hides a gap about the middle, until the gap closes. It passes if the energy
-   that it keeps at the impact does not lift its centre over the end that lacked
-   support. Contacts steeper than 60 degrees are no beds. A block is held if it
-   carries another one together with a third, and on the side where it leans on
-   a neighbour, if the other one has at least half of its mass. A tower of squat
-   blocks may topple as one block although it certainly stands. So may a block
-   with its centre beside the middle of a single stretch if the nearer end lacks
-   support by 6 to 10 e. Loads on a block do not count in that test. Normals and
-   friction stay as they were measured, so a stone may slide off a support that
-   tilts by a few e. `low` is too high for a bed with a step of 1 to 4 e.
-   tests/TRUST.md has shares for all of these.
+   Limits: settling has no inertia. The second test compares energies. The force
+   on a block is its weight and load, and those of the blocks that stand on it
+   alone, which move with it. For the unit force, let h be its height above the
+   end of the bed, c the distance of its line from the end, and n its share
+   along the normal of the contact. A gap that closes there frees n times the
+   gap, and the impact is taken to lose no energy. The block passes if that does
+   not lift it over the end: 2 h n gap <= c^2. A load acts at the centre.
+   Contacts steeper than 60 degrees are no beds. A block is held if it carries
+   another one together with a third, and on the side where it leans on a
+   neighbour, if the other one has at least half of its mass. A bump is a place
+   of a stretch that is nearer to the other block, by 0.3 e and more, than the
+   line through two others 1/16 of the stretch away. Without a bump, a stretch
+   as long as half of the bed is in doubt only at the end that is farther from
+   the line of the force. So a block may topple although it certainly stands, if
+   a step narrower than 1/8 of such a bed carries it, or if it is tilted on a
+   bed narrower than 30 e. Normals and friction stay as they were measured, so a
+   stone may slide off a support that tilts by a few e. `low` is too high for a
+   bed with a step of 1 to 4 e. tests/TRUST.md has shares for all of these.
    The order of blocks and contacts does not matter, except for contacts of
    exactly the same height and place. A mirrored or turned frame does not matter
    either. A cut of the ground matters only if the sides of the cut are new
@@ -3497,12 +3502,32 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     return known;
 }
 
+/* Sorts the indices list[0..n) by their keys, and equal keys by index. Shell's
+   sort needs neither memory nor recursion. */
+static void kern_sort(int *list, int n, const kern_real *key)
+{
+    int gap, i, j;
+    for (gap = 1; gap < n / KERN_SORT_RUN; gap = 3 * gap + 1)
+        continue;
+    for (; gap > 0; gap /= 3)
+        for (i = gap; i < n; i++) {
+            const int b = list[i];
+            for (j = i; j >= gap; j -= gap) {
+                const int c = list[j - gap];
+                /* cppcheck-suppress arrayIndexThenCheck ; c < b breaks ties */
+                if (key[c] < key[b] || (key[c] <= key[b] && c < b))
+                    break;
+                list[j] = c;
+            }
+            list[j] = b;
+        }
+}
+
 /* Sorts the blocks of all groups along gravity, and blocks of equal height from
    side to side. If rounding errors decided the order of blocks of equal height,
    few columns of a flat arch would be own columns of their groups (>>lp). In
    float rounding is too large for an order from side to side, and blocks of
-   equal height are ordered by their index. Shell's sort needs neither memory
-   nor recursion. */
+   equal height are ordered by their index. */
 static void kern_model_order(const kern_model *m)
 {
     const kern_block *block = m->s->block;
@@ -3512,25 +3537,10 @@ static void kern_model_order(const kern_model *m)
                             : kern_vec_step(gravity, KERN_LEVEL_SLOPE,
                                             kern_vec_turn(gravity));
     kern_real *const height = m->answer.scratch; /* one per block */
-    int *const list = m->graph.block, groups = m->graph.groups;
-    int gap, i, j;
+    int i;
     for (i = 0; i < m->s->blocks; i++)
         height[i] = kern_vec_dot(block[i].centre, axis);
-    for (gap = 1; gap < groups / KERN_SORT_RUN; gap = 3 * gap + 1)
-        continue;
-    for (; gap > 0; gap /= 3)
-        for (i = gap; i < groups; i++) {
-            const int b = list[i];
-            const kern_real height_b = height[b];
-            for (j = i; j >= gap; j -= gap) {
-                const int c = list[j - gap];
-                /* cppcheck-suppress arrayIndexThenCheck ; c < b breaks ties */
-                if (height[c] < height_b || (height[c] <= height_b && c < b))
-                    break;
-                list[j] = c;
-            }
-            list[j] = b;
-        }
+    kern_sort(m->graph.block, m->graph.groups, height);
 }
 
 /* Sets all forces to 0. */
@@ -10328,9 +10338,12 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_DOUBT_TELLS KERN_R(1.5)
 #define KERN_DOUBT_MOST KERN_R(0.45)
 /* kern_certain(), blocks that rock. LACK: factor of safety of a gap that a
-   contact hides. STEEP: contacts that press a block up by a smaller share are
-   sides, not beds. */
+   stretch hides. PLACES: parts of a stretch in which a bump is sought. BUMP:
+   twice the least height of a bump, in errors of place. STEEP: contacts that
+   press a block up by a smaller share are sides, not beds. */
 #define KERN_ROCK_LACK KERN_R(1.25)
+#define KERN_ROCK_PLACES 16
+#define KERN_ROCK_BUMP KERN_R(0.6)
 #define KERN_ROCK_STEEP KERN_R(0.5)
 /* Least depth of the middle of an overlap inside each of the two blocks, as a
    share of the overlap. The depth is half of the overlap where both blocks are
@@ -12770,7 +12783,6 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
 
 typedef struct kern_repose {
     const kern_task *task;
-    kern_real mean_size; /* size of the free blocks [m]                       */
     kern_real free_fall; /* of a block that nothing holds, in a step [m]      */
     int *order;          /* the contact points, from below                    */
     int *stretch;        /* of a point: points of the stretch that it begins, */
@@ -12785,35 +12797,24 @@ typedef struct kern_repose {
     kern_motion *motion;     /* of a block in a step [m]                      */
 } kern_repose;
 
-/* Returns the height of contact point i, which orders sweeps. Both ends of a
-   line are about as high as its middle. */
-static kern_real kern_repose_height(const kern_repose *r, int i)
-{
-    const kern_contact *c = r->task->s.contact + i;
-    const kern_vec gravity = r->task->s.gravity, *arm = r->arm + 2 * i;
-    const kern_vec middle = kern_contact_at(c, kern_abs(c->travel), 0);
-    return -kern_vec_dot(
-        kern_vec_step(middle, -KERN_SETTLE_TIE, kern_vec_add(arm[0], arm[1])),
-        kern_vec_step(gravity, KERN_SETTLE_TIE, kern_vec_turn(gravity)));
-}
-
-/* Sorts the contact points by their heights (Shell's sort). */
+/* Sorts the contact points by height, from below. Both ends of a line are about
+   as high as its middle. */
 static void kern_repose_sort(const kern_repose *r)
 {
     const int n = r->task->s.contacts;
-    int gap, i, k;
-    for (gap = 1; gap < n / 3; gap = 3 * gap + 1)
-        continue;
-    for (; gap > 0; gap /= 3)
-        for (i = gap; i < n; i++) {
-            const int point = r->order[i];
-            const kern_real height = kern_repose_height(r, point);
-            for (k = i;
-                 k >= gap && kern_repose_height(r, r->order[k - gap]) > height;
-                 k -= gap)
-                r->order[k] = r->order[k - gap];
-            r->order[k] = point;
-        }
+    const kern_vec gravity = r->task->s.gravity;
+    const kern_vec axis = kern_vec_step(gravity, KERN_SETTLE_TIE,
+                                        kern_vec_turn(gravity));
+    kern_real *const height = r->gap;
+    int i;
+    for (i = 0; i < n; i++) {
+        const kern_contact *c = r->task->s.contact + i;
+        const kern_vec middle = kern_contact_at(c, kern_abs(c->travel), 0);
+        const kern_vec arms = kern_vec_add(r->arm[2 * i], r->arm[2 * i + 1]);
+        height[i] = -kern_vec_dot(kern_vec_step(middle, -KERN_SETTLE_TIE, arms),
+                                  axis);
+    }
+    kern_sort(r->order, n, height);
 }
 
 /* Sets what a force at a contact point moves, and lets every block fall by its
@@ -12858,7 +12859,6 @@ static void kern_repose_begin(kern_repose *r, const kern_task *task)
     kern_take take;
     int i;
     r->task = task;
-    r->mean_size = kern_mean_size(task->s.block, blocks);
     r->free_fall = KERN_SETTLE_FALL * task->options.pose_error;
     kern_take_open(&take, task->work);
     r->order = kern_take_ints(&take, contacts);
@@ -13046,15 +13046,17 @@ static kern_real kern_repose_settle(const kern_repose *r, kern_real limit)
 
 /* ---- certainty ---- */
 
-/* Shrinks the kerns of n contacts by `shrink` and turns the edges of their
-   cones inward by an angle of tangent `turn`. Below 0 kerns grow and cones
-   widen. */
-static void kern_contacts_err(kern_contact *c, int n, kern_real shrink,
-                              kern_real turn)
+/* Shrinks the kerns of n contacts by `by` times the errors of place of the
+   options, and turns the edges of their cones inward by `by` times the errors
+   of angle. Below 0 kerns grow and cones widen. */
+static void kern_contacts_err(kern_contact *c, int n, const kern_options *o,
+                              kern_real by)
 {
+    const kern_real turn = by * KERN_ERROR_CONE * o->pose_turn;
     for (; n-- > 0; c++) {
         kern_real rate;
-        const kern_real shift = kern_shift(c->travel, shrink, 0, &rate);
+        const kern_real shift = kern_shift(
+            c->travel, by * KERN_ERRORS * o->pose_error, 0, &rate);
         c->p = kern_vec_step(c->p, shift, kern_vec_turn(c->n));
         c->travel -= shift;
         c->mu = kern_max(c->mu - turn, KERN_R(0))
@@ -13112,130 +13114,191 @@ static kern_status kern_certain_check(const kern_task *task, kern_real margin,
              : KERN_OK;
 }
 
-/* The bed of a block. The arrays have the numbers of both sides of its
-   centre. */
+/* The bed of a block and the force on it: the weights and loads of the block
+   and of those that stand on it alone. */
 typedef struct kern_bed {
-    kern_real way[2];    /* from the centre across to the bed's end [m]    */
-    kern_real length[2]; /* length of the contact at that end [m]          */
-    kern_real gap[2];    /* measured gap at that end, at least 0 [m]       */
-    kern_real held[2];   /* mass that holds the block on that side [kg]    */
-    kern_real high;      /* height of the centre above the bed [m]         */
+    kern_vec force;   /* [N]                                                  */
+    kern_real torque; /* of the force about the block's centre [N m]          */
+    kern_real lift;   /* sum of the products of forces and places from there  */
+    int end[2];       /* contact points farthest to either side; KERN_OUT:
+                         none                                                 */
+    int held;         /* bits: 1, 2: another block holds it on that side;
+                         4: it stands on several blocks                       */
+    int carrier;      /* block that carries it, or one of these; KERN_OUT:
+                         none                                                 */
 } kern_bed;
 
-/* Returns 1 if a block topples over the end of its bed on side k (Housner's
-   rocking block). It turns about a point that lies `from` beyond its centre,
-   until a gap `lack` at that end closes. To first order the turn frees the
-   energy `fall` of the unit mass. At the impact the angular momentum about the
-   point of impact stays. The moment of inertia is about that of a rectangle. */
-static int kern_bed_topples(const kern_bed *b, int k, kern_real from,
-                            kern_real lack)
+/* Returns 1 if the stretch that begins at contact point c has a bump: a place
+   that is nearer to the other block than the line through its neighbours. The
+   ends of a stretch are at corners, where overlaps look smaller. */
+static int kern_bed_bump(const kern_task *task, const kern_contact *c)
 {
-    const kern_real to = b->way[k], turn = lack / (from + to);
-    const kern_real fall = turn * (from + b->high * turn / 2);
-    const kern_real own = (from * from + to * to + 4 * b->high * b->high) / 3;
-    const kern_real kept = kern_max(own - from * to, KERN_R(0));
-    const kern_real left = kern_max(to - b->high * turn, KERN_R(0));
-    return 2 * b->high * fall * kept * kept
-         > left * left * (own + from * from) * (own + to * to);
+    const kern_vec step = kern_vec_scale(kern_vec_turn(c->n),
+                                         2 * c->travel / KERN_ROCK_PLACES);
+    kern_real gap = KERN_R(0), rise = KERN_R(0);
+    kern_contact at = *c;
+    int i, bump = 0;
+    for (i = 1; i < KERN_ROCK_PLACES; i++) {
+        kern_real next;
+        at.p = kern_vec_add(at.p, step);
+        next = kern_repose_gap(&task->s, &at) - gap;
+        bump |= i > 2
+             && next - rise > KERN_ROCK_BUMP * task->options.pose_error;
+        rise = next;
+        gap += next;
+    }
+    return bump;
 }
 
-/* Raises *held to the mass of block `by`, or to infinity if it is fixed. */
-static void kern_bed_hold(kern_real *held, const kern_block *by)
+/* Returns 1 if a block may topple over the end of its bed on side k. That end
+   lacks support, so the block falls until the gap there closes. It stays if the
+   energy of this fall does not lift it over the end, although the impact is
+   taken to lose none. Let the force be 1, h its height above the end, c the
+   distance of its line from the end, and n its share along the normal. About
+   whichever point the block turns, to first order it stays if
+   2 h n lack <= c^2.
+
+   The end lacks its gap and `extra` / 2. A stretch longer than half of the bed,
+   and with a bump, may hide a gap of KERN_ROCK_LACK times `extra`. If it has no
+   bump, only the end farther from the line is asked. A block with the line
+   beyond its bed is held by others, as the verdict tells. */
+static int kern_bed_topples(const kern_task *task, const kern_bed *b,
+                            kern_vec centre, int k, kern_real extra)
 {
-    *held = kern_max(*held, by->fixed ? KERN_INFINITY : by->mass);
+    const kern_contact *c = task->s.contact + b->end[k];
+    const kern_vec arm = kern_vec_sub(c->p, centre);
+    const kern_vec bed = kern_vec_sub(task->s.contact[b->end[!k]].p, c->p);
+
+    /* The moment of the force about the end is 0 at the share `line` of the
+       bed. */
+    const kern_real moment = b->torque + kern_vec_cross(b->force, arm);
+    const kern_real line = -moment / kern_vec_cross(b->force, bed);
+
+    const int hides = 2 * kern_abs(c->travel)
+                    > kern_max(line, KERN_R(0.5)) * kern_vec_length(bed);
+    const int bump = hides && kern_bed_bump(task, c);
+    const kern_real lack = kern_max(kern_repose_gap(&task->s, c), KERN_R(0))
+                         + (bump ? KERN_ROCK_LACK : KERN_R(0.5)) * extra;
+    return line > 0 && line < 1 && (!hides || bump || 2 * line >= 1)
+        && 2 * (kern_vec_dot(b->force, arm) - b->lift) * lack
+                   * kern_abs(kern_vec_dot(b->force, c->n))
+               > moment * moment;
 }
 
-/* Finds the beds of all blocks, and what holds blocks. A block is held by
-   another one that it carries together with a third, and on the side where it
-   leans on a neighbour. carrier[i] receives a block that carries block i, or
-   i. */
-static void kern_bed_find(kern_bed *bed, int *carrier, const kern_structure *s)
+/* Marks block i as held on these sides if block `by` is fixed or has at least
+   half of its mass. */
+static void kern_bed_hold(kern_bed *bed, const kern_block *block, int i,
+                          int sides, int by)
+{
+    if (block[by].fixed || 2 * block[by].mass >= block[i].mass)
+        bed[i].held |= sides;
+}
+
+/* Finds the beds, what carries blocks and what holds them: a neighbour on which
+   a block leans, on that side, and on both sides a block that it carries
+   together with a third. */
+static void kern_bed_find(kern_bed *bed, const kern_structure *s)
 {
     const kern_vec down = kern_vec_unit(s->gravity);
     int i, k;
     kern_zero(bed, 9 * s->blocks);
     for (i = 0; i < s->blocks; i++)
-        carrier[i] = i;
+        bed[i].carrier = bed[i].end[0] = bed[i].end[1] = KERN_OUT;
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real press = kern_vec_dot(c->n, down);
         const int on = press < 0 ? c->b : c->a, under = c->a + c->b - on;
-        const kern_vec arm = kern_vec_sub(c->p, s->block[on].centre);
-        const kern_real side = kern_vec_cross(down, arm);
         kern_bed *b = bed + on;
 
         /* A steep contact is a side: its blocks hold each other. */
-        k = kern_vec_cross(down, c->n) > 0;
         if (kern_abs(press) < KERN_ROCK_STEEP) {
-            kern_bed_hold(bed[c->a].held + k, s->block + c->b);
-            kern_bed_hold(bed[c->b].held + !k, s->block + c->a);
+            k = 1 + (kern_vec_cross(down, c->n) > 0);
+            kern_bed_hold(bed, s->block, c->a, k, c->b);
+            kern_bed_hold(bed, s->block, c->b, 3 - k, c->a);
             continue;
         }
 
         /* Blocks that carry a third one together are held by it. */
-        if (carrier[on] != on && carrier[on] != under)
-            for (k = 0; k < 4; k++)
-                kern_bed_hold(bed[k & 1 ? under : carrier[on]].held + k / 2,
-                              s->block + on);
-        carrier[on] = under;
+        if (b->carrier != KERN_OUT && b->carrier != under) {
+            kern_bed_hold(bed, s->block, b->carrier, 3, on);
+            kern_bed_hold(bed, s->block, under, 3, on);
+            b->held |= 4;
+        }
+        b->carrier = under;
 
         /* The bed ends where its contact points are farthest. */
-        b->high = kern_max(b->high, kern_vec_dot(down, arm));
-        k = side > 0;
-        if (kern_abs(side) > b->way[k]) {
-            b->way[k] = kern_abs(side);
-            b->length[k] = 2 * kern_abs(c->travel);
-            b->gap[k] = kern_max(kern_repose_gap(s, c), KERN_R(0));
-        }
+        for (k = 0; k < 2; k++)
+            if (b->end[k] == KERN_OUT
+                || (kern_vec_cross(down,
+                                   kern_vec_sub(c->p, s->contact[b->end[k]].p))
+                    > 0)
+                       == k)
+                b->end[k] = i;
     }
 }
 
-/* Returns 1 if a block may topple by its own speed over an end of its bed. That
-   end lacks support by its gap and `extra` / 2, and the block turns about the
-   other end. A contact as long as half of the bed may hide a gap. So if one
-   begins at the farther end, that end lacks KERN_ROCK_LACK times `extra`, and
-   the block turns about the middle. A block with its centre beyond its bed is
-   held by others, as the verdict tells. The work memory is long enough. */
+/* Adds the weight and the load of block i to the force on its bed, and while
+   nothing holds it, to that of the block on which it stands alone: a tower
+   moves as one body. */
+static void kern_bed_load(kern_bed *bed, const kern_structure *s, int i)
+{
+    const kern_block *b = s->block + i;
+    int steps;
+    for (steps = 0; steps < s->blocks && i != KERN_OUT && !s->block[i].fixed;
+         steps++) {
+        const kern_vec arm = kern_vec_sub(b->centre, s->block[i].centre);
+        const kern_vec force = kern_vec_step(
+            kern_vec_make(b->load.fx, b->load.fy), b->mass, s->gravity);
+        kern_bed *on = bed + i;
+        on->force = kern_vec_add(on->force, force);
+        on->torque += b->load.torque + kern_vec_cross(arm, force);
+        on->lift += kern_vec_dot(arm, force);
+        i = on->held ? KERN_OUT : on->carrier;
+    }
+}
+
+/* Returns 1 if a block, with those that stand on it alone, may topple by its
+   own speed over an end of its bed. The work memory is long enough. */
 static int kern_certain_rocks(const kern_task *task, kern_real extra)
 {
     const kern_structure *s = &task->s;
     kern_bed *bed;
-    int *carrier, i;
+    int i, rocks = 0;
     kern_take take;
     kern_take_open(&take, task->work);
-    carrier = kern_take_ints(&take, s->blocks);
     bed = (kern_bed *)(void *)kern_take_reals(&take, 9 * s->blocks);
-    kern_bed_find(bed, carrier, s);
+    kern_bed_find(bed, s);
+    for (i = 0; i < s->blocks; i++)
+        kern_bed_load(bed, s, i);
 
     /* Asks both ends of each bed, unless the block is held there. */
-    for (i = 0; i < 2 * s->blocks; i++) {
-        const kern_bed *b = bed + i / 2;
-        const int k = i % 2;
-        const kern_real from = b->way[!k], to = b->way[k];
-        const int hides = 2 * b->length[k] > from + to;
-        if (!s->block[i / 2].fixed && from * to > 0
-            && 2 * b->held[k] < s->block[i / 2].mass && !(hides && to < from)
-            && kern_bed_topples(b, k, hides ? KERN_R(0) : from,
-                                hides ? KERN_ROCK_LACK * extra
-                                      : b->gap[k] + extra / 2))
-            return 1;
-    }
-    return 0;
+    for (i = 0; i < 2 * s->blocks && !rocks; i++)
+        rocks = bed[i / 2].end[0] >= 0 && !(bed[i / 2].held & (1 + i % 2))
+             && kern_bed_topples(task, bed + i / 2, s->block[i / 2].centre,
+                                 i % 2, extra);
+    return rocks;
 }
 
-/* Finds the stretches and lets the blocks settle where every `parts`-th one,
-   beginning with number `part`, is open by `extra` more than was measured. Sure
-   stretches are shorter by the error and have no gap but that. Adds the way to
-   *way: KERN_INFINITY if it is beyond the allowed way, or if a block on sure
-   stretches may topple by its own speed. The contact points that are closed
-   then, written to contact[0..room), become those of the task. */
-KERN_SHARED static kern_status kern_certain_rest(
-    kern_task *task, kern_search_kind kind, int part, int parts,
-    kern_real extra, kern_real *way, kern_contact *contact, int room)
+/* Finds the stretches and lets the blocks settle where every second one, or of
+   sure stretches every third one, beginning with number `part`, is open by more
+   than was measured. Sure stretches are shorter by the error and have no gap
+   but that. Adds the way to *way: KERN_INFINITY if it is beyond the allowed
+   way, or if a block on sure stretches may topple by its own speed. The contact
+   points that are closed then, written to contact[0..room), become those of the
+   task. */
+KERN_SHARED static kern_status kern_certain_rest(kern_task *task,
+                                                 kern_search_kind kind,
+                                                 int part, kern_real *way,
+                                                 kern_contact *contact,
+                                                 int room)
 {
     kern_structure *s = &task->s;
     const kern_options *o = &task->options;
     const int sure = kind == KERN_SEARCH_SURE;
+    const kern_real size = kern_mean_size(s->block, s->blocks);
+    const kern_real extra = sure
+                              ? o->gap + KERN_ERRORS * o->pose_turn * size / 2
+                              : KERN_LOW_OPEN * o->pose_error;
     kern_real closed, limit, moved;
     kern_repose r;
     int i, line = 0, n = 0;
@@ -13243,23 +13306,24 @@ KERN_SHARED static kern_status kern_certain_rest(
                                   task->work, 0, kind);
     if (s->contacts < 0)
         return (kern_status)s->contacts;
-    if (sure) {
-        if (kern_certain_rocks(task, extra))
-            *way = KERN_INFINITY;
-        kern_contacts_err(contact, s->contacts, KERN_ERRORS * o->pose_error,
-                          KERN_ERROR_CONE * o->pose_turn);
+    if (sure && part == 0 && kern_certain_rocks(task, extra)) {
+        *way = KERN_INFINITY;
+        return kern_limit_subtract(task, kern_call_status(task, KERN_OK));
     }
+    if (sure)
+        kern_contacts_err(contact, s->contacts, o, 1);
 
     /* Lets the blocks settle, for the lower end as far as they do. */
     kern_repose_begin(&r, task);
-    kern_repose_open(&r, part, parts, extra, KERN_R(!sure));
-    limit = KERN_DOUBT_MOST / KERN_DOUBT_TELLS * r.mean_size;
+    kern_repose_open(&r, part, sure ? KERN_DOUBT_PARTS : KERN_LOW_PARTS, extra,
+                     KERN_R(!sure));
+    limit = KERN_DOUBT_MOST / KERN_DOUBT_TELLS * size;
     moved = kern_repose_settle(&r, sure ? limit : KERN_INFINITY);
     *way = kern_max(*way, moved <= limit ? moved : KERN_INFINITY);
 
     /* Keeps the closed points: both ends of a line, or one as a point. */
     closed = KERN_LOW_CLOSED * o->pose_error
-           + KERN_R(!sure) * KERN_GAP_SHARE * r.mean_size;
+           + KERN_R(!sure) * KERN_GAP_SHARE * size;
     for (i = 0; i < s->contacts; i++) {
         if (r.stretch[i] > 0)
             line = r.stretch[i] > 1
@@ -13288,8 +13352,7 @@ static kern_real kern_certain_low(kern_task *variant, kern_real margin,
     kern_margin m;
     int part;
     for (part = 0; part < KERN_LOW_PARTS && low > 0; part++) {
-        *status = kern_certain_rest(variant, KERN_SEARCH_STRETCHES, part,
-                                    KERN_LOW_PARTS, KERN_LOW_OPEN * e, way,
+        *status = kern_certain_rest(variant, KERN_SEARCH_STRETCHES, part, way,
                                     contact, room);
         if (*status >= KERN_UNDECIDED)
             *status = kern_limit_subtract(variant,
@@ -13310,14 +13373,12 @@ static kern_real kern_certain_way(kern_task *variant, kern_real way,
                                   kern_contact *contact, int room,
                                   kern_status *status)
 {
-    const kern_options *o = &variant->options;
-    const kern_real size = kern_mean_size(variant->s.block, variant->s.blocks);
     int part;
-    for (part = 0; part < KERN_DOUBT_PARTS && *status == KERN_STANDS; part++) {
-        *status = kern_certain_rest(
-            variant, KERN_SEARCH_SURE, part, KERN_DOUBT_PARTS,
-            o->gap + KERN_ERRORS * o->pose_turn * size / 2, &way, contact,
-            room);
+    for (part = 0; part < KERN_DOUBT_PARTS && *status == KERN_STANDS
+                   && way < KERN_INFINITY;
+         part++) {
+        *status = kern_certain_rest(variant, KERN_SEARCH_SURE, part, &way,
+                                    contact, room);
         if (*status >= KERN_UNDECIDED && way < KERN_INFINITY)
             *status = kern_limit_subtract(variant,
                                           kern_verdict(variant, 0, NULL));
@@ -13331,13 +13392,11 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
 {
     kern_task variant;
     kern_margin m;
-    kern_real shrink, turn, way;
+    kern_real way;
     int i;
     kern_status status = kern_certain_check(task, margin, out, contact, room);
     if (status != KERN_OK)
         return status;
-    shrink = KERN_ERRORS * task->options.pose_error;
-    turn = KERN_ERROR_CONE * task->options.pose_turn;
     out->high = out->settles = KERN_INFINITY;
     variant = kern_task_of(task->s.block, task->s.blocks, contact, 0,
                            task->work);
@@ -13364,7 +13423,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
         variant.options.mu = task->options.mu;
         variant.s.contacts = kern_contacts_upper(task, margin, &variant.options,
                                                  contact, room);
-        kern_contacts_err(contact, variant.s.contacts, -shrink, -turn);
+        kern_contacts_err(contact, variant.s.contacts, &task->options, -1);
         status = kern_measure(&variant, &m, NULL);
         out->high = status == KERN_STANDS || status == KERN_LIMIT
                       ? kern_max(m.fails, margin)

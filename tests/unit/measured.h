@@ -578,56 +578,69 @@ static void turn_page(world *w)
     w->gravity = vec(9.81 * s, -9.81 * c);
 }
 
-/* A post 0.5 wide and 4 high. Its single stretch may hide a gap g of half of its
-   bed. Then it turns by g / 0.25 about its middle, and its centre, 2 high, falls
-   by turn^2. At the impact the share 5.354 / 5.417 = 0.988 of that energy
-   remains. It topples if its centre, 0.25 - 2 turn before the end of its bed,
-   need not rise farther: from g = 0.0157 on. The doubt is 1.25 times 7 errors.
+/* The force on a block passes at a distance c from the end of its bed, and its
+   height above that end is h. If the end lacks g, the block falls and frees the
+   energy g for a unit force, whichever point it turns about. To topple it must
+   rise by c^2 / (2 h). So it may topple if g > c^2 / (2 h).
 
-   A block 1 wide and 0.9 high, whose bed ends 0.5 to the left of its centre and
-   0.07 to the right. If the right end lacks g it turns by g / 0.57 about the
-   left one, and its centre falls by 0.5 turn + 0.225 turn^2. At the impact the
-   share 0.32^2 / (0.605 * 0.36) = 0.470 remains. It topples from g = 0.0102 on.
-   That end is closed, and the doubt is 3.5 errors. It is not in doubt if the
-   block leans on a wall there. */
+   POST is 0.5 wide and 4 high, and TOWER is such a post in two halves. STEPPED
+   is a post over a step of 2 errors, a bump of its stretch. BLOCK is 1 wide and
+   0.9 high; its bed ends 0.07 to the right of its centre. HELD leans there on a
+   wall. PUSHED is that block on feet at both ends, with 0.9 of its weight as a
+   load to the right, and SLOPE has it on a slope of tangent 0.9: with the
+   weight 1, c is 0.5 - 0.45 * 0.9, h is 0.45 + 0.5 * 0.9, and the height of the
+   bed's other end makes the energy g again.
+
+   An end that shows no gap is in doubt by 3.5 errors, and by 8.75 where the
+   stretch has a bump. */
 static void certain_rocks(void)
 {
-    enum { POST, BLOCK, HELD, KINDS };
-    static const double least[] = {0.01567, 0.01025, 0.01025};
-    static const double factor[] = {1.25 * 7, 3.5, 3.5};
-    static const double from[] = {0, 0.5, 0.5}, to[] = {0.25, 0.07, 0.07};
-    static const double high[] = {2, 0.45, 0.45}, kept[] = {0.988, 0.47, 0.47};
+    enum { POST, TOWER, STEPPED, BLOCK, HELD, PUSHED, SLOPE, KINDS };
+    static const double c[] = {0.25, 0.25, 0.25, 0.07, 0.07, 0.095, 0.095};
+    static const double h[] = {2, 2, 2, 0.45, 0.45, 0.9, 0.9};
+    /* where the first ground ends, and the second lies */
+    static const double right[][3] = {
+        {3},           {3},          {3}, {0.1, 0.45, 0.57}, {0.1, 0.45, 0.57},
+        {0.1, 0.9, 1}, {0.1, 0.9, 1}};
     static world w;
     kern_margin m;
     kern_interval in;
     int i, got;
     for (i = 0; i < 2 * KINDS; i++) {
         const int kind = i / 2;
-        const double g = least[kind] * (i % 2 ? 1.02 : 0.98);
-        const double turn = g / (from[kind] + to[kind]);
-        const double fall = from[kind] * turn + high[kind] * turn * turn / 2;
-        const double before = to[kind] - high[kind] * turn;
-        const double rise = before * before / (2 * high[kind]);
-        const double e = g / factor[kind];
+        const double g = c[kind] * c[kind] / (2 * h[kind]);
+        const double e = g * (i % 2 ? 1.02 : 0.98)
+                       / (kind == STEPPED ? 8.75 + 2 : 3.5);
+        const double step[] = {-3,   -1,     3,    -1, 3,  -2 * e,
+                               0.08, -2 * e, 0.08, 0,  -3, 0};
         double size;
-        CHECK((kept[kind] * fall > rise) == i % 2);
         world_reset(&w);
-        if (kind == POST) {
-            world_box(&w, 0, -3, -1, 3, 0);
-            world_box(&w, 1, -0.25, 0, 0.25, 4);
-        } else {
-            world_box(&w, 0, -2, -1, 0.1, 0);
-            world_box(&w, 0, 0.45, -1, 0.57, 0);
+        w.options.mu = R(2);
+        if (kind == STEPPED)
+            world_polygon(&w, 0, step, 6);
+        else
+            world_box(&w, 0, -3, -1, right[kind][0], 0);
+        if (kind >= BLOCK) {
+            world_box(&w, 0, right[kind][1], -1, right[kind][2], 0);
             world_box(&w, 1, 0, 0, 1, 0.9);
-        }
+        } else
+            world_box(&w, 1, -0.25, 0, 0.25, kind == TOWER ? 2 : 4);
+        if (kind == TOWER)
+            world_box(&w, 1, -0.25, 2, 0.25, 4);
         if (kind == HELD)
             world_box(&w, 0, 1, -1, 2, 2);
+        if (kind == PUSHED)
+            w.block[w.blocks - 1].load.fx = R(0.9 * 0.9 * 9.81);
+        if (kind == SLOPE)
+            w.gravity = vec(0.9 * 9.81, -9.81);
         size = (double)kern_mean_size(w.block, w.blocks);
+        sprintf(context, "kind %d", kind);
         CHECK_INT(certain_within(&w, e, e / size, &got, &m, &in),
                   i % 2 && kind != HELD ? KERN_OK : KERN_STANDS);
         CHECK_INT(got, KERN_STANDS);
         CHECK(in.low > 0);
     }
+    context[0] = 0;
 }
 
 /* Checks that two answers are alike. In float returns 1 where they are not:
