@@ -37,8 +37,8 @@
 
    "Kern" is the word for the shrunk contact in the paper on which this library
    is based (>>references). It does not mean the middle third of a section here.
-   If contacts shrink by more than the margin d*, no contact forces hold every
-   stone.
+   If contacts shrink a little more than the margin d*, no contact forces hold
+   every stone, unless points can hold the stones, too.
 
    HOW TO USE IT                                                        >>use
 
@@ -47,7 +47,7 @@
    the C library but sqrt() (-lm).
 
        kern_vec ground[4] = {{-5, -1}, {5, -1}, {5, 0}, {-5, 0}};
-       kern_vec stone[4]  = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+       kern_vec stone[4]  = {{0, 0}, {2, 0}, {3, 1.5}, {1, 1.5}};
        kern_block block[2];
        kern_contact contact[8];
        kern_real real[KERN_REALS(2, 8)];
@@ -58,7 +58,7 @@
        kern_margin m;
 
        kern_ground_init(&block[0], ground, 4, NULL);
-       kern_block_init(&block[1], stone, 4, 2400, NULL);     2400 kg/m^2
+       kern_block_init(&block[1], stone, 4, 2400, NULL);  // 2400 kg/m^2
        task.s.contacts = kern_contacts(block, 2, &task.options, contact, 8,
                                        &work);
        if (kern_measure(&task, &m, NULL) == KERN_STANDS)
@@ -72,13 +72,25 @@
    reference", KERN_IMPLEMENTATION is in no file, or only in a file that was
    compiled in the other precision (KERN_SINGLE).
 
+   To ask where a stone can go, keep the structure in a plan (kern_plan_of(),
+   kern_plan_add()). A plan answers for one more block without solving the whole
+   structure again: kern_plan_try() returns the margin with this block,
+   kern_plan_bears() tells whether that margin is at least a given length, and
+   kern_plan_stays() returns the chance that the block stays when it is
+   released. The arrays of the plan must have room for this block. A chance of
+   0.5 is a usual threshold (>>measures). kern_rest() finds where a stone that
+   is lowered comes to rest. examples/copy/plan.c and best_place.c use these
+   functions.
+
    CONVENTIONS                                                  >>conventions
 
    You may use any consistent units of length, mass and time; comments use m, kg
    and s. Angles are in radians, counter-clockwise positive. Blocks are polygons
    in world coordinates of a plane, with a depth of one unit and a density per
-   area. To add a stone, append the contacts that kern_touch() finds. To remove
-   the last stone, reduce the counts `blocks` and `contacts` of the structure.
+   area. Friction is 0.4 and the gap of a contact 1e-3 of a block's size unless
+   you set the options (kern_options). Without a plan, add a stone by appending
+   the contacts that kern_touch() finds, and remove the last stone by reducing
+   the counts `blocks` and `contacts` of the structure.
 
    MEMORY                                                            >>memory
 
@@ -113,13 +125,11 @@
    that would exceed the limit is not begun: the call returns KERN_LIMIT and
    writes the results that are proven by then. A call that ends below the limit
    gives the same bits as without a limit. On x86-64 a call takes at most 3,000
-   instructions plus 2,000 for each unit of its limit. A call that completes
-   takes 550 to 2,000 instructions for each unit in work->units, or 0.1 to 0.6
-   microseconds on a desktop computer (tests/work.sh limits). If most blocks
-   have a single contact, as in a loose fill that is pushed, a call takes up to
-   3,100 instructions for each unit of its limit, and a call that completes up
-   to 2,230 for each unit in work->units. On a Cortex-M4F a unit took up to
-   2,520 instructions.
+   instructions plus 2,000 for each unit of its limit, or 3,100 if most blocks
+   have a single contact, as in a loose fill that is pushed (tests/work.sh
+   limits). A call that completes takes 550 to 2,000 instructions for each unit
+   in work->units, or 2,230 in such a fill. On a desktop computer that is 0.1 to
+   0.6 microseconds. On a Cortex-M4F a unit took up to 2,520 instructions.
 
    CONFIGURATION                                                     >>config
 
@@ -151,14 +161,21 @@
    acts at the centre c of the block. Contact point p has the normal n, the
    tangent t, and the force f n + r t:
 
-       sum f n + r t + weight = 0,     sum (p - c) x (f n + r t) = 0,
+       sum (f n + r t) + weight = 0,     sum (p - c) x (f n + r t) = 0,
        f >= 0,  |r| <= mu f.
 
-   With forces x along the two edges of each friction cone, n + mu t and n - mu
-   t, this becomes Eq. (5): find x >= 0 with A x = -w (A_eq of the paper,
-   >>statics). If no x exists, Farkas' lemma gives a y with y.A >= 0 and y.w >
-   0. This y is a mechanism: velocities and spins such that no contact closes
-   and the weights do work. Such a mechanism proves that the structure falls.
+   With forces x along the two edges of each friction cone, which are n + mu t
+   and n - mu t, this becomes Eq. (5) (A_eq of the paper, >>statics):
+
+       find x >= 0 with A x = -w.
+
+   If no x exists, Farkas' lemma gives a y with
+
+       y.A >= 0,  y.w > 0.
+
+   This y is a mechanism: velocities and spins with which no two blocks press
+   into each other at a contact, and the weights do work. Such a mechanism
+   proves that the structure falls.
 
    A verdict tries these methods in order until one gives a proof:
 
@@ -173,16 +190,17 @@
        whole        >>ipm     solves all blocks at once. More than 64 free
                     >>lp      blocks are solved by the interior-point method
                               or, if it decides nothing, by the simplex method.
-                              Up to 64 are solved by the simplex method or, if
-                              it decides nothing and only in double, by the
-                              interior-point method
+                              Up to 64 free blocks are solved by the simplex
+                              method. If it decides nothing, the interior-point
+                              method follows (in double only)
 
    A measure is the critical value of a path (kerns shrink, a load grows,
    gravity turns): the first value at which the structure falls. Fixing blocks
    never lowers the critical value, so any part, with all other blocks fixed,
-   gives an upper bound. The search (>>search) begins at the least critical
-   value of a body, which is a block together with the blocks that rest only on
-   it. There it runs the top-down pass. If a part falls, the search continues at
+   gives an upper bound. A body is a block together with the blocks that rest on
+   it alone, directly or through others. The search (>>search) begins at the
+   smallest of the critical values of all bodies. There it runs the top-down
+   pass. If a part falls, the search continues at
    the critical value of that part, until no part falls. If the pass gives no
    proof, the search solves the whole structure. For up to 64 free blocks, load
    factor and tilt are computed by one linear program in which the critical
@@ -228,23 +246,25 @@
                points. n is the mean of their normals, weighted by length.
                Contacts are joined in the order of their lengths, the longest
                first and points last.
-     overlap   KERN_OVERLAP is returned if a point of one outline is deeper
-               inside the other block than the gap, if a block is inside
-               another, if two edges cross and all four of their ends are
-               farther than the gap from the other edge's line, or if two convex
-               blocks cannot be separated by a motion as short as the gap.
+     overlap   The deepest overlap that is allowed is the larger of the gap and
+               options.overlap. KERN_OVERLAP is returned if a point of one
+               outline is deeper inside the other block than that, if a block is
+               inside another, if two edges cross and all four of their ends are
+               farther than that from the other edge's line, or if two convex
+               blocks cannot be separated by a motion as short as that.
    A larger gap never removes a support. Contacts that the caller makes are used
    as they are, with unit normals. A line contact whose direction differs from t
    by more than `angle` is refused.
 
    Shrinkage. As kerns shrink, a contact point moves in a direction u = t or -t,
-   by at most its travel l >= 0:
+   by at most its travel l >= 0, which is the magnitude of kern_contact.travel:
      line      The two ends move toward each other; l is half the length.
      points    Two or more points of one pair move toward the middle q of the
                two that are farthest apart, each along its own t. Their travel
                is l = |(q - p) . t|.
-     one point A single point of a pair does not move: l = 0. A point with l
-               below 1e-9 of the mean size does not move either.
+     one point The only point contact of a pair does not move, even if the pair
+               has line contacts, too: l = 0. A point with l below 1e-9 of the
+               mean size does not move either.
      lone      If options.lone is set, a single point of a pair moves toward the
                middle of the contacts that carry its block, as in Fig. 2 c, d of
                the paper. A contact carries the block that its normal pushes up,
@@ -268,12 +288,13 @@
      deficit   For a structure that falls at d = 0: the least growth d at which
                it stands with contact points at p - d u (relative: p - d l u).
                The deficit is infinite if the structure still falls at a growth
-               of 1000 times the longest side of the box around the free blocks
-               (relative: that length divided by the smallest l).
-     load      The largest factor f such that the structure stands under the
-     factor    load pattern times every factor up to f. A horizontal load is f m
-               |g| at every centre, to the right (gravity turned by +90 degrees)
-               or to the left.
+               of L, which is 1000 times the longest side of the box around the
+               free blocks (relative: L divided by the smallest l).
+     load      The load is a pattern of forces and torques, or a horizontal load
+     factor    of m |g| at every centre, to the right (gravity turned by +90
+               degrees) or to the left. The load factor is the largest factor F
+               such that the structure stands under the load times every factor
+               up to F.
      tilt      The first angle at which the structure falls when gravity turns
                to the side, or pi if it falls at no angle. Loads of blocks do
                not turn with gravity.
@@ -293,14 +314,16 @@
                distance of the force on the worst stone from the edge of its
                support. It is a length, so large stones count more. With
                options.relative it is a share of half the length of a contact
-   level       is the paper's measure: the margin in steps of epsilon, rounded
-               up
+   level       is the paper's measure: the first step of length epsilon at
+               which the structure falls
    load factor is the largest sideways acceleration that the structure bears, in
                units of gravity
-   raised load is the load factor under Coulomb friction, for a load that grows
-               from 0 (>>limits)
+   raised load is the load factor for a load that grows from 0 on blocks that
+               slide without moving apart (kern_raised_load()). The load factor
+               supposes that they move apart (>>limits)
    tilt        tells how far the ground may tilt before the structure falls.
-               Without loads it is the arc tangent of the load factor
+               Without loads it is the arc tangent of the load factor, if that
+               is finite
    deficit     tells how far the contacts of a structure that falls must grow
                until it stands
    bearing     is the length of the shortest contact that the structure needs
@@ -309,9 +332,11 @@
                the stones that fall before it are removed. Gives also the mean
                of these values, the mean of their lower half, and the expected
                drop
-   raised      tells whether the load, applied to unstressed contacts, causes
-               ("raises") forces that hold the structure. The reserve tells how
-               large a push the structure bears in addition
+   raised      takes each contact as a stiff spring with friction that is
+               unstressed at first, and tells whether the load presses the
+               blocks together so that forces arise ("are raised") that hold the
+               structure. The reserve tells how large a push the structure bears
+               in addition
    stays       is the chance that a stone stays where it is released
    rest        finds where a stone comes to rest, and compares places
                (kern_rest(), kern_place_compare(), examples/place.c)
@@ -322,7 +347,7 @@
    The margin does not show that a support is very short. A contact shrinks to a
    point, and a point still carries: if one end of a stone rests on a contact of
    2 micrometres, the margin is that of the other end. The bearing length
-   (kern_bearing()) shows such a short support. A robot whose stones lie off by
+   (kern_bearing()) shows such a short support. A robot that misplaces stones by
    more than the bearing length cannot rely on the shortest contact. Compute the
    bearing length with the contacts of kern_stretches(), since kern_contacts()
    makes one contact of the two feet of a block, from the outer end of one foot
@@ -356,10 +381,10 @@
        630 that stay: released         0.96   0.95   0.93   0.83
        205 that move: not released     0.90   0.96   0.985  0.995
 
-   The chance is computed from the distance by which stones move until the
-   forces hold them, and from the reserve (kern_raised()). The larger that
-   distance, the more equilibria are possible; friction decides which of them is
-   reached.
+   The chance is computed from the distance by which stones press into their
+   contacts until the forces hold them, and from the reserve (kern_raised()).
+   The larger that distance, the more equilibria are possible. Friction decides
+   which of them is reached.
 
    Whether a finished structure stays. kern_let_go() releases all blocks at
    once, so the order of the blocks does not matter. kern_least_load_of() and
@@ -394,14 +419,17 @@
    error (kern_overlaps()) are modelling errors: measure again, or set
    options.overlap.
 
-   Certainty. A structure at rest is measured with errors, so its stones must
-   settle by a few errors before they rest again. kern_certain() computes this
+   Certainty. The poses of a structure at rest are measured with errors. The
+   measured stones therefore lie a little apart or inside each other, and must
+   settle by a few errors before they rest. kern_certain() computes this
    settling. It returns a lower and an upper end of the margin, whether the
-   verdict is certain within the error, and how far stones may settle. A
-   structure certainly stands if it passes the tests of kern_certain(). For
-   example, it must stand on those stretches of contact that are longer than the
-   errors, and it must come to rest again after a small motion if every third
-   stretch is open. tests/TRUST.md tells how often these answers are right.
+   verdict is called certain, and how far stones may settle. A stretch is a
+   contact, or a part of a contact between hollows (kern_stretches()). The
+   verdict KERN_STANDS is called certain if the structure passes the tests of
+   kern_certain(). For example, it must stand on the stretches that are longer
+   than the errors, and it must come to rest again after a small motion if every
+   third stretch is supposed not to touch. tests/TRUST.md tells how often these
+   answers are right, and which structures they overlook.
 
    LIMITS                                                            >>limits
 
@@ -415,20 +443,23 @@
              factor and tilt are too high. Compared with a simulator they were
              too high by 11 to 26 % on four published brick walls with openings
              (tests/PUBLISHED.md), by a factor of up to 2.5 on random brick
-             walls, and never on settled rubble. For 90 rows of columns
-             that topple, the load factor was up to 3.1 times too high
+             walls, and never on settled rubble. A toppling slope is a row of
+             columns on a stepped base. Goodman and Bray (1976) compute what
+             holds it column by column (below: limit equilibrium). For 90 such
+             rows the load factor was up to 3.1 times too high
              (tests/TRUST.md). The least friction at which the verdict is
-             "stands" is up to 31 % too low for such rows. If such a row stands
-             on a base that slopes as the row does, the error has no bound: one
+             "stands" is up to 31 % too low for such rows. If the tops of the
+             columns rise at the slope of the base, the error has no bound: one
              load factor was 100 times too high, and one verdict was "stands"
              with a friction of .44 where 2.07 is needed.
              kern_raised_load() has no dilatancy. kern_let_go() tells whether
-             such a row stays: it returned KERN_STANDS for none of 600 random
-             slopes with less friction than limit equilibrium needs.
-             kern_raised_load() and kern_let_go() follow one path of loading. If
-             these or other functions disagree, rely on the less favourable
-             answer. A flat arch with hanging bricks is never raised, although
-             it may stay.
+             such a row stays: it returned KERN_STANDS for none of 360 toppling
+             slopes with .9 and .99 of the friction that limit equilibrium
+             needs. kern_raised_load() and kern_let_go() follow one path of
+             loading. If these or other functions disagree, rely on the less
+             favourable answer. For a flat arch with hanging bricks
+             kern_raised() never returns KERN_RAISED, although the arch may
+             stay.
    Search    KERN_NOT_SHOWN is no proof of falling. kern_work.end tells whether
              the search found no equilibrium or was ended by a limit of work.
              The raised load of 90 rows of 20 to 90 columns is at least 87 % of
@@ -476,15 +507,15 @@
    Brackets  Brackets are at most 2e-6 mean sizes wide (load factor 2e-6, tilt
              8e-6 rad), in jams up to 50 times as wide, and up to 3e-5 if there
              are more than 256 blocks and many of them move at once. If more
-             than 64 blocks move at once, the true value may lie anywhere in the
-             bracket.
+             than 64 blocks move at once, the returned value may differ from the
+             true one by the width of the bracket.
    Slow      Structures in which many blocks move at the margin take long:
              ragged walls, fitted masonry, long arches (tests/BENCH.md).
    Float     Proofs are weaker (>>tune), and more verdicts near critical are
              undecided. A deficit is exact to 3e-6 sizes. For more than 64
-             blocks a measure is exact to 0.05 of its unit, which is the mean
-             size for a margin. If wedges jam, a margin may be wrong by 1/3
-             size. Choose coordinates close to the origin.
+             blocks a margin may be wrong by 0.05 mean sizes, and another
+             measure by 0.05. If wedges jam, a margin may be wrong by 1/3 size.
+             Choose coordinates close to the origin.
 
    DETERMINISM                                                  >>determinism
 
@@ -1214,63 +1245,66 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
 /* Computes an interval for the margin of a measured structure, from the errors
-   e and theta in its options. Returns the verdict that is certain: KERN_STANDS,
-   KERN_FALLS (it falls even with all contacts and friction that `high` allows),
-   or KERN_OK if neither is certain. Pass the `margin` of kern_measure(), or 0
-   if the structure falls.
-     low      The least of `margin` and of two margins on the stretches
-              (kern_stretches()) that are closed after the blocks have settled:
-              with every other stretch open by 3 e, then with the other half.
-              All stretches get the least friction of the contacts. `low` is
-              divided by 1 + 200 e / size, or if e is below 0.005 mean sizes by
-              1 + 40,000 (e / size)^2. `low` is 0 if the structure may fall. The
-              true margin is above `low` for about 94 of 100 structures that
-              stand, and for 60 to 73 of 100 stones placed where they move.
-              `low` tends to `margin` as e tends to 0 if all contacts have the
-              friction of the options.
+   e and theta in its options. Returns the verdict that is called certain:
+   KERN_STANDS if out->low is above 0 and out->settles is finite, KERN_FALLS if
+   the structure falls even with all contacts and friction that `high` allows,
+   or KERN_OK if neither is certain. KERN_FALLS is never returned if forces on
+   the contacts of the task hold the structure. Pass the `margin` of
+   kern_measure(), or 0 if the structure falls.
+     low      Lets the blocks settle twice on the stretches (kern_stretches()),
+              first with every second stretch open by 3 e, then with the other
+              half open. `low` is the least of `margin` and of the two margins
+              on the stretches that are closed then. All stretches get the least
+              friction of the contacts. `low` is divided by 1 + 200 e / size, or
+              if e is below 0.005 mean sizes by 1 + 40,000 (e / size)^2. `low`
+              is 0 if the structure may fall. The true margin is above `low` for
+              about 94 of 100 structures that stand, and for 60 to 73 of 100
+              stones placed where they move. `low` tends to `margin` as e tends
+              to 0 if all contacts have the friction of the options.
      high     The margin with kerns that are longer by 3.5 e and friction angles
-              that are larger by 3 theta, at least `margin`. If `margin` is 0,
-              edges and corners within gaps and angles of twice the error carry
-              as well.
-     settles  How far the blocks may move [m], if the structure certainly
-              stands. Four tests must pass. First, the structure stands on
-              stretches at least 5 e long, or that far inside their edge, with
-              kerns shorter by 3.5 e and friction angles smaller by 3 theta.
-              Second, no block topples by its own speed if one end of its bed
-              lacks support by its gap and g / 2, where g is the gap of the
-              options plus 1.75 theta sizes. A stretch as long as half of the
-              bed may hide a gap: if it has a bump, the end lacks its gap and
-              1.25 g. Third, the structure comes to rest with every third
+              that are larger by 3 theta. `high` is at least `margin`. If
+              `margin` is 0, contacts of edges and corners that
+              kern_measured_options() finds with errors 2 e and 2 theta count as
+              well.
+     settles  How far the blocks may move [m], or KERN_INFINITY if one of four
+              tests fails. Let g be the gap of the options plus 1.75 theta
+              sizes. First, the structure stands on stretches at least 5 e long,
+              or that far inside their edge, with kerns shorter by 3.5 e and
+              friction angles smaller by 3 theta. Second, no block rocks
+              (below). Third, the structure comes to rest with every third
               stretch, each third in turn, open by g, and no contact that
-              presses becomes shorter by half. Fourth, it stands on the
-              stretches that are closed then. `settles` is 1.5 times the longest
-              motion of these settlings and of those of `low`, at least 4.5 e
-              and at most 0.45 mean sizes. If a test fails, `settles` is
-              KERN_INFINITY.
-   KERN_STANDS: out->low is above 0 and out->settles is finite. KERN_FALLS is
-   never returned if forces on the contacts of the task hold the structure.
-   Limits: settling has no inertia. The second test compares energies. The force
-   on a block is its weight and load, and those of the blocks that stand on it
-   alone, which move with it. For the unit force, let h be its height above the
-   end of the bed, c the distance of its line from the end, and n its share
-   along the normal of the contact. A gap that closes there frees n times the
-   gap, and the impact is taken to lose no energy. The block passes if that does
-   not lift it over the end: 2 h n gap <= c^2. A load acts at the centre.
-   Contacts steeper than 60 degrees are no beds. A block is held if it carries
-   another one together with a third, and on the side where it leans on a
-   neighbour, if the other one has at least half of its mass. A bump is a place
-   of a stretch that is nearer to the other block, by 0.3 e and more, than the
-   line through two others 1/16 of the stretch away. Without a bump, a stretch
-   as long as half of the bed is in doubt only at the end that is farther from
-   the line of the force. So a block may topple although it certainly stands, if
-   a step narrower than 1/8 of such a bed carries it, or if it is tilted on a
-   bed narrower than 30 e. Normals and friction stay as they were measured, so a
-   stone may slide off a support that tilts by a few e. `low` is too high for a
-   bed with a step of 1 to 4 e. tests/TRUST.md has shares for all of these.
-   The order of blocks and contacts does not matter, except for contacts of
-   exactly the same height and place. A mirrored or turned frame does not matter
-   either. A cut of the ground matters only if the sides of the cut are new
-   contacts. e and theta are absolute even with options.relative.
+              presses becomes shorter by half. Fourth, the structure stands on
+              the stretches that are closed then. `settles` is 1.5 times the
+              longest motion of these settlings and of those of `low`, at least
+              4.5 e and at most 0.45 mean sizes.
+   The second test tells whether a block may topple by its own speed because one
+   end of its bed lacks support. The force on a bed is the weight and the load
+   of its block and of the blocks that stand on this block alone and move with
+   it. Divide this force by its magnitude. Let h be the height of the centre
+   above the end of the bed along the force, c the distance of the line of the
+   force from that end, and n the share of the force along the normal of the
+   contact. The block falls until the gap at the end closes, which frees the
+   energy n gap, and the impact is taken to lose none of it. The block passes if
+   this energy does not lift it over the end: 2 h n gap <= c^2. The gap is the
+   measured one plus g / 2. A stretch as long as half of the bed may hide a gap:
+   if it has a bump, the gap is the measured one plus 1.25 g, and if it has
+   none, only the end that is farther from the line of the force is tested. A
+   bump is a place of a stretch that is nearer to the other block, by 0.3 e and
+   more, than the line through the two places 1/16 of the stretch to either
+   side. Contacts steeper than 60 degrees are no beds. A block is not tested on
+   a side on which it is held: on both sides by a block that it carries together
+   with a third block, on one side by a neighbour on which it leans there. The
+   block that holds it must be fixed or have at least half of its mass.
+   Limits: settling has no inertia, and in the second test loads act at centres.
+   A block may topple although it is called certain to stand if a step narrower
+   than 1/8 of a long stretch carries it, or if it is tilted on a bed narrower
+   than 30 e. Normals and friction stay as they were measured, so a stone may
+   slide off a support that tilts by a few e. `low` is too high for a bed with a
+   step of 1 to 4 e. tests/TRUST.md has shares for all of these. The order of
+   blocks and contacts does not matter, except for contacts of exactly the same
+   height and place. A mirrored or turned frame does not matter either. A cut of
+   the ground matters only if the sides of the cut are new contacts. e and theta
+   are absolute even with options.relative.
    contact[0..room) receives the stretches, then the contacts for `high`. The
    work memory must be long enough for `room` contact points. Errors: those of
    kern_contacts() and kern_measure(), KERN_BAD_OPTION also if the options are
@@ -1279,7 +1313,7 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    proven so far.
    Time: six searches for contacts, six margins or verdicts, and five settlings
    of at most 7,200 visits of every contact point. For settled structures that
-   stand, the median time is 28 times that of kern_measure() at errors of 2 % of
+   stand, the median time is 21 times that of kern_measure() at errors of 2 % of
    the mean size, and 90 times at 0.2 %. */
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
@@ -1529,9 +1563,10 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
    follow those of the plan. The search for these contacts may use options.limit
    units, and the query itself as many again. */
 
-/* Returns an empty plan under gravity (0, -9.81). All arrays, also those of
-   `known` and of the work memory, must be long enough for `blocks` blocks and
-   `contacts` contact points. */
+/* Returns an empty plan under gravity (0, -9.81). Add all blocks, the ground
+   too, by kern_plan_add(). All arrays, also those of `known` and of the work
+   memory, must be long enough for `blocks` blocks and `contacts` contact
+   points. `blocks` counts the fixed blocks and the block that a query adds. */
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
                                 kern_known known, kern_work *work);
@@ -10321,9 +10356,10 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* Settling: contact points of equal height are ordered by their arms, then from
    side to side. This share of arm and place is added to the height. */
 #define KERN_SETTLE_TIE KERN_PICK(1e-7, 1e-5)
-/* kern_certain(), lower end. PARTS: every PARTS-th stretch is open at a time.
-   OPEN: gap of these stretches, in errors of place. CLOSED: largest gap of a
-   closed contact, in errors of place, also for KERN_DOUBT_*. */
+/* kern_certain(), lower end. PARTS: the blocks settle PARTS times, each time
+   with every PARTS-th stretch open, beginning with another one. OPEN: gap of
+   these stretches, in errors of place. CLOSED: largest gap of a closed contact,
+   in errors of place, also for KERN_DOUBT_*. */
 #define KERN_LOW_PARTS 2
 #define KERN_LOW_OPEN KERN_R(3.0)
 #define KERN_LOW_CLOSED KERN_R(1.0)
@@ -10331,9 +10367,9 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
    errors e below WIDE mean sizes, LOSS is smaller in proportion to e. */
 #define KERN_LOW_LOSS KERN_R(200.0)
 #define KERN_LOW_WIDE KERN_R(0.005)
-/* kern_certain(), test of settling. PARTS: every PARTS-th stretch is open at a
-   time. TELLS: blocks may settle by this multiple of the largest motion found.
-   MOST: largest such distance, as a share of the mean size. */
+/* kern_certain(), test of settling. PARTS: as for the lower end. TELLS: blocks
+   may settle by this multiple of the largest motion found. MOST: largest such
+   distance, as a share of the mean size. */
 #define KERN_DOUBT_PARTS 3
 #define KERN_DOUBT_TELLS KERN_R(1.5)
 #define KERN_DOUBT_MOST KERN_R(0.45)
