@@ -105,8 +105,13 @@ __all__ = [
     "DrawingWarning", "simplified", "lp_solve", "status_text", "build",
 ]
 
-Point = Tuple[float, float]
 
+def __dir__() -> List[str]:
+    """Lists what is for users, without the names that the module imports."""
+    return sorted(__all__)
+
+
+Point = Tuple[float, float]
 
 
 class Side(enum.IntEnum):
