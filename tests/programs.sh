@@ -489,6 +489,9 @@ passive() { # passive OUT BRIDGE: what counts on the passive pressure of fill sa
         says 'of the fill its least factor is below 1 as the live load drives' \
             --sweep 6 "$1/worst.kern" || return 1
     # a dead load that only this pressure holds is the first thing said
+    { cat "$2" && echo load v12 0 -40 -1.6 1.4; } >"$1/drop.kern" &&
+        says 'no passive  none      no factor is known, without the passive' \
+            --sweep 2 "$1/drop.kern" || return 1
     { grep -v ^axle "$2" && echo load v12 0 -40 -1.6 1.4; } >"$1/dead.kern"
     "$kern" --report "$1/dead.html" "$1/dead.kern" >"$1/o" &&
         sed -n 3p "$1/o" |

@@ -434,23 +434,25 @@ static inline const char *growth_text(const struct analysis *a,
     return isnan(g->let_go) ? "not shown" : factor_text(g->let_go, 1, "", out);
 }
 
-/* What of the thrust grows, and by which analysis. */
+/* What of the thrust grows, by which analysis, and whether to rely on it. */
 static inline void growth_means(const struct analysis *a, enum earth_part part,
                                 char out[LOADS_ROOM])
 {
+    const struct growth *g = &a->earth[part];
+    const int asked = asks_raised_loads(a);
     const int both = has_growth(a, EARTH_HORIZONTAL);
+    const int relied = both && part == earth_governs(a)
+                    && isfinite(asked ? g->let_go : g->limit);
     char limit[32];
     snprintf(out, LOADS_ROOM, "times the %s%s%s%s%s",
              part == EARTH_HORIZONTAL ? "horizontal part of its thrust alone"
              : both ? "whole thrust, horizontal and vertical part together"
                     : "whole thrust",
-             asks_raised_loads(a) ? ", when it is let go; limit analysis "
-                                  : ", by limit analysis",
-             asks_raised_loads(a)
-                 ? factor_text(a->earth[part].limit, 1, "", limit)
-                 : "",
-             both && part == earth_governs(a) ? ". Rely on this factor" : "",
-             both && part == earth_governs(a) && part == EARTH_HORIZONTAL
+             asked ? ", when it is let go; limit analysis "
+                   : ", by limit analysis",
+             asked ? factor_text(g->limit, 1, "", limit) : "",
+             relied ? ". Rely on this factor" : "",
+             relied && part == EARTH_HORIZONTAL
                  ? ": it compares moments as a design does"
                  : "");
 }

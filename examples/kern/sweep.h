@@ -234,7 +234,9 @@ static inline void sweep_sentence(const struct analysis *a,
     if (hidden > 0)
         snprintf(more, sizeof more, "; at %d of %d places none is shown",
                  hidden, a->sweeps);
-    if (least < 0)
+    if (a->sweeps == 0)
+        snprintf(out, LOADS_ROOM, "no factor is known%s", passive_note(a));
+    else if (least < 0)
         snprintf(out, LOADS_ROOM, "at none of %d places is a factor known%s",
                  a->sweeps, passive_note(a));
     else if (sweeps_let_go(a))
