@@ -382,7 +382,7 @@ sweep() { # as an ordinary load at its place and on its block, what --sweep says
         says ' 1.11111           1         any         any  beam' --sweep 9 \
             "$out/beam.kern" &&
         grep -q 'The factor that governs is 10, with' "$out/beam.html" &&
-        grep -A2 '<h2>Results' "$out/beam.html" |
+        grep -A3 '<h2>Results' "$out/beam.html" |
         grep -q 'worst place</th><td>10</td>' &&
         grep -q '<td>0 to any</td><td>factors at which it stays' \
             "$out/beam.html" &&
@@ -462,18 +462,36 @@ passive() { # passive OUT BRIDGE: what counts on the passive pressure of fill sa
                 >"$1/passive.json" && $judge without "$1/passive.json" || return 1
     done
     says '0.9854]: factors of the live load at which it stays when it is let go, with the' \
-        "$2" && says 'no passive  [0, 0.525]: the same without' "$2" &&
+        "$2" && says 'no passive  [0, 0.525]: rely on these factors of the' "$2" &&
         "$kern" --sweep 6 --svg "$1/passive.svg" --report "$1/passive.html" \
             "$1/axle.kern" >"$1/o" && $judge svg "$1"/passive*.svg &&
         grep -q '^  warning     as the live load drives over, it falls' "$1/o" &&
         grep -q 'worst place 0.8633 .*, with the full passive pressure of the fill' \
             "$1/o" && grep -q 'no passive  0.5095 .* without the passive' "$1/o" &&
-        grep -q 'governs is 0.8633, .*full passive pressure of the fill; without' \
-            "$1/passive.html" && grep -q '>without passive pressure<' \
+        grep -q 'worst place, factor 0.5095 without passive pressure; ' \
+            "$1/passive.html" && grep -q '>worst place<' "$1/passive.svg" || return 1
+    # the factor to rely on is told first: in report, headline and table
+    for words in 'no passive  [' 'live        [' 'no passive  0.5095    rely on' \
+        'worst place 0.8633'; do
+        grep -nF "  $words" "$1/o" || { echo "not '$words'"; return 1; }
+    done | sort -nc -t: -k1,1 &&
+        grep -q 'governs is 0.5095, with .*without the passive pressure of the' \
             "$1/passive.html" &&
-        grep -q '>worst place<' "$1/passive.svg" &&
-        grep -q 'black: worst place, factor 0.8633<' "$1/passive.html" || return 1
+        grep -q 'With all of that pressure it would be 0.8633, at' \
+            "$1/passive.html" && grep -A1 '<td>0.5095</td>.*, without the passive' \
+            "$1/passive.html" |
+        grep -q '^<tr><th>with passive pressure</th><td>0.8633</td>' &&
+        grep -A1 '<td>0 to 0.[0-9]*</td>.*, without the passive pressure' \
+            "$1/passive.html" |
+        grep -q '^<tr><th>with passive pressure</th><td>0 to ' || return 1
+    # so do the warnings: one axle that only this pressure bears at its worst place
+    sed 's/^axle.*/axle 0 40 .3/' "$2" >"$1/worst.kern" &&
+        says 'of the fill its least factor is below 1 as the live load drives' \
+            --sweep 6 "$1/worst.kern" || return 1
     # a dead load that only this pressure holds is the first thing said
+    { cat "$2" && echo load v12 0 -40 -1.6 1.4; } >"$1/drop.kern" &&
+        says 'no passive  none      no factor is known, without the passive' \
+            --sweep 2 "$1/drop.kern" || return 1
     { grep -v ^axle "$2" && echo load v12 0 -40 -1.6 1.4; } >"$1/dead.kern"
     "$kern" --report "$1/dead.html" "$1/dead.kern" >"$1/o" &&
         sed -n 3p "$1/o" |
@@ -496,7 +514,6 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
     # K = .2444 of Coulomb, 57 kN/m level; tests/REALITY.md: falls at 25.2 feet
     says 'earth       57 kN to the left and 24.59 kN down, ' $wall &&
         says '(1.626, 2.032), on 20 faces; K = 0.2444, phi 35, delta 23.33' $wall &&
-        says 'earth grows 1.924     times the whole thrust, horizontal and' $wall &&
         sed 's/^earth right 6.096/earth right 7.66/' $wall >"$out/high.kern" &&
         "$kern" --verdict "$out/high.kern" | grep -q stands &&
         sed 's/^earth right 6.096/earth right 7.7/' $wall >"$out/high.kern" &&
@@ -510,8 +527,28 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
         sed 's/13.67/26.33/' $wall >"$out/heavy.kern" &&
         ! "$kern" --verdict "$out/heavy.kern" >"$out/o" || return 1
     # about the toe the wall, 22.3 6.5443, and the earth on its back, 24.59 1.6256,
-    # are 1.605 of 57 2.032; the whole thrust is 1.924
-    says 'earth grows 1.605     times the horizontal part of its thrust, ' $wall &&
+    # are 1.605 of 57 2.032; the whole thrust is 1.924. The lower comes first; each
+    # with how the wall falls: over its toe, or with a friction of .42, that bears
+    # .42 162.7 of 57, on its lowest bed
+    says 'Rely on this factor: it compares moments as a design does' $wall &&
+        "$kern" $wall | grep -A 3 '^  earth grows' | cut -c1-58 | diff - <(
+            over='    beyond it course1 to course20 tipping left about (0, 0'
+            echo '  earth grows 1.605     times the horizontal part of its t'
+            echo "$over"
+            echo '  earth grows 1.924     times the whole thrust, horizontal'
+            echo "$over") &&
+        sed 's/^friction .*/friction .42/' $wall >"$out/slides.kern" &&
+        says 'earth grows 1.199     times the horizontal' "$out/slides.kern" &&
+        says 'course20 sliding left on the bed between ground and course1' \
+            "$out/slides.kern" &&
+        sed 's/^earth.*/& surcharge 10/' $wall >"$out/surcharge.kern" &&
+        says 'delta 23.33; surcharge 10 kN/m2' "$out/surcharge.kern" || return 1
+    # below a back that leans over it, earth lifts the wall and its whole thrust
+    # governs: about the toe 20 1 of 1.888 1 and .6292 1.333
+    printf '%s\n' 'gravity 0 -1' 'friction 2' 'fixed g -3 -1 5 -1 5 0 -3 0' \
+        'block w 20 0 0 1 0 2 3 1 3' 'earth right 3 2 30 0' >"$out/lean.kern"
+    "$kern" "$out/lean.kern" | grep -m 1 '^  earth grows' |
+        grep -q ' 7.335  .* limit analysis 7.335. Rely on this factor$' || return 1
         "$kern" --json $wall |
         grep -q '"earth": 1.9238.*, "earth_horizontal": 1.6050' &&
         says 'on 20 faces: live load, its vertical part as well' \
@@ -764,8 +801,14 @@ END
         $judge page "$out/$name.html" || { echo "$name"; return 1; }
     done
     # its headline has the factor that governs; large forces in N are kN
-    grep -q 'thrust of the earth is 1.924 for all of it and 1.605 for its hor' \
-        "$out/all-retaining-wall.html" &&
+    grep '<p class="verdict">' "$out/all-retaining-wall.html" >"$out/head"
+    grep -q "is 1.605 on the horizontal part of the earth's thrust" "$out/head" &&
+        grep -q 'thrust, .*; on the whole thrust .* is 1.924 ' "$out/head" &&
+        grep -q 'Beyond 1.605: course1 to course20 tipping left' "$out/head" &&
+        grep -A 9 '<h2>How it would fall as the earth grows' \
+            "$out/all-retaining-wall.html" >"$out/fall" &&
+        grep -q '^<li>beyond 1.605: course1 to course20 tipping left' "$out/fall" &&
+        grep -q 'the narrowest course limits it' "$out/fall" &&
         "$kern" --title 'Wall <B>, 1834' --report "$out/n.html" "$out/wall.kern" \
             >"$out/o" && grep -q '<h1>Wall &lt;B&gt;, 1834</h1>' "$out/n.html" &&
         grep -q '<td>57 kN to the left' "$out/n.html" &&
@@ -809,6 +852,13 @@ stated() { # what numbers leave out or assume is said in report, JSON and page
         "$kern" --json "$f" | grep -q '"bond": 2,' &&
         grep -q 'unsafe for brittle mortar' "$out/bond.html" &&
         echo 'strength 8' >>"$f" && says '[0, 1.05]: factors' "$f" || return 1
+    # stone without a strength does not crush, which is said beside the factors
+    says 'strength    none is stated: the stone is taken as infinitely strong' \
+        "$out/live.kern" && grep -q '^<p class="verdict">.*infinitely strong\.</p>' \
+        "$out/live.html" && grep -A1 '<h2>Results' "$out/live.html" |
+        grep -q '^<p>No strength is stated: the stone is taken as inf' &&
+        ! "$kern" --report "$out/bond.html" "$f" | grep 'infinitely' &&
+        ! grep 'infinitely strong' "$out/bond.html" || return 1
     # densities of a weight under a gravity of 9.81 are a mistake; t/m3 are not
     printf '%s\n' 'units m kN' 'density 22' 'fixed g -2 -1 3 -1 3 0 -2 0' \
         'block a * 0 0 1 0 1 2 0 2' >"$out/odd.kern"

@@ -116,6 +116,8 @@ static inline void free_found(struct analysis *a)
     free(a->stress);
     free(a->whole);
     free(a->live_force);
+    for (int k = 0; k < EARTH_PARTS; k++)
+        free(a->earth[k].motion);
     free_work(a);
 }
 
@@ -325,6 +327,7 @@ static inline int find_without(struct analysis *a)
     w = a->without = array(1, sizeof *w);
     if (!w)
         return fail_memory(a);
+    w->bare = 1;
     w->set = a->set;
     w->text = a->text;
     w->task = a->task;

@@ -97,19 +97,28 @@ static inline int earth_leans(const struct analysis *a)
     return 0;
 }
 
-/* Finds to how many times its pressure the earth may grow: by limit analysis,
-   and let go. Both are 0 where there is no earth or it does not stand. */
+/* Finds to how many times its pressure the earth may grow: by limit analysis, with
+   how it falls beyond that, and let go. All are 0 where there is no earth or it
+   does not stand. */
 static inline void find_growth(struct analysis *a, enum earth_part part)
 {
     kern_wrench *pattern = a->shown == KERN_STANDS ? earth_pattern(a, part)
                                                    : NULL;
     struct growth *g = &a->earth[part];
+    kern_motion *motion = array(a->task.s.blocks, sizeof *motion);
     kern_real value = 0;
     kern_status status;
-    if (!pattern)
+    if (!pattern || !motion) {
+        free(pattern);
+        free(motion);
         return;
-    status = crush_factor(a, &a->task, pattern, NULL, &value);
+    }
+    status = crush_factor(a, &a->task, pattern, motion, &value);
     g->limit = 1 + value_or_nan(status, value);
+    if (isfinite(g->limit))
+        g->motion = motion;
+    else
+        free(motion);
     g->let_go = (double)NAN;
     if (asks_raised_loads(a) && a->let_go == KERN_STANDS) {
         status = kern_raised_load(&a->task, shrinkage(a), KERN_SHRINK, pattern,
@@ -133,6 +142,24 @@ static inline void find_earth(struct analysis *a)
 static inline int has_growth(const struct analysis *a, enum earth_part part)
 {
     return isnan(a->earth[part].limit) || a->earth[part].limit > 0;
+}
+
+/* The part whose factor governs: the lower one, as a rule of the horizontal part.
+   Earth that lifts the wall has it of all of its thrust. */
+static inline enum earth_part earth_governs(const struct analysis *a)
+{
+    return has_growth(a, EARTH_HORIZONTAL)
+                && !(a->earth[EARTH_HORIZONTAL].limit
+                     > a->earth[EARTH_WHOLE].limit)
+             ? EARTH_HORIZONTAL
+             : EARTH_WHOLE;
+}
+
+/* Part k in the order in which they are told: the one that governs first. */
+static inline enum earth_part earth_order(const struct analysis *a, int k)
+{
+    const int least = (int)earth_governs(a);
+    return (enum earth_part)(k == 0 ? least : EARTH_PARTS - 1 - least);
 }
 
 #endif /* PROGRAM_EARTH_H */

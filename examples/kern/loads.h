@@ -101,7 +101,7 @@ static inline void loads_line(const struct analysis *a, int i,
         return;
     }
     if (s->kind == TEXT_EARTH) {
-        char back[200] = "", foot[64], head[64];
+        char back[200] = "", more[80] = "", foot[64], head[64];
         const double lean = s->earth.lean * 57.295779513082321;
         if (fabs((double)(s->head.x - s->foot.x)) > 0)
             snprintf(
@@ -112,9 +112,12 @@ static inline void loads_line(const struct analysis *a, int i,
                 lean > 0   ? "over the earth"
                 : lean < 0 ? "under the earth"
                            : "from upright");
+        if (s->earth.surcharge > 0)
+            snprintf(more, sizeof more, "; surcharge %.60s",
+                     loads_number(a, s->earth.surcharge, 2, one));
         snprintf(out, LOADS_ROOM,
                  "%.60s to the %s and %.60s %s, through %s, on %d face%s%s%s; "
-                 "K = %.4g, phi %.4g, delta %.4g",
+                 "K = %.4g, phi %.4g, delta %.4g%s",
                  loads_number(a, fabs(fx), 0, one), fx < 0 ? "left" : "right",
                  loads_number(a, fabs(fy), 0, two), fy > 0 ? "up" : "down",
                  loads_at(a, s->sum.at, at), s->blocks, plural(s->blocks),
@@ -122,7 +125,7 @@ static inline void loads_line(const struct analysis *a, int i,
                  : fabs(fy) > 0 ? ": live load, its vertical part as well"
                                 : ": live load",
                  back, soil_active(s->earth.phi, s->earth.delta, s->earth.lean),
-                 degrees * s->earth.phi, degrees * s->earth.delta);
+                 degrees * s->earth.phi, degrees * s->earth.delta, more);
         return;
     }
     int n = snprintf(out, LOADS_ROOM, "weighs %.60s about %s on %d face%s",
@@ -130,7 +133,8 @@ static inline void loads_line(const struct analysis *a, int i,
                      s->blocks, plural(s->blocks));
     if (s->props > 0 && n > 0 && n < LOADS_ROOM)
         snprintf(out + n, (size_t)(LOADS_ROOM - n),
-                 "; pushes %d of them back, with up to %.60s in all, as needed",
+                 "; pushes %d of them back, with up to %.60s in all (left and "
+                 "right added), as needed",
                  s->props, loads_number(a, s->most, 0, two));
 }
 

@@ -37,6 +37,13 @@ static inline void page_head(FILE *out, const char *title)
     fprintf(out, "<h2>%s</h2>\n", title);
 }
 
+/* Writes a paragraph, where it applies. */
+static inline void page_note(FILE *out, int applies, const char *text)
+{
+    if (applies)
+        fprintf(out, "<p>%s</p>\n", text);
+}
+
 /* A row of two cells and what the second means. */
 static inline void page_row(FILE *out, const char *name, const char *value,
                             const char *means)
@@ -67,62 +74,93 @@ static inline const char *page_live(const struct analysis *a, char out[100])
     return out;
 }
 
-/* Writes the factors on the thrust of earth. */
+/* Writes what the factors count on where the file states no strength. */
+static inline void page_strength(FILE *out, const struct analysis *a,
+                                 const char *begin, const char *end)
+{
+    if (!(a->text.strength > 0))
+        fprintf(out, "%sNo strength is stated: " ENDLESS_STRENGTH ".%s", begin,
+                end);
+}
+
+/* Writes how it falls just beyond the factor that governs, where few groups of
+   blocks move. */
+static inline void page_beyond(FILE *out, const struct analysis *a)
+{
+    enum { GROUPS = 3 };
+    const enum earth_part least = earth_governs(a);
+    const struct analysis beyond = beyond_growth(a, least);
+    kern_critical moving = find_groups(&beyond);
+    char head[60], text[32];
+    snprintf(head, sizeof head,
+             " Beyond %s: ", factor_text(a->earth[least].limit, 1, "", text));
+    for (int k = 0; k < moving.groups && moving.groups <= GROUPS; k++)
+        if (write_group(out, &beyond, &moving, k, k > 0 ? "; " : head,
+                        page_text))
+            fputs(k + 1 == moving.groups ? "." : "", out);
+    free_groups(&moving);
+}
+
+/* Writes the factors on the thrust of earth, that which governs first. */
 static inline void page_growing(FILE *out, const struct analysis *a)
 {
-    const int asked = asks_raised_loads(a);
-    const int two = has_growth(a, EARTH_HORIZONTAL);
+    static const char *const on[EARTH_PARTS] = {
+        "whole thrust of the earth", "horizontal part of the earth's thrust"};
+    const enum earth_part least = earth_order(a, 0), other = earth_order(a, 1);
     char text[32];
     if (!has_growth(a, EARTH_WHOLE))
         return;
-    fprintf(out, " The factor on the thrust of the earth is %s",
-            growth_text(a, EARTH_WHOLE, text));
-    if (two)
-        fprintf(out, " for all of it and %s for its horizontal part alone",
-                growth_text(a, EARTH_HORIZONTAL, text));
-    fputs(asked ? ", when it is let go (limit analysis " : " (limit analysis",
+    fprintf(out, " The factor that governs is %s on the %s%s",
+            growth_text(a, least, text), on[least],
+            least == EARTH_HORIZONTAL
+                ? ", which compares moments as a design does"
+                : "");
+    if (has_growth(a, other))
+        fprintf(out, "; on the %s it is %s", on[other],
+                growth_text(a, other, text));
+    fputs(asks_raised_loads(a) ? " (when it is let go; limit analysis "
+                               : " (limit analysis",
           out);
-    if (asked)
-        fputs(factor_text(a->earth[EARTH_WHOLE].limit, 1, "", text), out);
-    if (asked && two)
+    if (asks_raised_loads(a))
+        fputs(factor_text(a->earth[least].limit, 1, "", text), out);
+    if (asks_raised_loads(a) && has_growth(a, other))
         fprintf(out, " and %s",
-                factor_text(a->earth[EARTH_HORIZONTAL].limit, 1, "", text));
+                factor_text(a->earth[other].limit, 1, "", text));
     fputs(").", out);
+    page_beyond(out, a);
 }
 
-/* Writes the factor that governs: of all places, or of the file's, and what it is
-   without the passive pressure that it counts on. */
+/* Writes the factor that governs: of all places, or of the file's. Where fill
+   pushes back, that is the one without its passive pressure; that with all of it
+   follows. */
 static inline void page_governing(FILE *out, const struct analysis *a)
 {
-    const struct analysis *w = a->without;
-    const int least = sweep_governs(a), without = w ? sweep_governs(w) : -1;
+    const struct analysis *r = relied_on(a);
+    const int least = sweep_governs(r), full = sweep_governs(a);
+    const char *bare = a->without ? passive_note(r) : "";
     char value[100], one[40];
     if (a->lived != KERN_STANDS || a->text.lives == 0)
         return;
     if (a->sweeps > 0 && least < 0)
-        fputs(" No least factor of the live load is known as it drives over.",
-              out);
+        fprintf(out,
+                " No least factor of the live load is known as it drives "
+                "over%s.",
+                bare);
     else if (a->sweeps > 0)
         fprintf(out,
                 " The factor that governs is %s, with the live load at its "
-                "worst place, x = %.4g%s.",
-                factor_text(sweep_factor_least(a), 1, "", one),
-                tidy(a, a->swept[least].x),
-                sweeps_let_go(a) ? "" : " (limit analysis)");
+                "worst place, x = %.4g%s%s.",
+                sweep_text(r, one), tidy(a, r->swept[least].x), bare,
+                sweeps_let_go(r) ? "" : " (limit analysis)");
     else
-        fprintf(out, " Factors of the live load: %s%s.", page_live(a, value),
+        fprintf(out, " Factors of the live load%s: %s%s.", bare,
+                page_live(r, value),
                 asks_raised_loads(a) ? "" : " (limit analysis)");
-    if (!w)
-        return;
-    fprintf(out,
-            " %s the full passive pressure of the fill; without that pressure "
-            "%s %s",
-            a->sweeps > 0 ? "It counts on" : "They count on",
-            a->sweeps > 0 ? "it is" : "they are",
-            a->sweeps > 0 ? sweep_text(w, one) : page_live(w, value));
-    if (without >= 0)
-        fprintf(out, ", at x = %.4g", tidy(a, w->swept[without].x));
-    fputs(".", out);
+    if (a->without && a->sweeps == 0)
+        fprintf(out, " With all of that pressure: %s.", page_live(a, value));
+    else if (a->without && full >= 0)
+        fprintf(out, " With all of that pressure it would be %s, at x = %.4g.",
+                sweep_text(a, one), tidy(a, a->swept[full].x));
 }
 
 /* Writes what may turn the verdict round: let go, the live load, and fill that does
@@ -179,6 +217,8 @@ static inline void page_verdict(FILE *out, const struct analysis *a)
                                     "be otherwise.");
     page_governing(out, a);
     page_growing(out, a);
+    if (a->text.lives > 0 || has_growth(a, EARTH_WHOLE))
+        page_strength(out, a, " ", "");
     fputs("</p>\n", out);
 }
 
@@ -207,38 +247,37 @@ static inline void page_margin(FILE *out, const struct analysis *a)
 /* Factors of the live load, first the one that governs. */
 static inline void page_live_load(FILE *out, const struct analysis *a)
 {
-    static const char without[] = "without passive pressure";
+    static const char full[] = "with passive pressure";
+    const struct analysis *r = relied_on(a);
     char one[40], two[40], value[100], means[LOADS_ROOM];
     if (a->shown < 0 || a->text.lives == 0)
         return;
     if (a->sweeps > 0) {
-        sweep_sentence(a, means);
-        page_row(out, "live load, worst place",
-                 sweep_governs(a) < 0
-                     ? "unknown"
-                     : factor_text(sweep_factor_least(a), 1, "", one),
-                 means);
+        sweep_sentence(r, means);
+        page_row(out, "live load, worst place", sweep_text(r, one), means);
     }
     if (a->sweeps > 0 && a->without) {
-        sweep_sentence(a->without, means);
-        page_row(out, without, sweep_text(a->without, one), means);
+        sweep_sentence(a, means);
+        page_row(out, full, sweep_text(a, one), means);
     }
     if (a->lived != KERN_STANDS) {
         page_row(out, "live load",
                  a->lived == KERN_FALLS ? "none" : "undecided",
-                 "factors at which it stands, where the file has it");
+                 "factors at which it stands, with the load at the place "
+                 "given in the file");
         return;
     }
-    page_row(
-        out, "live load as placed", page_live(a, value),
-        asks_raised_loads(a)
-            ? "factors at which it stays when it is let go, where the file "
-              "has it"
-            : "factors at which it stands by limit analysis, where the "
-              "file has it (--raised: let go)");
+    snprintf(means, sizeof means,
+             "factors at which it %s, with the load at the place given in the "
+             "file%s%s",
+             asks_raised_loads(a) ? "stays when it is let go"
+                                  : "stands by limit analysis",
+             a->without ? passive_note(r) : "",
+             asks_raised_loads(a) ? "" : " (--raised: let go)");
+    page_row(out, "live load as placed", page_live(r, value), means);
     if (a->without)
-        page_row(out, without, page_live(a->without, value),
-                 "the same where the fill does not push back");
+        page_row(out, full, page_live(a, value),
+                 "the same with the full passive pressure of the fill");
     if (!asks_raised_loads(a))
         return;
     snprintf(value, sizeof value, "%s to %s",
@@ -304,7 +343,7 @@ static inline const char *page_of(const struct analysis *a, int loaded)
 {
     return loaded            ? "with the live load as stated"
          : a->text.lives > 0 ? "without the live load"
-                             : "of the loads that stay";
+                             : "under weight and all loads of the file";
 }
 
 /* The largest linear stress at the edge of a bed, and where. */
@@ -350,10 +389,11 @@ static inline void page_results(FILE *out, const struct analysis *a)
     if (a->set->verdict_only)
         return;
     page_head(out, "Results");
+    page_strength(out, a, "<p>", "</p>\n");
     fputs("<table>\n", out);
     page_live_load(out, a);
     for (int k = 0; k < EARTH_PARTS; k++) {
-        const enum earth_part part = (enum earth_part)k;
+        const enum earth_part part = earth_order(a, k);
         if (!has_growth(a, part))
             continue;
         growth_means(a, part, earth);
@@ -514,14 +554,13 @@ static inline void page_thrust(FILE *out, const struct analysis *a, int loaded)
                 page_of(a, loaded));
         page_reactions(out, a);
         fprintf(out,
-                "<p>%s; others may as well, with other stresses. "
-                "Forces are those of \"from\" on \"on\"; shear and "
-                "eccentricity are above 0 toward the second end. "
+                "<p>One possible set of forces%s. Other sets may hold it too, "
+                "with other stresses. Forces are those of \"from\" on \"on\"; "
+                "shear and eccentricity are above 0 toward the second end. "
                 "Eccentricity is a share of the length, below 1/6 where "
                 "all of it is pressed; stresses are linear over all of it%s, "
                 "\"edge\" where all is on an end.</p>\n",
-                a->least ? "The forces of the least norm that hold it"
-                         : "Forces that hold it",
+                a->least ? ", the smallest" : "",
                 a->text.bond > 0 ? ", below 0 what mortar bears"
                                  : " without tension");
         fputs("<table class=\"numbers\">\n<tr><th>from</th><th>on</th>", out);
@@ -561,6 +600,35 @@ static inline void page_thrust(FILE *out, const struct analysis *a, int loaded)
     free(bed);
 }
 
+/* The groups that move, each an entry of a list. */
+static inline void page_groups(FILE *out, const struct analysis *a,
+                               const kern_critical *moving, const char *head)
+{
+    for (int k = 0; k < moving->groups && k < 12; k++)
+        if (write_group(out, a, moving, k, head, page_text))
+            fputs("</li>\n", out);
+}
+
+/* How it falls as the earth grows, the factor that governs first. */
+static inline void page_earth(FILE *out, const struct analysis *a)
+{
+    char head[60], text[32];
+    if (!a->earth[earth_governs(a)].motion)
+        return;
+    page_head(out, "How it would fall as the earth grows");
+    fputs("<ul>\n", out);
+    for (int k = 0; k < EARTH_PARTS; k++) {
+        const enum earth_part part = earth_order(a, k);
+        const struct analysis beyond = beyond_growth(a, part);
+        kern_critical moving = find_groups(&beyond);
+        snprintf(head, sizeof head, "<li>beyond %s: ",
+                 factor_text(a->earth[part].limit, 1, "", text));
+        page_groups(out, &beyond, &moving, head);
+        free_groups(&moving);
+    }
+    fputs("</ul>\n", out);
+}
+
 /* How it falls, or would. */
 static inline void page_mechanism(FILE *out, const struct analysis *a)
 {
@@ -570,28 +638,31 @@ static inline void page_mechanism(FILE *out, const struct analysis *a)
                        : a->set->mechanism_live
                            ? "How it falls beyond the live load"
                            : "How it would fall beyond the margin");
+        page_note(out,
+                  has_growth(a, EARTH_WHOLE) && !a->set->mechanism_live
+                      && !a->set->relative,
+                  "The margin is a length: where a wall tapers, the narrowest "
+                  "course limits it, whatever the earth does.");
         fputs("<ul>\n", out);
-        for (int k = 0; k < moving.groups && k < 12; k++)
-            write_group(out, a, &moving, k, "<li>", page_text);
+        page_groups(out, a, &moving, "<li>");
         fputs("</ul>\n", out);
     }
-    free(moving.group);
+    free_groups(&moving);
 }
 
 static inline void page_sweep(FILE *out, const struct analysis *a)
 {
+    const struct analysis *r = relied_on(a);
     char what[LOADS_ROOM], one[40];
     if (a->sweeps == 0 || sweep_least(a) < 0)
         return;
-    sweep_sentence(a, what);
+    sweep_sentence(r, what);
     page_head(out, "A live load that drives over it");
-    fprintf(out, "<p>The least factor is %s, ",
-            factor_text(sweep_factor_least(a), 1, "", one));
+    fprintf(out, "<p>The factor that governs is %s, ", sweep_text(r, one));
     page_text(out, what);
     if (a->without) {
-        sweep_sentence(a->without, what);
-        fprintf(out, ". Without the passive pressure of the fill it is %s, ",
-                sweep_text(a->without, one));
+        sweep_sentence(a, what);
+        fprintf(out, ". It would be %s, ", sweep_text(a, one));
         page_text(out, what);
     }
     fputs(". Arrows at the top: any factor.</p>\n<div class=\"picture\">\n",
@@ -662,9 +733,9 @@ static inline void page_assumptions(FILE *out, const struct analysis *a)
         "Joints carry no tension and slide by Coulomb's law. Deflections, "
         "settlement and time are not seen.");
     page_item(out, 1,
-              "\"Stands\" says that admissible forces exist: without friction "
-              "that is enough, with friction it is necessary. \"Let go\" adds "
-              "that the load raises such forces from rest.");
+              "\"Stands\" says that admissible forces exist. With friction "
+              "this is necessary, but not sufficient. \"Let go\" adds that the "
+              "load raises such forces from rest.");
     page_item(out, !(a->text.strength > 0), "Stone does not crush.");
     page_item(out, a->text.strength > 0,
               "Stone crushes in a rectangular stress block at the end of a "
@@ -694,8 +765,8 @@ static inline void page_assumptions(FILE *out, const struct analysis *a)
               "larger as well; one on its horizontal part alone compares "
               "overturning and resisting moments as a design does.");
     page_item(out, earth,
-              "Earth is level and presses with its active pressure, in "
-              "proportion to depth.");
+              "Earth is level and presses with its active pressure, which "
+              "grows with depth; a surcharge adds the same at every depth.");
     page_item(out, has_water(a),
               "Water presses on the back of the wall; its uplift under the "
               "wall is not counted, unless a load holds it. The density of "
@@ -842,20 +913,18 @@ static inline int page_write(FILE *out, const struct analysis *a)
     if (a->text.lives > 0 && a->shown == KERN_STANDS)
         fprintf(out, "<p>Forces and thrust line of the picture are %s%s.</p>\n",
                 page_of(a, a->live_force != NULL),
-                sweep_governs(a) < 0 ? ""
-                : a->live_force      ? ", not at its worst place"
-                                     : "; its worst place is marked");
-    if (a->text.props > 0)
-        fputs("<p>Short arrows onto the stones: pushes (of fill, props) where "
-              "these forces need them; none is drawn where none is "
-              "needed.</p>\n",
-              out);
-    if (page_has(a, TEXT_EARTH))
-        fputs("<p>Dashed: the back from foot to head, whose lean the pressure "
-              "of earth has.</p>\n",
-              out);
+                sweep_governs(relied_on(a)) < 0 ? ""
+                : a->live_force                 ? ", not at its worst place"
+                                : "; its worst place is marked");
+    page_note(out, a->text.props > 0,
+              "Short arrows onto the stones: pushes (of fill, props) where "
+              "these forces need them; none is drawn where none is needed.");
+    page_note(out, page_has(a, TEXT_EARTH),
+              "Dashed: the back from foot to head, whose lean the pressure of "
+              "earth has.");
     page_results(out, a);
     page_structure(out, a);
+    page_earth(out, a);
     page_mechanism(out, a);
     page_sweep(out, a);
     page_thrust(out, a, 0);

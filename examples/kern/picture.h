@@ -83,6 +83,19 @@ static inline int close_output(char *path, FILE *out, int bad)
     return bad;
 }
 
+/* Writes a line for the worst place, where one is known. */
+static inline void write_worst(const struct analysis *a, char *out, size_t room)
+{
+    const struct analysis *r = relied_on(a);
+    char full[40] = "";
+    if (a->without && sweep_governs(a) >= 0)
+        snprintf(full, sizeof full, "; %.4g with it", sweep_factor_least(a));
+    if (sweep_governs(r) >= 0)
+        snprintf(out, room, "\nblack: worst place, factor %.4g%s%s",
+                 sweep_factor_least(r),
+                 a->without ? " without passive pressure" : "", full);
+}
+
 static inline void write_caption(const struct analysis *a, char *out,
                                  size_t room)
 {
@@ -111,10 +124,8 @@ static inline void write_caption(const struct analysis *a, char *out,
         snprintf(shrunk, sizeof shrunk, " when shrunk by %.4g",
                  (double)shrinkage(a));
     stem = (int)strlen(name);
-    char worst[60] = "";
-    if (sweep_governs(a) >= 0)
-        snprintf(worst, sizeof worst, "; black: worst place, factor %.4g",
-                 sweep_factor_least(a));
+    char worst[140] = "";
+    write_worst(a, worst, sizeof worst);
     snprintf(out, room, "%.*s %s%s; %s%s", stem > 100 ? 100 : stem, name,
              status_word(a), shrunk, level, worst);
 }
@@ -238,14 +249,15 @@ static inline void draw_axle(const struct draw_view *v,
     draw_text(v->out, from.x + 6, from.y + 12, 10, "start", text, strlen(text));
 }
 
-/* The live load at the worst place of a sweep. */
+/* The live load at the worst place of a sweep, of the factors to rely on. */
 static inline void draw_worst(const struct draw_view *v,
                               const struct analysis *a)
 {
-    const int worst = sweep_governs(a), lives = sweep_lives(a);
+    const struct analysis *r = relied_on(a);
+    const int worst = sweep_governs(r), lives = sweep_lives(a);
     for (int k = 0; k < sweep_forces(a) && worst >= 0; k++)
         draw_axle(v, a, k < lives ? NULL : a->text.wheel + k - lives,
-                  sweep_place(a, k) - sweep_place(a, 0) + a->swept[worst].x,
+                  sweep_place(a, k) - sweep_place(a, 0) + r->swept[worst].x,
                   DRAW_INK, k == 0 ? "worst place" : "");
 }
 

@@ -119,6 +119,8 @@ static inline const char *lost_without(const struct analysis *a)
         return as_stated(w) == KERN_FALLS
                  ? "it falls under the live load as stated"
                  : "it is not known to stand under the live load as stated";
+    if (!sweep_loss(a) && sweep_loss(w))
+        return "its least factor is below 1 as the live load drives over";
     return NULL;
 }
 
@@ -292,9 +294,11 @@ static inline kern_vec turns_about(const struct analysis *a,
     return centre;
 }
 
-/* How block i moves, seen with gravity pointing down. */
+/* How block i moves, seen with gravity pointing down. On the bed that is told it
+   slides: that limit analysis lifts it as well says nothing. */
 static inline void write_move(FILE *out, const struct analysis *a,
-                              const kern_motion *motion, int i)
+                              const kern_motion *motion, int i,
+                              const kern_contact *bed)
 {
     kern_motion v = motion[i];
     const kern_block *b = &a->task.s.block[i];
@@ -304,16 +308,21 @@ static inline void write_move(FILE *out, const struct analysis *a,
     double right = -v.vx * downy + v.vy * downx;
     double down = v.vx * downx + v.vy * downy;
     double size = sqrt(fabs((double)b->area)), speed = hypot(v.vx, v.vy);
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM], at[64];
 
     /* Beyond some ten sizes a centre of rotation says less than a direction. */
-    if (fabs(v.spin) * size > 0.1 * speed) {
-        char at[64];
-        fprintf(out, "tipping %s about %s\n", v.spin < 0 ? "right" : "left",
+    if (fabs(v.spin) * size > 0.1 * speed)
+        fprintf(out, "tipping %s about %s", v.spin < 0 ? "right" : "left",
                 loads_at(a, turns_about(a, b, v), at));
-    } else if (fabs(down) > 2 * fabs(right))
-        fprintf(out, "%s\n", down > 0 ? "dropping" : "rising");
+    else if (bed)
+        fprintf(out, "sliding %s%s on the bed between %s and %s",
+                right < 0 ? "left" : "right",
+                down > 0.25 * fabs(right) ? " and down" : "",
+                name_of(a, bed->a, one), name_of(a, bed->b, two));
+    else if (fabs(down) > 2 * fabs(right))
+        fprintf(out, "%s", down > 0 ? "dropping" : "rising");
     else
-        fprintf(out, "sliding %s%s\n", right < 0 ? "left" : "right",
+        fprintf(out, "sliding %s%s", right < 0 ? "left" : "right",
                 down > 0.25 * fabs(right)    ? " and down"
                 : down < -0.25 * fabs(right) ? " and up"
                                              : "");
@@ -321,8 +330,26 @@ static inline void write_move(FILE *out, const struct analysis *a,
 
 static inline void plain_text(FILE *out, const char *text) { fputs(text, out); }
 
-/* The stones of a group that moves as one, and how. Returns 0, and writes
-   nothing, where there are none: pushes that slide. */
+/* The first contact of a bed on which a group slides; NULL: there is none. */
+static inline const kern_contact *slides_on(const struct analysis *a,
+                                            const kern_critical *moving,
+                                            int group)
+{
+    const kern_vec g = a->task.s.gravity;
+    for (int k = 0; k < a->task.s.contacts && moving->meeting; k++) {
+        const kern_contact *c = &a->task.s.contact[k];
+        const double along = fabs((double)(c->n.x * g.x + c->n.y * g.y));
+        if (moving->meeting[k] == KERN_SLIDES && c->a < stones(a)
+            && c->b < stones(a) && along > 0.7 * gravity_of(a)
+            && (moving->group[c->a] == group || moving->group[c->b] == group))
+            return c;
+    }
+    return NULL;
+}
+
+/* The stones of a group that moves as one, and how: many that follow each other
+   in the file by the first and the last. Returns 0, and writes nothing, where
+   there are none: pushes that slide. */
 static inline int write_group(FILE *out, const struct analysis *a,
                               const kern_critical *moving, int group,
                               const char *head,
@@ -330,44 +357,59 @@ static inline int write_group(FILE *out, const struct analysis *a,
 {
     enum { NAMES = 6 };
     char shown[TEXT_SHOW_ROOM];
-    int lead = -1, names = 0;
+    int lead = -1, last = -1, names = 0, written = 0;
     for (int i = 0; i < stones(a); i++) {
         if (moving->group[i] != group)
             continue;
-        if (lead < 0) {
-            lead = i;
-            fprintf(out, "%s", head);
-        }
-        if (names < NAMES) {
-            fputs(names > 0 ? " " : "", out);
-            text(out, name_of(a, i, shown));
-        }
+        lead = lead < 0 ? i : lead;
+        last = i;
         names++;
     }
     if (lead < 0)
         return 0;
+    fputs(head, out);
+    if (names > NAMES && names == last - lead + 1) {
+        text(out, name_of(a, lead, shown));
+        fputs(" to ", out);
+        text(out, name_of(a, last, shown));
+        names = 0;
+    }
+    for (int i = lead; i <= last && written < NAMES && written < names; i++) {
+        if (moving->group[i] != group)
+            continue;
+        fputs(written++ > 0 ? " " : "", out);
+        text(out, name_of(a, i, shown));
+    }
     if (names > NAMES)
         fprintf(out, " and %d more", names - NAMES);
     fprintf(out, " ");
-    write_move(out, a, shown_fall(a), lead);
+    write_move(out, a, shown_fall(a), lead, slides_on(a, moving, group));
     return 1;
+}
+
+/* Prints the groups that move, the first of them behind `head`. */
+static inline void report_groups(const struct analysis *a,
+                                 const kern_critical *moving, const char *head)
+{
+    enum { GROUPS = 5 };
+    int rest = 0;
+    for (int group = 0; group < moving->groups && group < GROUPS; group++)
+        if (write_group(stdout, a, moving, group, head, plain_text)) {
+            printf("\n");
+            head = "              ";
+        }
+    for (int i = 0; i < stones(a) && moving->groups > GROUPS; i++)
+        rest += moving->group[i] >= GROUPS;
+    if (rest > 0)
+        printf("              and %d more block%s\n", rest, plural(rest));
 }
 
 static inline void report_collapse(const struct analysis *a)
 {
-    enum { GROUPS = 5 };
-    const char *head = a->shown == KERN_FALLS ? "  falls by    "
-                                              : "  would fall  ";
     kern_critical moving = find_groups(a);
-    int rest = 0;
-    for (int group = 0; group < moving.groups && group < GROUPS; group++)
-        if (write_group(stdout, a, &moving, group, head, plain_text))
-            head = "              ";
-    for (int i = 0; i < stones(a) && moving.groups > GROUPS; i++)
-        rest += moving.group[i] >= GROUPS;
-    if (rest > 0)
-        printf("              and %d more block%s\n", rest, plural(rest));
-    free(moving.group);
+    report_groups(a, &moving,
+                  a->shown == KERN_FALLS ? "  falls by    " : "  would fall  ");
+    free_groups(&moving);
 }
 
 static inline const char *factor_text(double value, double scale,
@@ -392,26 +434,45 @@ static inline const char *growth_text(const struct analysis *a,
     return isnan(g->let_go) ? "not shown" : factor_text(g->let_go, 1, "", out);
 }
 
-/* What of the thrust grows, and by which analysis. */
+/* What of the thrust grows, by which analysis, and whether to rely on it. */
 static inline void growth_means(const struct analysis *a, enum earth_part part,
                                 char out[LOADS_ROOM])
 {
+    const struct growth *g = &a->earth[part];
+    const int asked = asks_raised_loads(a);
+    const int both = has_growth(a, EARTH_HORIZONTAL);
+    const int relied = both && part == earth_governs(a)
+                    && isfinite(asked ? g->let_go : g->limit);
     char limit[32];
-    snprintf(out, LOADS_ROOM, "times the %s%s%s",
-             part == EARTH_HORIZONTAL ? "horizontal part of its thrust, with "
-                                        "the vertical part as it is"
-             : has_growth(a, EARTH_HORIZONTAL)
-                 ? "whole thrust, horizontal and vertical part together"
-                 : "whole thrust",
-             asks_raised_loads(a) ? ", when it is let go; limit analysis "
-                                  : ", by limit analysis",
-             asks_raised_loads(a)
-                 ? factor_text(a->earth[part].limit, 1, "", limit)
+    snprintf(out, LOADS_ROOM, "times the %s%s%s%s%s",
+             part == EARTH_HORIZONTAL ? "horizontal part of its thrust alone"
+             : both ? "whole thrust, horizontal and vertical part together"
+                    : "whole thrust",
+             asked ? ", when it is let go; limit analysis "
+                   : ", by limit analysis",
+             asked ? factor_text(g->limit, 1, "", limit) : "",
+             relied ? ". Rely on this factor" : "",
+             relied && part == EARTH_HORIZONTAL
+                 ? ": it compares moments as a design does"
                  : "");
+}
+
+/* How it falls just beyond the factor of limit analysis of a part of the thrust,
+   as a structure that falls. */
+static inline struct analysis beyond_growth(const struct analysis *a,
+                                            enum earth_part part)
+{
+    struct analysis beyond = *a;
+    beyond.shown = KERN_FALLS;
+    beyond.motion = beyond.fall = a->earth[part].motion;
+    return beyond;
 }
 
 /* Why a factor of limit analysis may be too high. */
 #define SLIDING_PARTS ", in which sliding stones part"
+
+/* What factors count on where the file states no strength. */
+#define ENDLESS_STRENGTH "the stone is taken as infinitely strong"
 
 /* Raised load k; where the limit did not end it, none that is raised exists or
    none was found. Where the load factor has no bound, a path that ended says no
@@ -452,16 +513,16 @@ static inline int live_text(const struct analysis *a, char low[40],
     return 1;
 }
 
-/* Beside the range of the live load that where fill does not push back. */
+/* Before the range of the live load that where fill does not push back. */
 static inline void report_without(const struct analysis *a)
 {
     char low[40], high[40] = "";
     if (!a->without)
         return;
     const int known = live_text(a->without, low, high);
-    printf("  no passive  %s%s%s%s%s: the same without the passive pressure of "
-           "the fill\n",
-           known ? "[" : "", low, known ? ", " : "", high, known ? "]" : "");
+    printf("  no passive  %s%s%s%s%s: %sfactors of the live load%s\n",
+           known ? "[" : "", low, known ? ", " : "", high, known ? "]" : "",
+           known ? "rely on these " : "", passive_note(a->without));
 }
 
 /* The range of the live load: first that in which it stays let go, where that is
@@ -470,6 +531,7 @@ static inline void report_live(const struct analysis *a)
 {
     const int asked = asks_raised_loads(a);
     char low[32], high[32];
+    report_without(a);
     if (a->lived != KERN_STANDS)
         printf("  live        %s\n",
                a->lived == KERN_FALLS
@@ -493,7 +555,8 @@ static inline void report_live(const struct analysis *a)
                !is_lower(a, LIVE) ? ""
                : isinf(a->live)   ? ", no bound"
                                   : SLIDING_PARTS ": too high");
-    report_without(a);
+    if (!(a->text.strength > 0))
+        printf("  strength    none is stated: " ENDLESS_STRENGTH "\n");
 }
 
 /* The load factors: those that Coulomb friction bears from rest, wherever they
@@ -992,11 +1055,16 @@ static inline void report_growth(const struct analysis *a)
 {
     char value[32], means[LOADS_ROOM];
     for (int k = 0; k < EARTH_PARTS; k++) {
-        const enum earth_part part = (enum earth_part)k;
+        const enum earth_part part = earth_order(a, k);
+        const struct analysis beyond = beyond_growth(a, part);
+        kern_critical moving;
         if (!has_growth(a, part))
             continue;
         growth_means(a, part, means);
         printf("  earth grows %-8s  %s\n", growth_text(a, part, value), means);
+        moving = find_groups(&beyond);
+        report_groups(&beyond, &moving, "    beyond it ");
+        free_groups(&moving);
     }
 }
 

@@ -178,7 +178,7 @@ static inline void json_limits(const struct analysis *a, int good)
         printf("\"]");
     }
     printf("]");
-    free(moving.group);
+    free_groups(&moving);
 }
 
 /* Of what is undecided the numbers are null, and the list is empty. */

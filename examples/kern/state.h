@@ -53,6 +53,7 @@ enum earth_part { EARTH_WHOLE, EARTH_HORIZONTAL, EARTH_PARTS };
 
 struct growth {
     double limit, let_go; /* by limit analysis; let go NAN: not shown */
+    kern_motion *motion;  /* just past `limit`; NULL: none            */
 };
 
 /* A place of one more stone, which is there. */
@@ -116,6 +117,7 @@ struct analysis {
     int untried; /* places where the least factor may be as well       */
     struct analysis *without; /* the same where fill does not push back;
                                  NULL: no fill does, or it falls with it   */
+    int bare; /* is this the same: fill does not push back             */
 
     struct text_file stone; /* of --place                      */
     struct placed *placed;  /* the best places of --place       */
@@ -462,16 +464,22 @@ static inline int next_limit(const struct analysis *a, double *share)
     return *share > 0.1 ? best : -1;
 }
 
-/* The moving blocks, in groups that move as one, the fastest first; `group` is
-   the caller's to free. */
+/* The moving blocks, in groups that move as one, the fastest first, and how blocks
+   meet; for free_groups(). */
 static inline kern_critical find_groups(const struct analysis *a)
 {
     kern_proof proof = {NULL, shown_fall(a)};
-    kern_critical moving = {NULL, NULL, array(a->task.s.blocks, sizeof(int)),
-                            -1, 0};
+    kern_critical moving = {array(a->task.s.contacts, sizeof(kern_meeting)),
+                            NULL, array(a->task.s.blocks, sizeof(int)), -1, 0};
     if (proof.motion && moving.group)
         kern_critical_of(&a->task, 0, &proof, &moving);
     return moving;
+}
+
+static inline void free_groups(kern_critical *moving)
+{
+    free(moving->meeting);
+    free(moving->group);
 }
 
 /* The forces, as the picture has them. */

@@ -205,10 +205,20 @@ static inline const char *sweep_lead(const struct analysis *a)
     return sweep_lives(a) > 1 ? "first force" : "live load";
 }
 
-/* What a factor of the live load counts on, where fill pushes back. */
+/* What a factor of the live load counts on, or leaves out, where fill pushes
+   back. */
 static inline const char *passive_note(const struct analysis *a)
 {
-    return a->without ? ", with the full passive pressure of the fill" : "";
+    return a->bare    ? ", without the passive pressure of the fill"
+         : a->without ? ", with the full passive pressure of the fill"
+                      : "";
+}
+
+/* What to rely on: where fill pushes back, the analysis in which it does not. Soil
+   must be compressed before it pushes back in full. */
+static inline const struct analysis *relied_on(const struct analysis *a)
+{
+    return a->without ? a->without : a;
 }
 
 /* Writes what the least factor is, and where. */
@@ -224,9 +234,11 @@ static inline void sweep_sentence(const struct analysis *a,
     if (hidden > 0)
         snprintf(more, sizeof more, "; at %d of %d places none is shown",
                  hidden, a->sweeps);
-    if (least < 0)
-        snprintf(out, LOADS_ROOM, "at none of %d places is a factor known",
-                 a->sweeps);
+    if (a->sweeps == 0)
+        snprintf(out, LOADS_ROOM, "no factor is known%s", passive_note(a));
+    else if (least < 0)
+        snprintf(out, LOADS_ROOM, "at none of %d places is a factor known%s",
+                 a->sweeps, passive_note(a));
     else if (sweeps_let_go(a))
         snprintf(out, LOADS_ROOM,
                  "with the %s at x = %.4g%s, when it is let go%s; limit "
@@ -545,23 +557,25 @@ static inline void report_sweep(const struct analysis *a)
         printf("  sweep       none: %s\n", sweep_why);
     if (a->sweeps == 0)
         return;
+    if (a->without) {
+        sweep_sentence(a->without, what);
+        printf("  no passive  %-8s  %s%s\n", sweep_text(a->without, shown),
+               sweep_governs(a->without) < 0 ? ""
+                                             : "rely on this least factor, ",
+               what);
+    }
     sweep_sentence(a, what);
     if (governs >= 0)
         printf("  worst place %-8.4g  least factor, %s\n",
                sweep_factor_least(a), what);
     else
         printf("  worst place none      %s\n", what);
-    if (a->without) {
-        sweep_sentence(a->without, what);
-        printf(
-            "  no passive  %-8s  the same without the passive pressure of the "
-            "fill, %s\n",
-            sweep_text(a->without, shown), what);
-    }
     if (a->untried > 0)
         printf("  sweep       %d places where the least may be were not tried: "
                "it may be less than that below\n",
                a->untried);
+    if (a->without)
+        printf("  sweep       each factor below%s\n", passive_note(a));
     printf("  sweep       %11s %11s", "x", "y");
     if (let_go)
         printf(" %11s", "live");
@@ -666,8 +680,9 @@ static inline int sweep_plot(const struct analysis *a, FILE *out)
         sweep_curve(a, &p, 1, DRAW_FORCE, x, x + more);
     if (w && w->sweeps > 0) {
         sweep_curve(w, &p, sweeps_let_go(w), DRAW_LOAD, x, x + more);
-        plot_text(&p, p.left + 6, p.top + p.height - 6, 10.5, "start",
-                  "green: without the passive pressure of the fill");
+        plot_text(
+            &p, p.left + 6, p.top + p.height - 6, 10.5, "start",
+            "green, to rely on: without the passive pressure of the fill");
     }
     free(x);
     return plot_end(&p);
