@@ -115,16 +115,16 @@ int main(void)
 outline          vertices     mass     error    margin
 as it comes         10000   a polygon crosses itself or passes a point twice
 within 0.003 m         56   2670.5    0.0036    0.2500  certain
-within 0.006 m         36   2664.9    0.0063    0.2500
+within 0.006 m         36   2664.9    0.0063    0.2500  certain
 within 0.012 m         28   2653.1    0.0122    0.2500  certain
-within 0.024 m         20   2638.8    0.0241    0.2500
+within 0.024 m         20   2638.8    0.0241    0.2500  certain
 within 0.048 m         16   2625.3    0.0480    0.4921
 
 exact outlines, untold and told an error of 0.02 m
 untold                 40   2656.9    0.0000    0.2399
 untold                200   2669.3    0.0000    0.1445
 untold               1000   2669.8    0.0000    0.2598
-told                   40   2656.9    0.0200    0.4113
-told                  200   2669.3    0.0200    0.4113
-told                 1000   2669.8    0.0200    0.4113
+told                   40   2656.9    0.0200    0.4113  certain
+told                  200   2669.3    0.0200    0.4113  certain
+told                 1000   2669.8    0.0200    0.4113  certain
 */
