@@ -583,7 +583,9 @@ static void turn_page(world *w)
    energy g for a unit force, whichever point it turns about. To topple it must
    rise by c^2 / (2 h). So it may topple if g > c^2 / (2 h).
 
-   POST is 0.5 wide and 4 high, and TOWER is such a post in two halves. STEPPED
+   POST is 0.5 wide and 4 high, and TOWER is such a post in two halves. BEHIND
+   has a wall that the upper half leans on, which does not hold it on the other
+   side. STEPPED
    is a post over a step of 2 errors, a bump of its stretch. BLOCK is 1 wide and
    0.9 high; its bed ends 0.07 to the right of its centre. HELD leans there on a
    wall. PUSHED is that block on feet at both ends, with 0.9 of its weight as a
@@ -595,13 +597,19 @@ static void turn_page(world *w)
    stretch has a bump. */
 static void certain_rocks(void)
 {
-    enum { POST, TOWER, STEPPED, BLOCK, HELD, PUSHED, SLOPE, KINDS };
-    static const double c[] = {0.25, 0.25, 0.25, 0.07, 0.07, 0.095, 0.095};
-    static const double h[] = {2, 2, 2, 0.45, 0.45, 0.9, 0.9};
+    enum { POST, TOWER, BEHIND, STEPPED, BLOCK, HELD, PUSHED, SLOPE, KINDS };
+    static const double c[] = {0.25, 0.25, 0.25,  0.25,
+                               0.07, 0.07, 0.095, 0.095};
+    static const double h[] = {2, 2, 2, 2, 0.45, 0.45, 0.9, 0.9};
     /* where the first ground ends, and the second lies */
-    static const double right[][3] = {
-        {3},           {3},          {3}, {0.1, 0.45, 0.57}, {0.1, 0.45, 0.57},
-        {0.1, 0.9, 1}, {0.1, 0.9, 1}};
+    static const double right[][3] = {{3},
+                                      {3},
+                                      {3},
+                                      {3},
+                                      {0.1, 0.45, 0.57},
+                                      {0.1, 0.45, 0.57},
+                                      {0.1, 0.9, 1},
+                                      {0.1, 0.9, 1}};
     static world w;
     kern_margin m;
     kern_interval in;
@@ -624,9 +632,12 @@ static void certain_rocks(void)
             world_box(&w, 0, right[kind][1], -1, right[kind][2], 0);
             world_box(&w, 1, 0, 0, 1, 0.9);
         } else
-            world_box(&w, 1, -0.25, 0, 0.25, kind == TOWER ? 2 : 4);
-        if (kind == TOWER)
+            world_box(&w, 1, -0.25, 0, 0.25,
+                      kind == TOWER || kind == BEHIND ? 2 : 4);
+        if (kind == TOWER || kind == BEHIND)
             world_box(&w, 1, -0.25, 2, 0.25, 4);
+        if (kind == BEHIND)
+            world_box(&w, 0, -1.25, 2.5, -0.25, 3.5);
         if (kind == HELD)
             world_box(&w, 0, 1, -1, 2, 2);
         if (kind == PUSHED)
@@ -641,6 +652,29 @@ static void certain_rocks(void)
         CHECK(in.low > 0);
     }
     context[0] = 0;
+}
+
+/* A stone stands on its corner, with its centre `errors` to the left of it, and
+   the wall is to its right: it falls to the left. The corner may lie to the left
+   of the centre unless these errors are many. */
+static void certain_points(void)
+{
+    static const double e = 0.005;
+    static world w;
+    kern_margin m;
+    kern_interval in;
+    double errors;
+    int got;
+    for (errors = 0.5; errors < 40; errors *= 4) {
+        const double stone[] = {0, 0, 1, 1, 0, 2, -1 - 3 * errors * e, 1};
+        world_reset(&w);
+        world_box(&w, 0, -3, -1, 3, 0);
+        world_box(&w, 0, 1, 0, 2, 3);
+        world_polygon(&w, 1, stone, 4);
+        CHECK_INT(certain_at(&w, e, &got, &m, &in),
+                  errors < 3 ? KERN_OK : KERN_FALLS);
+        CHECK_INT(got, KERN_FALLS);
+    }
 }
 
 /* Checks that two answers are alike. In float returns 1 where they are not:
@@ -706,7 +740,8 @@ static const test measured_tests[] = {
     TEST(feet_of_few_errors),   TEST(certain_places),
     TEST(certain_laws),         TEST(certain_ways),
     TEST(certain_slender),      TEST(certain_combs),
-    TEST(certain_rocks),        TEST(certain_orders),
+    TEST(certain_rocks),        TEST(certain_points),
+    TEST(certain_orders),
 };
 
 #endif
