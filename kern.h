@@ -125,11 +125,12 @@
    that would exceed the limit is not begun: the call returns KERN_LIMIT and
    writes the results that are proven by then. A call that ends below the limit
    gives the same bits as without a limit. On x86-64 a call takes at most 3,000
-   instructions plus 2,000 for each unit of its limit, or 3,100 if most blocks
-   have a single contact, as in a loose fill that is pushed (tests/work.sh
-   limits). A call that completes takes 550 to 2,000 instructions for each unit
-   in work->units, or 2,230 in such a fill. On a desktop computer that is 0.1 to
-   0.6 microseconds. On a Cortex-M4F a unit took up to 2,520 instructions.
+   instructions plus 2,000 for each unit of its limit. If most blocks have a
+   single contact, as in a loose fill that is pushed, it may take 3,100 for each
+   unit instead of 2,000 (tests/work.sh limits). A call that completes takes 550
+   to 2,000 instructions for each unit in work->units, or 2,230 in such a fill.
+   On a desktop computer that is 0.1 to 0.6 microseconds. On a Cortex-M4F a unit
+   took up to 2,520 instructions.
 
    CONFIGURATION                                                     >>config
 
@@ -1359,14 +1360,15 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
        s = max(1, displacement of block i that raises the forces), where the
            mean weight is 1 and the stiffness of a contact point is .1 plus,
            at the end of a line, its travel in mean sizes. A turn counts as a
-           displacement of turn times half the size of the block
+           displacement by its angle times half the size of the block
    The law was fitted to 835 placements, most of them close to falling: 630 stay
-   and 205 move (tests/TRUST.md). Among places that a planner draws at random
-   and that stand, more stay than the chance says. KERN_STANDS: writes *chance,
-   from .05 to 1, or 0 if some block hangs. KERN_FALLS: *chance is unchanged.
-   Returns KERN_BAD_BLOCK if i is no free block, and KERN_BAD_OPTION if there is
-   no gravity. Time: that of 3 calls of kern_plan_try() in the median, if the
-   known forces of a plan are used. */
+   and 205 move (tests/TRUST.md). If a planner draws places at random and the
+   structure stands with the stone there, more of the stones stay than the
+   chance predicts. KERN_STANDS: writes *chance, from .05 to 1, or 0 if some
+   block hangs. KERN_FALLS: *chance is unchanged. Returns KERN_BAD_BLOCK if i is
+   no free block, and KERN_BAD_OPTION if there is no gravity. Time: that of 3
+   calls of kern_plan_try() in the median, if the known forces of a plan are
+   used. */
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance);
 
@@ -2281,8 +2283,9 @@ extern "C" {
 /* Norm of the forces, as a multiple of the loads of all groups, above which a
    search for raised forces ends. */
 #define KERN_RAISE_NORM KERN_R(200)
-/* Largest slide of any contact in raised forces, as a multiple of the largest
-   approach of any contact. A stone that falls into a jam slides farther. */
+/* Raised forces are accepted only if no loaded contact slides farther than this
+   multiple of the largest approach of a loaded contact. A stone that falls into
+   a jam slides farther. */
 #define KERN_SLIDE_MOST KERN_R(100)
 /* Most rounds of Newton's method for minimum-norm forces under one set of
    prices (>>raised). Usually it takes 4. */
@@ -3704,8 +3707,8 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     return KERN_OK;
 }
 
-/* The row of a contact at one of its two ends, each of which is at one of its
-   groups: the coefficients of the contact in the three equations of that group.
+/* The row of a contact at one of its two ends: the coefficients of the contact
+   in the three equations of the group at that end.
    The row maps a motion of the group to speeds along n and t, and forces along
    n and t to a wrench. Every method that looks for forces uses these rows.
    The checks of proofs have code of their own, so that they share no mistake
@@ -4003,8 +4006,8 @@ KERN_SHARED static void kern_proof_write(const kern_model *m,
    entries (u, v, r, s): (u, v, r) in the rows of the first of these groups,
    (-u, -v, s) in those of the second.
 
-   The place is one more variable. Its column is `rate`, and its value is the
-   distance by which rhs has moved along a path. */
+   The place on a path (>>kern) is one more variable. Its column is `rate`, and
+   its value is the distance by which rhs has moved along the path. */
 typedef struct kern_program {
     int rows, cols;
     const kern_real *a; /* dense: all entries, by columns; network: the four
@@ -4107,8 +4110,8 @@ static inline kern_real kern_lp_dot(const kern_program *lp, int j,
    it is an own column. KERN_LP_END_OTHER: the other group. */
 typedef enum kern_lp_end { KERN_LP_END_OWN, KERN_LP_END_OTHER } kern_lp_end;
 
-/* Writes the three entries of column j in the rows of one of its groups.
-   Returns the first of these rows. */
+/* Writes to `out` the three entries that column j has in the rows of one of its
+   groups. Returns the first of these rows. */
 static inline int kern_lp_part(const kern_program *lp, int j, kern_lp_end side,
                                kern_real out[3])
 {
@@ -5000,9 +5003,9 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
 }
 
 /* Sets negative entries of x to 0. Returns 1 if x and y then prove the status.
-   Otherwise sets the entries of x and y that are as small as rounding to 0, and
-   checks once more: such entries spoil the check of a row that has no other
-   entries. */
+   Otherwise sets to 0 those entries of x and y that are no larger than rounding
+   errors, and checks once more: such entries spoil the check of a row that has
+   no other entries. */
 static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
@@ -5860,8 +5863,9 @@ KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
     kern_real share = 1;
     int round;
 
-    /* Increases the share until the derivative has changed its sign. After that
-       cuts the bracket at the place where a linear derivative would be 0. */
+    /* Increases the share until the derivative has changed its sign. Then cuts
+       the bracket at the share at which the derivative would be 0 if it were
+       linear. */
     for (round = 0;
          round < (hi < KERN_INFINITY ? KERN_SHARE_PLACES : KERN_SHARE_GROWS);
          round++) {
@@ -6458,10 +6462,11 @@ static void kern_known_begin(kern_model *m, kern_real shrink)
 }
 
 /* Begins a pass with the present forces in m->answer. Makes each group a
-   cluster of its own. Opens all clusters, or only that of the one group that
-   known forces may not balance (`unbalanced`). A cluster may have at most
-   groups / share + 1 groups. If there are more than KERN_SMALL groups, the
-   largest size of a cluster depends only on the number of groups. */
+   cluster of its own. If known forces balance all groups except perhaps one
+   (`unbalanced`), opens only the cluster of that group. Otherwise opens all
+   clusters. A cluster may have at most groups / share + 1 groups. If there are
+   more than KERN_SMALL groups, the largest size of a cluster depends only on
+   the number of groups. */
 static void kern_pass_begin(kern_model *m, int share)
 {
     kern_clusters *c = &m->cluster;
@@ -9475,8 +9480,8 @@ typedef struct kern_raise {
     int unknowns;            /* length of the array that holds u and, after
                                 it, the prices                                */
     kern_real *shown;        /* u and prices at the last load with a proof    */
-    kern_real *shown_before; /* u and prices at the load with a proof before
-                                the last one                                  */
+    kern_real *shown_before; /* u and prices at the last but one load that has
+                                a proof                                       */
     kern_real *last_price;   /* two per contact: the price that the last round
                                 computed, and its change in that round        */
     kern_real *saved;        /* u at the start of Newton's method             */
@@ -10390,9 +10395,9 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_ROCK_PLACES 16
 #define KERN_ROCK_BUMP KERN_R(0.6)
 #define KERN_ROCK_STEEP KERN_R(0.5)
-/* Least depth of the middle of an overlap inside each of the two blocks, as a
-   share of the overlap. The depth is half of the overlap where both blocks are
-   thick, and smaller where one block is thin. */
+/* The middle of an overlap must lie inside each of the two blocks, at a depth
+   of at least this share of the overlap. The depth is half of the overlap where
+   both blocks are thick, and smaller where one block is thin. */
 #define KERN_THIN KERN_R(0.25)
 /* Largest angle that kern_measured_options() sets, as a share of
    KERN_ANGLE_MOST. */
@@ -10422,8 +10427,8 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
    vertices are equally far except for rounding. */
 #define KERN_EQUALLY_FAR KERN_PICK(1e-6, 1e-5)
 /* Simplified outlines: number of tolerances that are tried before the tolerance
-   0. Each is half of the one before, and is tried because edges of the last
-   result cross. */
+   0. Each is half of the one before, and is tried if the outline that the one
+   before gives is no simple polygon. */
 #define KERN_HALVINGS 8
 
 /* ---- coming to rest ---- */
@@ -12814,32 +12819,39 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
 }
 
 /* ---- Settling, certainty ---------------------------------------- >>settle */
-/* A measured structure is near one at rest. It comes to rest by steps of a
-   little fall. In each step every contact in turn is held within its cone
-   (projected Gauss-Seidel, over-relaxed), from below and from above by turns.
-   So the order of the input means nothing, nor does a mirrored or turned frame:
-   whatever a sweep compares is measured along contacts. Nothing keeps its
-   speed. Places and normals stay as they were measured, since the ways are a
-   few errors long.
+/* A measured structure differs by the errors from one that is at rest. This
+   chapter lets it settle in steps. In each step all blocks fall a little. Then
+   the forces at the contacts are corrected one by one, each within its friction
+   cone, until no contact closes by more than its gap (projected Gauss-Seidel,
+   over-relaxed). One sweep goes from the lowest contact to the highest, the
+   next one back. So the order of the input does not matter, and a mirrored or
+   turned frame does not matter either, since all lengths are measured along
+   contacts. No block keeps its speed from one step to the next. Contacts and
+   normals stay as they were measured, since the blocks move by a few errors
+   only.
 
-   A stretch is a contact point or both ends of a line. Its gap was measured
-   with an error, so the structure settles with every few-th stretch open by
-   more than was measured, then with the next ones. */
+   A stretch is a contact point or both ends of a line. The gap of a stretch was
+   measured with an error. So the structure settles several times, each time
+   with other stretches open by more than was measured. */
 
 typedef struct kern_repose {
     const kern_task *task;
-    kern_real free_fall; /* of a block that nothing holds, in a step [m]      */
-    int *order;          /* the contact points, from below                    */
-    int *stretch;        /* of a point: points of the stretch that it begins, */
-                         /* 0 for the second end of a line                    */
-    kern_real *inverse_mass; /* of a block: 1 / mass, 1 / moment of inertia   */
-    kern_real *compliance;   /* of a point: how far a force of 1 moves its
-                                blocks                                        */
-    kern_real *gap;          /* of a point [m]                                */
-    kern_real *slip;         /* of a point: how far it slid along t [m]       */
-    kern_vec *arm;           /* of a point: from its two blocks; 0 from fixed */
-    kern_force *force;       /* of a point in a step [kg m]                   */
-    kern_motion *motion;     /* of a block in a step [m]                      */
+    kern_real free_fall; /* fall in one step of a block that nothing holds
+                            [m]                                               */
+    int *order;          /* the contact points, beginning with the lowest     */
+    int *stretch;        /* per point: number of points of the stretch that
+                            begins here; 0 for the second end of a line       */
+    kern_real *inverse_mass; /* two per block: 1 / mass, 1 / moment of inertia,
+                                0 if the block is fixed                       */
+    kern_real *compliance;   /* per point: distance by which a force of 1 moves
+                                its two blocks apart                          */
+    kern_real *gap;          /* per point [m]                                 */
+    kern_real *slip;         /* per point: distance slid along t so far [m]   */
+    kern_vec *arm;           /* two per point: vectors from the centres of its
+                                two blocks, 0 from a fixed block              */
+    kern_force *force;       /* per point: impulse in one step, as mass times
+                                displacement [kg m]                           */
+    kern_motion *motion;     /* per block: motion in one step [m]             */
 } kern_repose;
 
 /* Sorts the contact points by height, from below. Both ends of a line are about
@@ -12862,8 +12874,8 @@ static void kern_repose_sort(const kern_repose *r)
     kern_sort(r->order, n, height);
 }
 
-/* Sets what a force at a contact point moves, and lets every block fall by its
-   weight and its load. */
+/* Computes how much a force at each contact point moves. Starts the motion of
+   each block with the fall that its weight and its load cause in one step. */
 static void kern_repose_fall(const kern_repose *r)
 {
     const kern_structure *s = &r->task->s;
@@ -12871,7 +12883,7 @@ static void kern_repose_fall(const kern_repose *r)
     const kern_real time = pull > 0 ? r->free_fall / pull : KERN_R(0);
     int i, k;
 
-    /* Moves the blocks by what their weights and loads do in one step. */
+    /* Sets the inverse masses. Adds the fall of one step to the motions. */
     for (i = 0; i < s->blocks; i++) {
         const kern_block *b = s->block + i;
         kern_real *inverse_mass = r->inverse_mass + 2 * i;
@@ -12897,7 +12909,8 @@ static void kern_repose_fall(const kern_repose *r)
         }
 }
 
-/* Begins a settling without gaps and forces. The work memory is long enough. */
+/* Begins a settling without gaps and forces. kern_certain_check() has found the
+   work memory long enough. */
 static void kern_repose_begin(kern_repose *r, const kern_task *task)
 {
     const int blocks = task->s.blocks, contacts = task->s.contacts;
@@ -12926,8 +12939,8 @@ static void kern_repose_begin(kern_repose *r, const kern_task *task)
     kern_repose_sort(r);
 }
 
-/* Returns how deep p lies inside block b, below 0 where it is outside. All
-   fixed blocks are one ground. */
+/* Returns the depth of p inside block b. The depth is negative if p is outside.
+   All fixed blocks count as one block. */
 static kern_real kern_repose_depth(const kern_structure *s, kern_vec p, int b)
 {
     kern_real deepest = -KERN_INFINITY;
@@ -12944,7 +12957,8 @@ static kern_real kern_repose_depth(const kern_structure *s, kern_vec p, int b)
     return deepest;
 }
 
-/* Returns the gap between the outlines at contact c, below 0 in an overlap. */
+/* Returns the gap between the outlines at contact c. The gap is negative where
+   the outlines overlap. */
 static kern_real kern_repose_gap(const kern_structure *s, const kern_contact *c)
 {
     return -kern_repose_depth(s, c->p, c->a) - kern_repose_depth(s, c->p, c->b);
@@ -12979,9 +12993,10 @@ static kern_vec kern_repose_meeting(const kern_repose *r, int i)
                         kern_velocity(r->motion + c->a, arm[0]));
 }
 
-/* Changes the force of contact point i, within its cone, so that its blocks
-   come no nearer than its gap in the step and do not slide. Returns how far
-   that moves them: 0 for a contact without force that stays open. */
+/* Changes the force at contact point i, within its friction cone, so that its
+   blocks approach by no more than the gap in this step and do not slide.
+   Returns the distance by which the change moves the blocks. This distance is 0
+   for a contact without force that stays open. */
 static kern_real kern_repose_hold(const kern_repose *r, int i)
 {
     const kern_contact *c = r->task->s.contact + i;
@@ -13001,7 +13016,7 @@ static kern_real kern_repose_hold(const kern_repose *r, int i)
         kern_max(old.tangential - kern_vec_dot(u, t) * stiffness, -limit),
         limit);
 
-    /* the change moves both blocks */
+    /* Moves both blocks by the change of the force. */
     impulse = kern_vec_make(f->normal - old.normal,
                             f->tangential - old.tangential);
     push = kern_vec_step(kern_vec_scale(c->n, impulse.x), impulse.y, t);
@@ -13018,13 +13033,14 @@ static kern_real kern_repose_hold(const kern_repose *r, int i)
          * kern_vec_largest(impulse); /* the same in a turned frame */
 }
 
-/* Returns 1 if contact point i, the end of a line, slid by half of the line,
-   and the block that it slid on to or from ends there, within the error. */
+/* Returns 1 if contact point i, which is an end of a line, has slid by half the
+   length of the line, and the block on which it slides ends there, give or take
+   the errors. */
 static int kern_repose_slid(const kern_repose *r, int i)
 {
     const kern_contact *c = r->task->s.contact + i;
     const kern_real way = kern_abs(r->slip[i]);
-    const kern_real out = r->stretch[i] ? 1 : -1; /* of the line, along t */
+    const kern_real out = r->stretch[i] ? 1 : -1; /* sign along t, outward */
     return way > kern_abs(c->travel)
         && kern_repose_depth(
                &r->task->s,
@@ -13036,8 +13052,8 @@ static int kern_repose_slid(const kern_repose *r, int i)
                < -way / 2;
 }
 
-/* Returns 1 if a line that presses slid at both ends: it may have left what it
-   lies on. */
+/* Returns 1 if a line contact that presses has slid at both ends
+   (kern_repose_slid()): its block may have left the block on which it lies. */
 static int kern_repose_leaves(const kern_repose *r)
 {
     int i, leaves = 0;
@@ -13048,10 +13064,10 @@ static int kern_repose_leaves(const kern_repose *r)
     return leaves;
 }
 
-/* Lets the blocks settle by steps, from the forces that are there. Returns
-   how far they move at most, KERN_INFINITY where that is beyond `limit` or
-   they slide off what they lie on. Whether they are at rest then a verdict
-   tells. */
+/* Lets the blocks settle by steps, beginning with the forces in r->force.
+   Returns how far they move at most, or KERN_INFINITY if that is more than
+   `limit` or if they slide off what they lie on. A verdict tells afterwards
+   whether they are at rest. */
 static kern_real kern_repose_settle(const kern_repose *r, kern_real limit)
 {
     const kern_structure *s = &r->task->s;
@@ -13061,7 +13077,8 @@ static kern_real kern_repose_settle(const kern_repose *r, kern_real limit)
     for (step = 0; step < KERN_SETTLE_STEPS && way <= limit
                    && moved > KERN_SETTLE_REST * r->free_fall;
          step++) {
-        /* sweeps from below and from above, until they change little */
+        /* Sweeps over all contacts, upwards and downwards by turns, until a
+           sweep changes little. */
         for (sweep = 0; sweep < KERN_SETTLE_SWEEPS
                         && moved > KERN_SETTLE_STILL * r->free_fall
                         && kern_spend(r->task->work, r->task->options.limit,
@@ -13072,7 +13089,7 @@ static kern_real kern_repose_settle(const kern_repose *r, kern_real limit)
                     moved,
                     kern_repose_hold(r, r->order[sweep % 2 ? last - i : i]));
 
-        /* the gaps that are left */
+        /* Updates the gaps and slips. */
         for (i = 0; i <= last; i++) {
             const kern_contact *c = s->contact + i;
             const kern_vec u = kern_repose_meeting(r, i);
@@ -13080,7 +13097,7 @@ static kern_real kern_repose_settle(const kern_repose *r, kern_real limit)
             r->slip[i] += kern_vec_cross(c->n, u);
         }
 
-        /* how far the blocks went */
+        /* Adds the longest motion of a block in this step to the way. */
         for (i = 0, moved = KERN_R(0); i < s->blocks; i++)
             moved = kern_max(moved,
                              kern_block_speed(&s->block[i], &r->motion[i]));
@@ -13092,8 +13109,9 @@ static kern_real kern_repose_settle(const kern_repose *r, kern_real limit)
 /* ---- certainty ---- */
 
 /* Shrinks the kerns of n contacts by `by` times the errors of place of the
-   options, and turns the edges of their cones inward by `by` times the errors
-   of angle. Below 0 kerns grow and cones widen. */
+   options (KERN_ERRORS), and turns the edges of their cones inward by `by`
+   times the errors of angle (KERN_ERROR_CONE). If `by` is negative, kerns grow
+   and cones widen. */
 static void kern_contacts_err(kern_contact *c, int n, const kern_options *o,
                               kern_real by)
 {
@@ -13109,8 +13127,8 @@ static void kern_contacts_err(kern_contact *c, int n, const kern_options *o,
     }
 }
 
-/* Subtracts the work of a call from the limit. Returns its status, or
-   KERN_LIMIT where nothing of the limit remains. */
+/* Subtracts the work of the last call from the limit. Returns the status of
+   that call, or KERN_LIMIT if nothing of the limit remains. */
 static kern_status kern_limit_subtract(kern_task *task, kern_status status)
 {
     task->options.limit -= task->work->units;
@@ -13118,9 +13136,11 @@ static kern_status kern_limit_subtract(kern_task *task, kern_status status)
     return task->work->units ? KERN_LIMIT : status;
 }
 
-/* Writes the contacts of the upper end to contact[0..room): those of the task,
-   and of what falls those of edges and corners within twice the error, with the
-   options that find them. Returns how many there are, or a status below 0. */
+/* Writes the contacts for `high` to contact[0..room). These are the contacts of
+   the task. If the structure falls (`margin` is 0), they are also all contacts
+   of edges and corners within twice the errors, and *options receives the
+   options for these errors. Returns the number of contact points, or a negative
+   status. */
 KERN_SHARED static int kern_contacts_upper(const kern_task *task,
                                            kern_real margin,
                                            kern_options *options,
@@ -13175,7 +13195,8 @@ static kern_status kern_certain_check(const kern_task *task, kern_real margin,
 typedef struct kern_bed {
     kern_vec force;   /* [N]                                                  */
     kern_real torque; /* of the force about the block's centre [N m]          */
-    kern_real lift;   /* sum of the products of forces and places from there  */
+    kern_real lift;   /* sum over the blocks: force, times the vector from the
+                         centre of this block to that of the other [N m]      */
     int end[2];       /* contact points farthest to either side; KERN_OUT:
                          none                                                 */
     int held;         /* bits: 1, 2: another block holds it on that side;
@@ -13184,9 +13205,10 @@ typedef struct kern_bed {
                          none                                                 */
 } kern_bed;
 
-/* Returns 1 if the stretch that begins at contact point c has a bump: a place
-   that is nearer to the other block than the line through its neighbours. The
-   ends of a stretch are at corners, where overlaps look smaller. */
+/* Returns 1 if the stretch that begins at contact point c has a bump. Its gap
+   is computed at KERN_ROCK_PLACES - 1 places. A bump is a place with a smaller
+   gap than the mean of the places before and after it. The ends of the stretch
+   are left out, since overlaps look smaller at corners. */
 static int kern_bed_bump(const kern_task *task, const kern_contact *c)
 {
     const kern_vec step = kern_vec_scale(kern_vec_turn(c->n),
@@ -13206,18 +13228,21 @@ static int kern_bed_bump(const kern_task *task, const kern_contact *c)
     return bump;
 }
 
-/* Returns 1 if a block may topple over the end of its bed on side k. That end
-   lacks support, so the block falls until the gap there closes. It stays if the
-   energy of this fall does not lift it over the end, although the impact is
-   taken to lose none. Let the force be 1, h its height above the end, c the
-   distance of its line from the end, and n its share along the normal. About
-   whichever point the block turns, to first order it stays if
-   2 h n lack <= c^2.
+/* Returns 1 if a block may topple over the end of its bed on side k. Suppose
+   that this end lacks support by `lack`. The block falls until the gap at the
+   end closes, and the impact is taken to lose no energy. Let the force have the
+   magnitude 1, h be the height of the centre above the end along the force, c
+   the distance of the line of the force from the end, and n the share of the
+   force along the normal there. To first order the fall frees the energy
+   n lack, whichever point the block turns about. To topple, the block must rise
+   by c^2 / (2 h). So it stays if 2 h n lack <= c^2.
 
-   The end lacks its gap and `extra` / 2. A stretch longer than half of the bed,
-   and with a bump, may hide a gap of KERN_ROCK_LACK times `extra`. If it has no
-   bump, only the end farther from the line is asked. A block with the line
-   beyond its bed is held by others, as the verdict tells. */
+   `lack` is the measured gap at the end plus `extra` / 2. A stretch longer than
+   half of the bed that has a bump may hide more: the measured gap plus
+   KERN_ROCK_LACK times `extra`. If such a stretch has no bump, only the end
+   that is farther from the line of the force is tested. If the line of the
+   force passes beyond the bed, other blocks hold the block, which the verdict
+   tests. */
 static int kern_bed_topples(const kern_task *task, const kern_bed *b,
                             kern_vec centre, int k, kern_real extra)
 {
@@ -13225,8 +13250,8 @@ static int kern_bed_topples(const kern_task *task, const kern_bed *b,
     const kern_vec arm = kern_vec_sub(c->p, centre);
     const kern_vec bed = kern_vec_sub(task->s.contact[b->end[!k]].p, c->p);
 
-    /* The moment of the force about the end is 0 at the share `line` of the
-       bed. */
+    /* Finds where the line of the force meets the bed, as a share of the bed
+       from this end on: there the moment of the force is 0. */
     const kern_real moment = b->torque + kern_vec_cross(b->force, arm);
     const kern_real line = -moment / kern_vec_cross(b->force, bed);
 
@@ -13250,9 +13275,9 @@ static void kern_bed_hold(kern_bed *bed, const kern_block *block, int i,
         bed[i].held |= sides;
 }
 
-/* Finds the beds, what carries blocks and what holds them: a neighbour on which
-   a block leans, on that side, and on both sides a block that it carries
-   together with a third. */
+/* Finds the ends of all beds, the carrier of each block, and which blocks hold
+   it. A neighbour on which the block leans holds it on that side. A block that
+   it carries together with a third block holds it on both sides. */
 static void kern_bed_find(kern_bed *bed, const kern_structure *s)
 {
     const kern_vec down = kern_vec_unit(s->gravity);
@@ -13327,7 +13352,8 @@ static int kern_certain_rocks(const kern_task *task, kern_real extra)
     for (i = 0; i < s->blocks; i++)
         kern_bed_load(bed, s, i);
 
-    /* Asks both ends of each bed, unless the block is held there. */
+    /* Tests at both ends of each bed whether the block topples over this end,
+       unless another block holds it on that side. */
     for (i = 0; i < 2 * s->blocks && !rocks; i++)
         rocks = bed[i / 2].end[0] >= 0 && !(bed[i / 2].held & (1 + i % 2))
              && kern_bed_topples(task, bed + i / 2, s->block[i / 2].centre,
@@ -13335,13 +13361,13 @@ static int kern_certain_rocks(const kern_task *task, kern_real extra)
     return rocks;
 }
 
-/* Finds the stretches and lets the blocks settle where every second one, or of
-   sure stretches every third one, beginning with number `part`, is open by more
-   than was measured. Sure stretches are shorter by the error and have no gap
-   but that. Adds the way to *way: KERN_INFINITY if it is beyond the allowed
-   way, or if a block on sure stretches may topple by its own speed. The contact
-   points that are closed then, written to contact[0..room), become those of the
-   task. */
+/* Finds the stretches and lets the blocks settle on them. Every second stretch,
+   beginning with number `part`, is open by more than was measured. With `kind`
+   KERN_SEARCH_SURE every third stretch is open, all stretches are shorter by
+   the error, and all measured gaps are taken as 0. Raises *way to the way of
+   this settling, or to KERN_INFINITY if the way is longer than allowed or if a
+   block may topple by its own speed. Writes the contact points that are closed
+   afterwards to contact[0..room). They become the contacts of the task. */
 KERN_SHARED static kern_status kern_certain_rest(kern_task *task,
                                                  kern_search_kind kind,
                                                  int part, kern_real *way,
