@@ -12862,7 +12862,7 @@ static void kern_repose_sort(const kern_repose *r)
     const kern_vec gravity = r->task->s.gravity;
     const kern_vec axis = kern_vec_step(gravity, KERN_SETTLE_TIE,
                                         kern_vec_turn(gravity));
-    kern_real *const height = r->gap;
+    kern_real *const height = r->gap; /* free until kern_repose_open() */
     int i;
     for (i = 0; i < n; i++) {
         const kern_contact *c = r->task->s.contact + i;
@@ -13158,7 +13158,8 @@ KERN_SHARED static int kern_contacts_upper(const kern_task *task,
         contact[n++] = task->s.contact[i];
 
     /* Makes two points of each point that does not move, since it may lie to
-       either side of its place. */
+       either side of its place. Their travels are negligible, but the signs tell
+       kern_contacts_err() to which side each of them moves. */
     for (i = n - 1; i >= 0; i--)
         if (!(kern_abs(contact[i].travel) > 0)) {
             if (n == room)

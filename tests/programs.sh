@@ -530,7 +530,7 @@ soil() { # a bridge with backfill and a retaining wall, from their files alone
     # are 1.605 of 57 2.032; the whole thrust is 1.924. The lower comes first; each
     # with how the wall falls: over its toe, or with a friction of .42, that bears
     # .42 162.7 of 57, on its lowest bed
-    says 'Rely on this factor: it compares moments as a design does' $wall &&
+    says 'Rely on this factor: it compares forces and moments as a design does' $wall &&
         "$kern" $wall | grep -A 3 '^  earth grows' | cut -c1-58 | diff - <(
             over='    beyond it course1 to course20 tipping left about (0, 0'
             echo '  earth grows 1.605     times the horizontal part of its t'

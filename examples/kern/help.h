@@ -242,7 +242,7 @@ static const char help_json[] =
 "                      worst_* as if it did not; null where none does, or it falls\n"
 "  earth, earth_let_go   how many times the thrust of earth may be, its vertical part\n"
 "                      included; earth_horizontal, earth_horizontal_let_go of its\n"
-"                      horizontal part alone, as a design compares moments\n"
+"                      horizontal part alone, as a design compares them\n"
 "  undecided           names of the keys that are null for that\n"
 "  unbounded           names of the keys that are null since they have no bound\n"
 "  proof_error         of the worst proof, as a share of what is allowed\n"

@@ -113,7 +113,7 @@ static inline void page_growing(FILE *out, const struct analysis *a)
     fprintf(out, " The factor that governs is %s on the %s%s",
             growth_text(a, least, text), on[least],
             least == EARTH_HORIZONTAL
-                ? ", which compares moments as a design does"
+                ? ", which compares forces and moments as a design does"
                 : "");
     if (has_growth(a, other))
         fprintf(out, "; on the %s it is %s", on[other],

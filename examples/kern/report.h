@@ -453,7 +453,7 @@ static inline void growth_means(const struct analysis *a, enum earth_part part,
              asked ? factor_text(g->limit, 1, "", limit) : "",
              relied ? ". Rely on this factor" : "",
              relied && part == EARTH_HORIZONTAL
-                 ? ": it compares moments as a design does"
+                 ? ": it compares forces and moments as a design does"
                  : "");
 }
 
