@@ -56,8 +56,8 @@ enum {
     STANDING = 3 /* structures that stand for each near miss  */
 };
 
-/* Largest share of the certain verdicts that may be wrong: 0.031 at an error of
-   0.005, and 0.019 to 0.033 at 0.0001 to 0.02. */
+/* Largest share of the certain verdicts that may be wrong: 0.041 at an error of
+   0.005, and 0.026 to 0.043 at errors of 0.0001 to 0.02. */
 static const double MOST_WRONG = 0.05;
 
 static const double gap_errors[GAPS] = {0.5, 1, 2, 3, 4, 6, 8, 10};
@@ -1031,7 +1031,7 @@ static void squeezed(double gap)
 /* Makes a sloped slab on two columns of which one is short. */
 static void lean_roof(double gap)
 {
-    const double h = draw(0.6, 1), w = draw(1, 1.6), t = draw(0.15, 0.3);
+    const double h = draw(0.8, 1.2), w = draw(1, 1.6), t = draw(0.15, 0.3);
     const double b = draw(0.2, 0.4), s = draw(0.1, 0.4), end = h - w * s;
     const double low = end - gap;
     flat();
@@ -1778,7 +1778,8 @@ static int near_miss(const char *name, int seeds, double error,
 
 /* ---- structures that stand ---- */
 
-/* Moves the true structure to where it comes to rest. Returns 0 if it falls. */
+/* Moves the true structure to where it comes to rest. Returns 0 if it falls, or
+   does not stay there. */
 static int settle(void)
 {
     struct rigid_world w;
@@ -1796,7 +1797,8 @@ static int settle(void)
         }
     }
     rigid_free(&w);
-    return make_blocks() && moved < 0.4 * true_one.size;
+    return make_blocks() && moved < 0.4 * true_one.size
+        && true_motion(true_one.e, 1) < 1e-4 * true_one.size;
 }
 
 /* Makes a structure that stands. Returns 0 if none is found. */
@@ -1888,16 +1890,16 @@ static int moves_as_known(const struct known *n, double gap)
     return fabs(moved - n->gaps * gap) < 0.1 * true_one.e;
 }
 
-/* Tests the truth of the smallest and the largest gap. Returns 1 if a motion is
-   not the known one. */
-static int test_truth(double error)
+/* Tests the truth of the smallest and the largest gap at an error of 0.005.
+   Returns 1 if a motion is not the known one. */
+static int test_truth(void)
 {
     int i, k, gap, bad = 0;
     for (i = 0; i < COUNT_OF(known); i++)
         for (k = 0; k < COUNT_OF(kind); k++)
             for (gap = 0; gap < GAPS; gap += GAPS - 1) {
                 if (kind[k].make != known[i].make
-                    || (make_one(&kind[k], gap, 0, error)
+                    || (make_one(&kind[k], gap, 0, 0.005)
                         && moves_as_known(&known[i],
                                           gap_errors[gap] * true_one.e)))
                     continue;
@@ -1925,7 +1927,7 @@ int main(int argc, char **argv)
         return 1;
     if (argc > 3)
         return near_miss(argv[3], seeds, error, argc > 4 ? argv[4] : NULL);
-    bad = test_truth(error);
+    bad = test_truth();
     bad |= near_misses(seeds, error);
     bad |= print_covered(STANDING * seeds);
     return bad;
