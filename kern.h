@@ -2218,6 +2218,11 @@ extern "C" {
    gives. */
 #define KERN_IPM_SLACK KERN_R(1.1)
 
+/* Programs with costs. COST: least x, in the lightest load, and least z with
+   which a program starts. TOL: the same, largest error of a solution. */
+#define KERN_IPM_COST KERN_R(0.1)
+#define KERN_IPM_COST_TOL KERN_PICK(1e-6, 1e-3)
+
 /* ---- simplex method ---- */
 
 /* Least violation of x >= 0 that counts in the simplex method, as a share of
@@ -5611,7 +5616,6 @@ static void kern_part_motion(kern_part *p)
         kern_copy(v, p->y + 3 * n, 3);
         v->spin *= m->torque_scale[p->group[n]];
     }
-    kern_motion_scale(m->s, m->answer.motion);
 }
 
 /* Writes the part's y as the motion in m->answer. Returns 1 if this motion
@@ -5620,6 +5624,7 @@ static int kern_part_falls(kern_part *p, const kern_query *q)
 {
     const kern_model *m = p->m;
     kern_part_motion(p);
+    kern_motion_scale(m->s, m->answer.motion);
     return kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion));
 }
 
@@ -6538,7 +6543,13 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
    with the forces x~ = x + mu / z - D A'y. In each step these equations are
    solved twice with one factor (Mehrotra). The predictor, with mu = 0, gives
    the mu and the products dx dz of the corrector. Along a path each query
-   starts from the x, y, z and s of the last query. */
+   starts from the x, y, z and s of the last query.
+
+   With costs c the same method solves another program (kern_ipm_minimise()):
+
+       min c.x,  A x = b,  x >= 0.
+
+   Then g and s are 0, and z is A'y + c instead of A'y. */
 
 typedef struct kern_ipm {
     kern_part *part;       /* all groups; x, y, eq.rhs: x, y, b of >>ipm */
@@ -6550,6 +6561,7 @@ typedef struct kern_ipm {
     kern_real *excess;     /* per row: A x - b + s g                     */
     kern_real *g;          /* per row: residual of the first forces      */
     kern_real *solved_g;   /* per row: M^-1 g                            */
+    const kern_real *cost; /* per ray: c; NULL: there are no costs       */
 } kern_ipm;
 
 #ifndef KERN_NO_INTERIOR
@@ -6566,6 +6578,16 @@ static void kern_ipm_approach(const kern_part *p, const kern_real *v,
         out[0] = w[0] + w[1];
         out[1] = w[0] - w[1];
     }
+}
+
+/* Writes A'y, plus the costs if there are any, to dual.approach: what z must
+   be. */
+static void kern_ipm_slack(const kern_ipm *ipm)
+{
+    kern_part *p = ipm->part;
+    kern_ipm_approach(p, p->y, p->dual.approach);
+    if (ipm->cost)
+        kern_add(p->dual.approach, 1, ipm->cost, 2 * p->contacts);
 }
 
 /* Adds A x to `out`: the wrenches of the forces x on the groups. */
@@ -6656,8 +6678,10 @@ static kern_real kern_ipm_solve(kern_ipm *ipm)
     kern_copy(d->grad, ipm->excess, n);
     kern_ipm_carry(p, ipm->dx, d->grad);
     kern_skyline_solve(&d->matrix, d->grad, d->step);
-    ds = (1 - kern_dot(ipm->g, p->y, n) - kern_dot(ipm->g, d->step, n))
-       / kern_dot(ipm->g, ipm->solved_g, n);
+    ds = ipm->cost ? KERN_R(0)
+                   : (1 - kern_dot(ipm->g, p->y, n)
+                      - kern_dot(ipm->g, d->step, n))
+                         / kern_dot(ipm->g, ipm->solved_g, n);
     ds = kern_min(ds, -ipm->s);
     kern_add(d->step, ds, ipm->solved_g, n);
     kern_ipm_approach(p, d->step, change);
@@ -6693,7 +6717,7 @@ static int kern_ipm_step(kern_ipm *ipm)
     kern_ipm_factor(ipm, 0, ipm->g, ipm->solved_g);
     if (!kern_is_finite(kern_dot(ipm->g, ipm->solved_g, n)))
         kern_ipm_factor(ipm, KERN_IPM_SHIFT, ipm->g, ipm->solved_g);
-    kern_ipm_approach(p, p->y, p->dual.approach);
+    kern_ipm_slack(ipm);
 
     /* Solves for the predictor, which aims at mu = 0, and then for the
        corrector. The corrector aims at the mu that the predictor allows, and
@@ -6768,32 +6792,41 @@ static void kern_ipm_lift(kern_real *v, int n)
         v[i] += lift;
 }
 
-/* Computes the starting point of the interior-point method (Mehrotra). The
-   forces x are the minimum-norm forces of rays that can also pull, raised above
-   0. The speeds z are the opening speeds of a motion y, raised above 0. Returns
-   0 if the raised forces are in equilibrium, or if the work is refused. */
+/* Computes the first forces x of the interior-point method (Mehrotra): the
+   minimum-norm solution of A x = b for rays of equal stiffness that can also
+   pull, raised above 0. Sets g and z to 0. Returns 0 if the work is refused. */
+static int kern_ipm_forces(kern_ipm *ipm)
+{
+    kern_part *p = ipm->part;
+    const int rays = 2 * p->contacts;
+    int i;
+    if (!kern_model_spend(p->m, p->dual.step_units))
+        return 0;
+    for (i = 0; i < rays; i++) {
+        ipm->z[i] = 0;
+        ipm->scaling[i] = 1;
+    }
+    kern_zero(ipm->g, 3 * p->groups);
+    kern_ipm_factor(ipm, KERN_IPM_SHIFT, p->eq.rhs, p->y);
+    kern_ipm_approach(p, p->y, p->x);
+    kern_ipm_lift(p->x, rays);
+    return 1;
+}
+
+/* Computes the starting point of a verdict. The speeds z are the opening speeds
+   of a motion y, raised above 0. Returns 0 if the first forces are in
+   equilibrium, or if the work is refused. */
 static int kern_ipm_begin(kern_ipm *ipm)
 {
     kern_part *p = ipm->part;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real power;
     int i;
-    if (!kern_model_spend(p->m, p->dual.step_units))
+    if (!kern_ipm_forces(ipm))
         return 0;
 
-    /* Computes x: the minimum-norm solution of A x = b for rays of equal
-       stiffness that can also pull. Raises all forces x above 0. */
+    /* Computes g: the residual A x - b of the first forces. */
     ipm->s = -1;
-    for (i = 0; i < rays; i++) {
-        ipm->z[i] = 0;
-        ipm->scaling[i] = 1;
-    }
-    kern_zero(ipm->g, n);
-    kern_ipm_factor(ipm, KERN_IPM_SHIFT, p->eq.rhs, p->y);
-    kern_ipm_approach(p, p->y, p->x);
-    kern_ipm_lift(p->x, rays);
-
-    /* Computes g: the residual A x - b of the raised forces. */
     kern_ipm_excess(ipm);
     kern_copy(ipm->g, ipm->excess, n);
 
@@ -6831,6 +6864,7 @@ static int kern_ipm_open(kern_ipm *ipm, kern_model *m, kern_part *p,
     rays = 2 * p->contacts;
     n = 3 * p->groups + 3;
     ipm->part = p;
+    ipm->cost = NULL;
     ipm->duality_gap = KERN_INFINITY; /* no query has been answered so far */
     p->x = kern_take_reals(&p->rest, 4 * rays + 5 * n - 3);
     if (!kern_take_fits(&p->rest))
@@ -6904,6 +6938,55 @@ static kern_status kern_ipm_evaluate(kern_ipm *ipm, const kern_query *q)
     return p->result = status;
 }
 
+/* Finds forces x and a motion y that solve
+
+       min cost.x,  A x = b,  x >= 0,    A'y + cost = z >= 0,  x z = 0.
+
+   If the x and y are not unique, those in the middle of all solutions are
+   found. Starts from the forces of the last program if there was one. Sets x to
+   0 where it is smaller than z. The lightest load has the magnitude `lightest`.
+   Returns KERN_LP_OPTIMAL, or KERN_UNDECIDED if no solution is found, as when
+   no forces exist or their cost has no least value. */
+static kern_status kern_ipm_minimise(kern_ipm *ipm, const kern_real *cost,
+                                     kern_real lightest)
+{
+    kern_part *p = ipm->part;
+    kern_dual *d = &p->dual;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    const int first = !ipm->cost;
+    int i, round;
+    p->m->task->work->solves++;
+    if (first && !kern_ipm_forces(ipm))
+        return KERN_UNDECIDED;
+
+    /* Starts with y = 0. Raises x and z well above 0. */
+    ipm->cost = cost;
+    ipm->s = 0;
+    kern_zero(p->y, n);
+    for (i = 0; i < rays; i++) {
+        ipm->z[i] = kern_max(kern_abs(cost[i]), KERN_IPM_COST);
+        p->x[i] = kern_max(p->x[i], KERN_IPM_COST * lightest);
+    }
+    kern_ipm_excess(ipm);
+
+    /* Takes steps until A x = b, z = A'y + cost and x z = 0 hold. */
+    for (round = 0; round < KERN_IPM_ROUNDS; round++) {
+        kern_ipm_slack(ipm);
+        kern_copy(d->change, d->approach, rays);
+        kern_add(d->change, -1, ipm->z, rays);
+        if (ipm->duality_gap <= KERN_IPM_COST_TOL * lightest
+            && kern_largest(ipm->excess, n) <= KERN_IPM_COST_TOL * lightest
+            && kern_largest(d->change, rays) <= KERN_IPM_COST_TOL) {
+            for (i = 0; i < rays; i++)
+                p->x[i] *= KERN_R(p->x[i] > ipm->z[i]);
+            return KERN_LP_OPTIMAL;
+        }
+        if (!kern_ipm_step(ipm))
+            break;
+    }
+    return KERN_UNDECIDED;
+}
+
 /* Opens the interior-point method and returns its verdict on all groups for a
    query. */
 static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
@@ -6916,6 +6999,7 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 #else /* without the interior-point method these calls decide nothing */
 #define kern_ipm_open(in, m, p, q) 0
 #define kern_ipm_evaluate(in, q) KERN_UNDECIDED
+#define kern_ipm_minimise(in, cost, lightest) KERN_UNDECIDED
 #define kern_ipm_verdict(m, p, q) KERN_UNDECIDED
 #endif
 
@@ -9880,6 +9964,7 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
     for (i = 0; i < 3 * p->groups; i++)
         p->y[i] = -p->dual.u[i];
     kern_part_motion(p);
+    kern_motion_scale(m->s, m->answer.motion);
     if (!kern_model_proven(m, kern_prove_raised(m->s, q, m->answer.force,
                                                 m->answer.motion,
                                                 m->answer.scratch)))
@@ -10351,22 +10436,10 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* kern_certain(): angle by which it narrows or widens friction cones, in
    standard errors of angle. */
 #define KERN_ERROR_CONE KERN_R(3.0)
-/* Settling. FALL: fall of an unsupported block in one step, in errors of place.
-   STEPS: most steps. SWEEPS: most sweeps over all contacts in one step. STILL:
-   sweeps end when no contact moves by more than this share of the fall. RELAX:
-   factor of over-relaxation of a sweep. REST: blocks rest if they move by less
-   than this share of the fall. */
-#define KERN_SETTLE_FALL KERN_R(10.0)
-#define KERN_SETTLE_STEPS 120
-#define KERN_SETTLE_SWEEPS 60
-#define KERN_SETTLE_STILL KERN_R(0.015)
-#define KERN_SETTLE_RELAX KERN_R(1.5)
-#define KERN_SETTLE_REST KERN_R(0.03)
-/* Settling: contact points that are corrected in one unit of work. */
-#define KERN_SETTLE_UNIT 20
-/* Settling: area of a square divided by the square of its radius of
-   gyration. */
-#define KERN_SETTLE_SPIN KERN_R(6.0)
+/* Settling. ROUNDS: most rounds. REST: blocks rest if no motion frees more
+   energy than the fall of the lightest load by this many errors of place. */
+#define KERN_SETTLE_ROUNDS 12
+#define KERN_SETTLE_REST KERN_R(1.0)
 /* Settling: contact points of equal height are ordered by their arms, then from
    side to side. This share of arm and place is added to the height. */
 #define KERN_SETTLE_TIE KERN_PICK(1e-7, 1e-5)
@@ -12820,123 +12893,90 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
 
 /* ---- Settling, certainty ---------------------------------------- >>settle */
 /* A measured structure differs by the errors from one that is at rest. This
-   chapter lets it settle in steps. In each step all blocks fall a little. Then
-   the forces at the contacts are corrected one by one, each within its friction
-   cone, until no contact closes by more than its gap (projected Gauss-Seidel,
-   over-relaxed). One sweep goes from the lowest contact to the highest, the
-   next one back. So the order of the input does not matter, and a mirrored or
-   turned frame does not matter either, since all lengths are measured along
-   contacts. No block keeps its speed from one step to the next. Contacts and
-   normals stay as they were measured, since the blocks move by a few errors
-   only.
+   chapter lets it settle. Its blocks fall until they rest on each other. If no
+   contact may close by more than its gap, the motion y that frees the most
+   energy solves a linear program:
 
+       min b.y,  A'y + gap >= 0,
+
+   where b are the wrenches that the contacts must exert, and A'y the opening
+   speeds along both edges of each friction cone (>>lp). The program
+
+       min gap.x,  A x = b,  x >= 0
+
+   has y as its prices. Its x are the forces that hold the blocks at their new
+   places: of all forces in equilibrium those across the narrowest gaps.
+
+   In this program two blocks that slide by s also part by mu s (>>raised). Real
+   blocks do not part. So the program is solved in rounds. After each round the
+   gaps are computed without this parting, and the next round closes them. The
+   forces x of a round bound the energy that the next round can free, since it
+   is at most gap.x with the new gaps. The blocks rest if this bound is small.
+
+   Contacts stay where they were measured, since the blocks move by a few errors
+   only. All lengths are measured along contacts, so the frame does not matter.
    A stretch is a contact point or both ends of a line. The gap of a stretch was
    measured with an error. So the structure settles several times, each time
    with other stretches open by more than was measured. */
 
 typedef struct kern_repose {
-    const kern_task *task;
-    kern_real free_fall; /* fall in one step of a block that nothing holds
-                            [m]                                               */
-    int *order;          /* the contact points, beginning with the lowest     */
+    kern_call call;      /* the task without shrinkage                          */
+    int *order;          /* the contact points, beginning with the lowest       */
     int *stretch;        /* per point: number of points of the stretch that
-                            begins here; 0 for the second end of a line       */
-    kern_real *inverse_mass; /* two per block: 1 / mass, 1 / moment of inertia,
-                                0 if the block is fixed                       */
-    kern_real *compliance;   /* per point: distance by which a force of 1 moves
-                                its two blocks apart                          */
-    kern_real *gap;          /* per point [m]                                 */
-    kern_real *slip;         /* per point: distance slid along t so far [m]   */
-    kern_vec *arm;           /* two per point: vectors from the centres of its
-                                two blocks, 0 from a fixed block              */
-    kern_force *force;       /* per point: impulse in one step, as mass times
-                                displacement [kg m]                           */
-    kern_motion *motion;     /* per block: motion in one step [m]             */
+                            begins here; 0 for the second end of a line         */
+    kern_real *gap;      /* per point [m]                                       */
+    kern_real *slip;     /* per point: distance slid along t so far [m]         */
+    kern_motion *motion; /* per block: sum of the motions of all rounds [m]     */
 } kern_repose;
 
-/* Sorts the contact points by height, from below. Both ends of a line are about
-   as high as its middle. */
+/* Returns the vector from the centre of block i, if it is free, to p. */
+static kern_vec kern_repose_arm(const kern_structure *s, int i, kern_vec p)
+{
+    return s->block[i].fixed ? kern_vec_make(KERN_R(0), KERN_R(0))
+                             : kern_vec_sub(p, s->block[i].centre);
+}
+
+/* Finds the stretches, and sorts the contact points by height, from below. Both
+   ends of a line are about as high as its middle. */
 static void kern_repose_sort(const kern_repose *r)
 {
-    const int n = r->task->s.contacts;
-    const kern_vec gravity = r->task->s.gravity;
-    const kern_vec axis = kern_vec_step(gravity, KERN_SETTLE_TIE,
-                                        kern_vec_turn(gravity));
+    const kern_structure *s = r->call.m.s;
+    const kern_vec axis = kern_vec_step(s->gravity, KERN_SETTLE_TIE,
+                                        kern_vec_turn(s->gravity));
     kern_real *const height = r->gap; /* free until kern_repose_open() */
     int i;
-    for (i = 0; i < n; i++) {
-        const kern_contact *c = r->task->s.contact + i;
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
         const kern_vec middle = kern_contact_at(c, kern_abs(c->travel), 0);
-        const kern_vec arms = kern_vec_add(r->arm[2 * i], r->arm[2 * i + 1]);
+        const kern_vec arms = kern_vec_add(kern_repose_arm(s, c->a, c->p),
+                                           kern_repose_arm(s, c->b, c->p));
         height[i] = -kern_vec_dot(kern_vec_step(middle, -KERN_SETTLE_TIE, arms),
                                   axis);
-    }
-    kern_sort(r->order, n, height);
-}
-
-/* Computes how much a force at each contact point moves. Starts the motion of
-   each block with the fall that its weight and its load cause in one step. */
-static void kern_repose_fall(const kern_repose *r)
-{
-    const kern_structure *s = &r->task->s;
-    const kern_real pull = kern_vec_length(s->gravity);
-    const kern_real time = pull > 0 ? r->free_fall / pull : KERN_R(0);
-    int i, k;
-
-    /* Sets the inverse masses. Adds the fall of one step to the motions. */
-    for (i = 0; i < s->blocks; i++) {
-        const kern_block *b = s->block + i;
-        kern_real *inverse_mass = r->inverse_mass + 2 * i;
-        if (b->fixed)
-            continue;
-        inverse_mass[0] = 1 / b->mass;
-        inverse_mass[1] = KERN_SETTLE_SPIN / b->mass / kern_abs(b->area);
-        kern_add(&r->motion[i], time, &s->gravity, 2);
-        kern_add(&r->motion[i], time * inverse_mass[0], &b->load, 2);
-        r->motion[i].spin += time * inverse_mass[1] * b->load.torque;
-    }
-
-    /* Finds the arms and the compliance of each contact point. */
-    for (i = 0; i < s->contacts; i++)
-        for (k = 0; k < 2; k++) {
-            const int b = k ? s->contact[i].b : s->contact[i].a;
-            kern_vec *arm = r->arm + 2 * i + k;
-            if (!s->block[b].fixed)
-                *arm = kern_vec_sub(s->contact[i].p, s->block[b].centre);
-            r->compliance[i] += r->inverse_mass[2 * b]
-                              + r->inverse_mass[2 * b + 1]
-                                    * kern_vec_dot(*arm, *arm);
-        }
-}
-
-/* Begins a settling without gaps and forces. kern_certain_check() has found the
-   work memory long enough. */
-static void kern_repose_begin(kern_repose *r, const kern_task *task)
-{
-    const int blocks = task->s.blocks, contacts = task->s.contacts;
-    kern_take take;
-    int i;
-    r->task = task;
-    r->free_fall = KERN_SETTLE_FALL * task->options.pose_error;
-    kern_take_open(&take, task->work);
-    r->order = kern_take_ints(&take, contacts);
-    r->stretch = kern_take_ints(&take, contacts);
-    r->inverse_mass = kern_take_reals(&take, 2 * blocks);
-    r->motion = (kern_motion *)(void *)kern_take_reals(&take, 3 * blocks);
-    r->arm = (kern_vec *)(void *)kern_take_reals(&take, 4 * contacts);
-    r->compliance = kern_take_reals(&take, contacts);
-    r->gap = kern_take_reals(&take, contacts);
-    r->slip = kern_take_reals(&take, contacts);
-    r->force = (kern_force *)(void *)kern_take_reals(&take, 2 * contacts);
-    kern_zero(r->inverse_mass, 5 * blocks + 9 * contacts); /* all of these */
-    for (i = 0; i < contacts; i++) {
         r->order[i] = i;
-        r->stretch[i] = i > 0 && r->stretch[i - 1] > 1
-                          ? 0
-                          : 1 + task->s.contact[i].line;
+        r->stretch[i] = i > 0 && r->stretch[i - 1] > 1 ? 0 : 1 + c->line;
     }
-    kern_repose_fall(r);
+    kern_sort(r->order, s->contacts, height);
+}
+
+/* Begins a settling of the task. Its arrays precede those of the program. */
+static kern_status kern_repose_begin(kern_repose *r, const kern_task *task)
+{
+    const int contacts = task->s.contacts, blocks = task->s.blocks;
+    kern_take *const take = &r->call.m.rest;
+    const kern_status status = kern_call_open(&r->call, task, 0, task);
+    if (status != KERN_OK)
+        return status;
+    r->order = kern_take_ints(take, 2 * contacts);
+    r->stretch = r->order + contacts;
+    r->gap = kern_take_reals(take, 2 * contacts + 3 * blocks);
+    if (!kern_take_fits(take))
+        return KERN_NO_SPACE;
+    r->slip = r->gap + contacts;
+    r->motion = (kern_motion *)(void *)(r->slip + contacts);
+    kern_zero(r->slip, contacts + 3 * blocks);
+    r->call.m.common = *take;
     kern_repose_sort(r);
+    return KERN_OK;
 }
 
 /* Returns the depth of p inside block b. The depth is negative if p is outside.
@@ -12970,7 +13010,7 @@ static kern_real kern_repose_gap(const kern_structure *s, const kern_contact *c)
 static void kern_repose_open(const kern_repose *r, int part, int parts,
                              kern_real extra, kern_real keep)
 {
-    const kern_structure *s = &r->task->s;
+    const kern_structure *s = r->call.m.s;
     int i, k, n = 0;
     for (k = 0; k < s->contacts; k++) {
         const int first = r->order[k], points = r->stretch[first];
@@ -12983,127 +13023,145 @@ static void kern_repose_open(const kern_repose *r, int part, int parts,
     }
 }
 
-/* Returns the motion of block b relative to block a where contact point i
-   acts. */
-static kern_vec kern_repose_meeting(const kern_repose *r, int i)
+/* Solves the program of one round. `interior` is NULL or the interior-point
+   method. Gaps and motion are in errors of place. `lightest` is the magnitude
+   of the lightest load. Returns KERN_LP_OPTIMAL if the program has a
+   solution. */
+static kern_status kern_repose_round(kern_repose *r, kern_ipm *interior,
+                                     kern_real lightest)
 {
-    const kern_contact *c = r->task->s.contact + i;
-    const kern_vec *arm = r->arm + 2 * i;
-    return kern_vec_sub(kern_velocity(r->motion + c->b, arm[1]),
-                        kern_velocity(r->motion + c->a, arm[0]));
+    kern_part *p = &r->call.part;
+    kern_real *cost = kern_model_rays(&r->call.m);
+    int i;
+    for (i = 0; i < 2 * p->contacts; i++)
+        cost[i] = r->gap[p->contact[i / 2]]
+                / r->call.m.task->options.pose_error;
+    (void)lightest; /* not used without the interior-point method */
+    if (interior)
+        return kern_ipm_minimise(interior, cost, lightest);
+    p->eq.lp.cost = cost;
+    return kern_program_solve(&p->eq.simplex, KERN_SOLVER_BUILTIN, p->x, p->y);
 }
 
-/* Changes the force at contact point i, within its friction cone, so that its
-   blocks approach by no more than the gap in this step and do not slide.
-   Returns the distance by which the change moves the blocks. This distance is 0
-   for a contact without force that stays open. */
-static kern_real kern_repose_hold(const kern_repose *r, int i)
+/* Moves the blocks by the motion y of a round. Adds the longest motion of a
+   block to *way. Returns the energy that another round can free at most, in the
+   unit of force times the error of place. */
+static kern_real kern_repose_move(kern_repose *r, kern_real *way)
 {
-    const kern_contact *c = r->task->s.contact + i;
-    const kern_vec t = kern_vec_turn(c->n), u = kern_repose_meeting(r, i);
-    const kern_real stiffness = KERN_SETTLE_RELAX / r->compliance[i];
-    const kern_real open = r->gap[i] + kern_vec_dot(u, c->n);
-    kern_force *f = r->force + i;
-    const kern_force old = *f;
-    kern_real limit;
-    kern_vec impulse, push;
-    int k;
-    if (open >= 0 && !(old.normal > 0))
-        return KERN_R(0);
-    f->normal = kern_max(old.normal - open * stiffness, KERN_R(0));
-    limit = c->mu * f->normal;
-    f->tangential = kern_min(
-        kern_max(old.tangential - kern_vec_dot(u, t) * stiffness, -limit),
-        limit);
+    const kern_part *p = &r->call.part;
+    const kern_structure *s = r->call.m.s;
+    const kern_real e = r->call.m.task->options.pose_error;
+    kern_motion *v = r->call.m.answer.motion;
+    kern_real longest = KERN_R(0), energy = longest;
+    int i;
+    kern_part_motion(&r->call.part);
+    kern_scale(v, 3 * s->blocks, e);
+    kern_add(r->motion, 1, v, 3 * s->blocks);
+    for (i = 0; i < s->blocks; i++)
+        longest = kern_max(longest, kern_block_speed(&s->block[i], &v[i]));
+    *way += longest;
 
-    /* Moves both blocks by the change of the force. */
-    impulse = kern_vec_make(f->normal - old.normal,
-                            f->tangential - old.tangential);
-    push = kern_vec_step(kern_vec_scale(c->n, impulse.x), impulse.y, t);
-    for (k = 1; k >= 0; k--) {
-        const int b = k ? c->b : c->a;
-        const kern_real *inverse_mass = r->inverse_mass + 2 * b;
-        r->motion[b].vx += inverse_mass[0] * push.x;
-        r->motion[b].vy += inverse_mass[0] * push.y;
-        r->motion[b].spin += inverse_mass[1]
-                           * kern_vec_cross(r->arm[2 * i + k], push);
-        push = kern_vec_scale(push, -1);
+    /* Updates the gaps and slips. */
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        const kern_vec u = kern_vec_sub(
+            kern_velocity(v + c->b, kern_repose_arm(s, c->b, c->p)),
+            kern_velocity(v + c->a, kern_repose_arm(s, c->a, c->p)));
+        r->gap[i] += kern_vec_dot(c->n, u);
+        r->slip[i] += kern_vec_cross(c->n, u);
     }
-    return r->compliance[i]
-         * kern_vec_largest(impulse); /* the same in a turned frame */
+    for (i = 0; i < 2 * p->contacts; i++)
+        energy += p->x[i] * kern_max(r->gap[p->contact[i / 2]], KERN_R(0)) / e;
+    return energy;
 }
 
 /* Returns 1 if contact point i, which is an end of a line, has slid by half the
    length of the line, and the block on which it slides ends there, give or take
-   the errors. */
-static int kern_repose_slid(const kern_repose *r, int i)
+   the errors. `out` is the sign along t of the way out of the line. */
+static int kern_repose_slid(const kern_repose *r, int i, kern_real out)
 {
-    const kern_contact *c = r->task->s.contact + i;
+    const kern_structure *s = r->call.m.s;
+    const kern_contact *c = s->contact + i;
     const kern_real way = kern_abs(r->slip[i]);
-    const kern_real out = r->stretch[i] ? 1 : -1; /* sign along t, outward */
+    const kern_real error = r->call.m.task->options.pose_error;
     return way > kern_abs(c->travel)
-        && kern_repose_depth(
-               &r->task->s,
-               kern_vec_step(
-                   c->p,
-                   out * (KERN_ERRORS * r->task->options.pose_error + way),
-                   kern_vec_turn(c->n)),
-               out * r->slip[i] > 0 ? c->a : c->b)
+        && kern_repose_depth(s,
+                             kern_vec_step(c->p,
+                                           out * (KERN_ERRORS * error + way),
+                                           kern_vec_turn(c->n)),
+                             out * r->slip[i] > 0 ? c->a : c->b)
                < -way / 2;
 }
 
 /* Returns 1 if a line contact that presses has slid at both ends
-   (kern_repose_slid()): its block may have left the block on which it lies. */
+   (kern_repose_slid()): its block may have left the block on which it lies. The
+   gap of a contact that presses is at most 0. */
 static int kern_repose_leaves(const kern_repose *r)
 {
+    const kern_structure *s = r->call.m.s;
     int i, leaves = 0;
-    for (i = 0; i < r->task->s.contacts; i++)
+    for (i = 0; i < s->contacts; i++)
         leaves |= r->stretch[i] > 1
-               && r->force[i].normal + r->force[i + 1].normal > 0
-               && kern_repose_slid(r, i) && kern_repose_slid(r, i + 1);
+               && kern_min(r->gap[i], r->gap[i + 1]) <= 0
+               && kern_repose_slid(r, i, KERN_R(1))
+               && kern_repose_slid(r, i + 1, KERN_R(-1));
     return leaves;
 }
 
-/* Lets the blocks settle by steps, beginning with the forces in r->force.
-   Returns how far they move at most, or KERN_INFINITY if that is more than
-   `limit` or if they slide off what they lie on. A verdict tells afterwards
-   whether they are at rest. */
-static kern_real kern_repose_settle(const kern_repose *r, kern_real limit)
+/* Lets the blocks settle. Writes to *way how far they move at most, or
+   KERN_INFINITY if that is more than `limit`, if they do not come to rest or if
+   they slide off what they lie on. The gaps of contacts that press become at
+   most 0. Returns KERN_OK or an error. */
+static kern_status kern_repose_settle(kern_repose *r, kern_real limit,
+                                      kern_real *way)
 {
-    const kern_structure *s = &r->task->s;
-    const int last = s->contacts - 1;
-    kern_real way = KERN_R(0), moved = r->free_fall;
-    int i, step, sweep;
-    for (step = 0; step < KERN_SETTLE_STEPS && way <= limit
-                   && moved > KERN_SETTLE_REST * r->free_fall;
-         step++) {
-        /* Sweeps over all contacts, upwards and downwards by turns, until a
-           sweep changes little. */
-        for (sweep = 0; sweep < KERN_SETTLE_SWEEPS
-                        && moved > KERN_SETTLE_STILL * r->free_fall
-                        && kern_spend(r->task->work, r->task->options.limit,
-                                      s->contacts / KERN_SETTLE_UNIT + 1);
-             sweep++)
-            for (i = 0, moved = KERN_R(0); i <= last; i++)
-                moved = kern_max(
-                    moved,
-                    kern_repose_hold(r, r->order[sweep % 2 ? last - i : i]));
+    kern_model *const m = &r->call.m;
+    kern_part *const p = &r->call.part;
+    const kern_query *q = &r->call.path.q;
+    kern_ipm ipm;
+    kern_ipm *const interior = m->graph.groups > KERN_SMALL
+                                    && kern_ipm_open(&ipm, m, p, q)
+                                 ? &ipm
+                                 : NULL;
+    kern_status status = interior ? KERN_OK : kern_model_whole(m, p, q);
+    kern_real energy = KERN_INFINITY, lightest;
+    int i, round;
+    if (status != KERN_OK)
+        return status;
+    if (!interior)
+        kern_part_set(p, q);
+    lightest = kern_part_load(p, q, p->eq.rhs) / KERN_PART_TOL;
 
-        /* Updates the gaps and slips. */
-        for (i = 0; i <= last; i++) {
-            const kern_contact *c = s->contact + i;
-            const kern_vec u = kern_repose_meeting(r, i);
-            r->gap[i] += kern_vec_dot(c->n, u);
-            r->slip[i] += kern_vec_cross(c->n, u);
-        }
+    *way = KERN_R(0);
+    for (round = 0; round < KERN_SETTLE_ROUNDS && *way <= limit
+                    && energy > KERN_SETTLE_REST * lightest;
+         round++) {
+        status = kern_repose_round(r, interior, lightest);
 
-        /* Adds the longest motion of a block in this step to the way. */
-        for (i = 0, moved = KERN_R(0); i < s->blocks; i++)
-            moved = kern_max(moved,
-                             kern_block_speed(&s->block[i], &r->motion[i]));
-        way = kern_repose_leaves(r) ? KERN_INFINITY : way + moved;
+        /* In a jam of blocks that overlap no motion exists: treats overlaps as
+           closed contacts. */
+        if (status == KERN_LP_OPTIMAL)
+            energy = kern_repose_move(r, way);
+        else if (round > 0 || status == KERN_LP_INFEASIBLE)
+            break;
+        else
+            for (i = 0; i < m->s->contacts; i++)
+                r->gap[i] = kern_max(r->gap[i], KERN_R(0));
     }
-    return way <= limit ? way : KERN_INFINITY;
+    if (status != KERN_LP_OPTIMAL)
+        energy = KERN_INFINITY;
+
+    for (i = 0; i < 2 * p->contacts && energy < KERN_INFINITY; i++)
+        if (p->x[i] > 0)
+            r->gap[p->contact[i / 2]] = kern_min(r->gap[p->contact[i / 2]],
+                                                 KERN_R(0));
+    if (*way > limit || energy > KERN_SETTLE_REST * lightest
+        || kern_repose_leaves(r))
+        *way = KERN_INFINITY;
+    return status < KERN_UNDECIDED
+                && !(status == KERN_NO_SPACE && kern_model_has_room(m))
+             ? status
+             : KERN_OK;
 }
 
 /* ---- certainty ---- */
@@ -13382,26 +13440,33 @@ KERN_SHARED static kern_status kern_certain_rest(kern_task *task,
     const kern_real extra = sure
                               ? o->gap + KERN_ERRORS * o->pose_turn * size / 2
                               : KERN_LOW_OPEN * o->pose_error;
-    kern_real closed, limit, moved;
+    const kern_real limit = KERN_DOUBT_MOST / KERN_DOUBT_TELLS * size;
+    kern_real closed, moved;
     kern_repose r;
     int i, line = 0, n = 0;
+    kern_status status = KERN_OK;
     s->contacts = kern_search_run(s->block, s->blocks, o, contact, room,
                                   task->work, 0, kind);
     if (s->contacts < 0)
         return (kern_status)s->contacts;
-    if (sure && part == 0 && kern_certain_rocks(task, extra)) {
+    if (sure && part == 0 && kern_certain_rocks(task, extra))
         *way = KERN_INFINITY;
-        return kern_limit_subtract(task, kern_call_status(task, KERN_OK));
-    }
+    status = kern_limit_subtract(task, kern_call_status(task, KERN_OK));
+    if (status != KERN_OK || !(*way < KERN_INFINITY))
+        return status;
     if (sure)
         kern_contacts_err(contact, s->contacts, o, 1);
 
     /* Lets the blocks settle, for the lower end as far as they do. */
-    kern_repose_begin(&r, task);
-    kern_repose_open(&r, part, sure ? KERN_DOUBT_PARTS : KERN_LOW_PARTS, extra,
-                     KERN_R(!sure));
-    limit = KERN_DOUBT_MOST / KERN_DOUBT_TELLS * size;
-    moved = kern_repose_settle(&r, sure ? limit : KERN_INFINITY);
+    status = kern_repose_begin(&r, task);
+    if (status == KERN_OK) {
+        kern_repose_open(&r, part, sure ? KERN_DOUBT_PARTS : KERN_LOW_PARTS,
+                         extra, KERN_R(!sure));
+        status = kern_repose_settle(&r, sure ? limit : KERN_INFINITY, &moved);
+    }
+    status = kern_limit_subtract(task, status);
+    if (status != KERN_OK)
+        return status;
     *way = kern_max(*way, moved <= limit ? moved : KERN_INFINITY);
 
     /* Keeps the closed points: both ends of a line, or one as a point. */
@@ -13418,7 +13483,7 @@ KERN_SHARED static kern_status kern_certain_rest(kern_task *task,
     }
     kern_contact_travels(contact, n);
     s->contacts = n;
-    return kern_limit_subtract(task, kern_call_status(task, KERN_OK));
+    return KERN_OK;
 }
 
 /* Returns the lower end: the smallest of `margin` and of the margins on what is
@@ -13469,13 +13534,31 @@ static kern_real kern_certain_way(kern_task *variant, kern_real way,
     return *status == KERN_STANDS ? KERN_DOUBT_TELLS * way : KERN_INFINITY;
 }
 
+/* Writes to *high a shrinkage at which the task is proven to fall, near the
+   first one. If there is none, writes the shrinkage that closes all kerns. */
+static kern_status kern_certain_high(const kern_task *task, kern_real *high)
+{
+    kern_call c;
+    kern_path *const path = &c.path;
+    kern_real range[2];
+    kern_status status = kern_call_open(&c, task, 0, high);
+    if (status != KERN_OK)
+        return status;
+
+    /* Searches as if the verdict changed only once, without a walk. */
+    kern_is_nested(&c.m, range);
+    path->end = range[1];
+    status = kern_call_status(task, kern_path_search(&c.m, path, 0));
+    *high = path->never_falls ? range[1] : kern_min(path->proven.high, range[1]);
+    return status;
+}
+
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
                                   int room)
 {
     kern_task variant;
-    kern_margin m;
-    kern_real way;
+    kern_real way, high;
     int i;
     kern_status status = kern_certain_check(task, margin, out, contact, room);
     if (status != KERN_OK)
@@ -13507,9 +13590,9 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
         variant.s.contacts = kern_contacts_upper(task, margin, &variant.options,
                                                  contact, room);
         kern_contacts_err(contact, variant.s.contacts, &task->options, -1);
-        status = kern_measure(&variant, &m, NULL);
+        status = kern_certain_high(&variant, &high);
         out->high = status == KERN_STANDS || status == KERN_LIMIT
-                      ? kern_max(m.fails, margin)
+                      ? kern_max(high, margin)
                   : status == KERN_FALLS ? margin /* not nested, if above 0 */
                                          : KERN_INFINITY;
         if (status >= KERN_UNDECIDED && (status != KERN_FALLS || margin > 0))
