@@ -10432,7 +10432,7 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* kern_certain(): least length of a line contact that counts as certain, and
    least distance of a certain point contact from the ends of its edge, both in
    standard errors of place. */
-#define KERN_ERROR_SURE KERN_R(5.0)
+#define KERN_ERROR_SURE KERN_R(3.5)
 /* kern_certain(): angle by which it narrows or widens friction cones, in
    standard errors of angle. */
 #define KERN_ERROR_CONE KERN_R(3.0)
@@ -10452,14 +10452,14 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 #define KERN_LOW_CLOSED KERN_R(1.0)
 /* kern_certain(): its lower end is divided by 1 + LOSS e / mean size. For
    errors e below WIDE mean sizes, LOSS is smaller in proportion to e. */
-#define KERN_LOW_LOSS KERN_R(200.0)
-#define KERN_LOW_WIDE KERN_R(0.005)
+#define KERN_LOW_LOSS KERN_R(210.0)
+#define KERN_LOW_WIDE KERN_R(0.0065)
 /* kern_certain(), test of settling. PARTS: as for the lower end. TELLS: blocks
    may settle by this multiple of the largest motion found. MOST: largest such
    distance, as a share of the mean size. */
 #define KERN_DOUBT_PARTS 3
-#define KERN_DOUBT_TELLS KERN_R(1.5)
-#define KERN_DOUBT_MOST KERN_R(0.45)
+#define KERN_DOUBT_TELLS KERN_R(2.0)
+#define KERN_DOUBT_MOST KERN_R(0.6)
 /* kern_certain(), blocks that rock. LACK: factor of safety of a gap that a
    stretch hides. PLACES: parts of a stretch in which a bump is sought. BUMP:
    twice the least height of a bump, in errors of place. STEEP: contacts that
@@ -13016,7 +13016,7 @@ static void kern_repose_open(const kern_repose *r, int part, int parts,
         const int first = r->order[k], points = r->stretch[first];
         for (i = first; i < first + points; i++) {
             const kern_real gap = kern_repose_gap(s, s->contact + i);
-            r->gap[i] = n % parts == part ? kern_max(gap, keep * gap) + extra
+            r->gap[i] = n % parts == part ? kern_max(gap + extra, keep * gap)
                                           : keep * gap;
         }
         n += points > 0;
@@ -13043,8 +13043,8 @@ static kern_status kern_repose_round(kern_repose *r, kern_ipm *interior,
     return kern_program_solve(&p->eq.simplex, KERN_SOLVER_BUILTIN, p->x, p->y);
 }
 
-/* Moves the blocks by the motion y of a round. Adds the longest motion of a
-   block to *way. Returns the energy that another round can free at most, in the
+/* Moves the blocks by the motion y of a round. Writes to *way how far they have
+   moved at most. Returns the energy that another round can free at most, in the
    unit of force times the error of place. */
 static kern_real kern_repose_move(kern_repose *r, kern_real *way)
 {
@@ -13052,14 +13052,13 @@ static kern_real kern_repose_move(kern_repose *r, kern_real *way)
     const kern_structure *s = r->call.m.s;
     const kern_real e = r->call.m.task->options.pose_error;
     kern_motion *v = r->call.m.answer.motion;
-    kern_real longest = KERN_R(0), energy = longest;
+    kern_real energy = KERN_R(0);
     int i;
     kern_part_motion(&r->call.part);
     kern_scale(v, 3 * s->blocks, e);
     kern_add(r->motion, 1, v, 3 * s->blocks);
-    for (i = 0; i < s->blocks; i++)
-        longest = kern_max(longest, kern_block_speed(&s->block[i], &v[i]));
-    *way += longest;
+    for (i = 0, *way = KERN_R(0); i < s->blocks; i++)
+        *way = kern_max(*way, kern_block_speed(&s->block[i], &r->motion[i]));
 
     /* Updates the gaps and slips. */
     for (i = 0; i < s->contacts; i++) {
@@ -13106,6 +13105,14 @@ static int kern_repose_leaves(const kern_repose *r)
                && kern_repose_slid(r, i, KERN_R(1))
                && kern_repose_slid(r, i + 1, KERN_R(-1));
     return leaves;
+}
+
+/* Returns the angle by which both blocks of a contact have turned [rad]: the
+   smaller angle, or 0 if they have turned to different sides. */
+static kern_real kern_repose_turn(const kern_repose *r, const kern_contact *c)
+{
+    const kern_real a = r->motion[c->a].spin, b = r->motion[c->b].spin;
+    return a * b > 0 ? (kern_abs(a) < kern_abs(b) ? a : b) : KERN_R(0);
 }
 
 /* Lets the blocks settle. Writes to *way how far they move at most, or
@@ -13477,7 +13484,11 @@ KERN_SHARED static kern_status kern_certain_rest(kern_task *task,
             line = r.stretch[i] > 1
                 && kern_max(r.gap[i], r.gap[i + 1]) <= closed;
         if (r.gap[i] <= closed) {
-            contact[n] = contact[i];
+            const kern_contact c = contact[i];
+            const kern_real turn = KERN_R(sure) * kern_repose_turn(&r, &c);
+            contact[n] = c;
+            contact[n].n = kern_vec_unit(
+                kern_vec_step(c.n, turn, kern_vec_turn(c.n)));
             contact[n++].line = line;
         }
     }
