@@ -13107,6 +13107,78 @@ static int kern_repose_leaves(const kern_repose *r)
     return leaves;
 }
 
+/* Solves rounds until the blocks rest. Writes to *way how far they have moved at
+   most, or KERN_INFINITY if that is more than `limit` or if they do not come to
+   rest. The gaps of contacts that press become at most 0. Returns the status of
+   the last program. */
+static kern_status kern_repose_rounds(kern_repose *r, kern_ipm *interior,
+                                      kern_real limit, kern_real *way)
+{
+    const kern_part *p = &r->call.part;
+    const kern_real lightest = kern_part_load(p, &r->call.path.q, p->eq.rhs)
+                             / KERN_PART_TOL;
+    kern_real energy = KERN_INFINITY;
+    kern_status status = KERN_OK;
+    int i, round;
+    *way = KERN_R(0);
+    for (round = 0; round < KERN_SETTLE_ROUNDS && status >= KERN_OK
+                    && energy > KERN_SETTLE_REST * lightest && *way <= limit;
+         round++) {
+        status = kern_repose_round(r, interior, lightest);
+        if (status == KERN_LP_OPTIMAL)
+            energy = kern_repose_move(r, way);
+
+        /* In a jam of blocks that overlap there is no motion: counts overlaps as
+           closed contacts and tries again. */
+        else if (round == 0 && status != KERN_LP_INFEASIBLE) {
+            for (i = 0; i < r->call.m.s->contacts; i++)
+                r->gap[i] = kern_max(r->gap[i], KERN_R(0));
+            status = KERN_OK;
+        } else
+            break;
+    }
+
+    /* Closes the contacts that press. */
+    for (i = 0; i < 2 * p->contacts && energy < KERN_INFINITY; i++) {
+        kern_real *gap = r->gap + p->contact[i / 2];
+        if (p->x[i] > 0)
+            *gap = kern_min(*gap, KERN_R(0));
+    }
+    if (!(energy <= KERN_SETTLE_REST * lightest && *way <= limit))
+        *way = KERN_INFINITY;
+    return status;
+}
+
+/* Lets the blocks settle. Writes to *way how far they move at most, or
+   KERN_INFINITY if that is more than `limit`, if they do not come to rest or if
+   they slide off what they lie on. More than KERN_SMALL groups are solved by
+   the interior-point method. Returns KERN_OK or an error. */
+static kern_status kern_repose_settle(kern_repose *r, kern_real limit,
+                                      kern_real *way)
+{
+    kern_model *const m = &r->call.m;
+    kern_part *const p = &r->call.part;
+    const kern_query *q = &r->call.path.q;
+    kern_ipm ipm, *interior = NULL;
+    kern_status status = KERN_OK;
+    if (m->graph.groups > KERN_SMALL && kern_ipm_open(&ipm, m, p, q))
+        interior = &ipm;
+    else
+        status = kern_model_whole(m, p, q);
+    if (status != KERN_OK)
+        return status;
+    if (!interior)
+        kern_part_set(p, q);
+
+    status = kern_repose_rounds(r, interior, limit, way);
+    if (kern_repose_leaves(r))
+        *way = KERN_INFINITY;
+    return kern_call_status(m->task, status == KERN_NO_SPACE
+                                             && !kern_model_has_room(m)
+                                         ? status
+                                         : KERN_OK);
+}
+
 /* Returns the angle by which both blocks of a contact have turned [rad]: the
    smaller angle, or 0 if they have turned to different sides. */
 static kern_real kern_repose_turn(const kern_repose *r, const kern_contact *c)
@@ -13115,60 +13187,28 @@ static kern_real kern_repose_turn(const kern_repose *r, const kern_contact *c)
     return a * b > 0 ? (kern_abs(a) < kern_abs(b) ? a : b) : KERN_R(0);
 }
 
-/* Lets the blocks settle. Writes to *way how far they move at most, or
-   KERN_INFINITY if that is more than `limit`, if they do not come to rest or if
-   they slide off what they lie on. The gaps of contacts that press become at
-   most 0. Returns KERN_OK or an error. */
-static kern_status kern_repose_settle(kern_repose *r, kern_real limit,
-                                      kern_real *way)
+/* Keeps the contact points whose gap is at most `closed`: both ends of a line,
+   or one end as a point. Turns their normals by `turns` times the angle by
+   which their blocks have turned. Returns the number of points. */
+static int kern_repose_close(const kern_repose *r, kern_contact *contact,
+                             kern_real closed, kern_real turns)
 {
-    kern_model *const m = &r->call.m;
-    kern_part *const p = &r->call.part;
-    const kern_query *q = &r->call.path.q;
-    kern_ipm ipm;
-    kern_ipm *const interior = m->graph.groups > KERN_SMALL
-                                    && kern_ipm_open(&ipm, m, p, q)
-                                 ? &ipm
-                                 : NULL;
-    kern_status status = interior ? KERN_OK : kern_model_whole(m, p, q);
-    kern_real energy = KERN_INFINITY, lightest;
-    int i, round;
-    if (status != KERN_OK)
-        return status;
-    if (!interior)
-        kern_part_set(p, q);
-    lightest = kern_part_load(p, q, p->eq.rhs) / KERN_PART_TOL;
-
-    *way = KERN_R(0);
-    for (round = 0; round < KERN_SETTLE_ROUNDS && *way <= limit
-                    && energy > KERN_SETTLE_REST * lightest;
-         round++) {
-        status = kern_repose_round(r, interior, lightest);
-
-        /* In a jam of blocks that overlap no motion exists: treats overlaps as
-           closed contacts. */
-        if (status == KERN_LP_OPTIMAL)
-            energy = kern_repose_move(r, way);
-        else if (round > 0 || status == KERN_LP_INFEASIBLE)
-            break;
-        else
-            for (i = 0; i < m->s->contacts; i++)
-                r->gap[i] = kern_max(r->gap[i], KERN_R(0));
+    int i, line = 0, n = 0;
+    for (i = 0; i < r->call.m.s->contacts; i++) {
+        if (r->stretch[i] > 0)
+            line = r->stretch[i] > 1
+                && kern_max(r->gap[i], r->gap[i + 1]) <= closed;
+        if (r->gap[i] <= closed) {
+            const kern_vec normal = contact[i].n;
+            const kern_real turn = turns * kern_repose_turn(r, &contact[i]);
+            contact[n] = contact[i];
+            contact[n].n = kern_vec_unit(
+                kern_vec_step(normal, turn, kern_vec_turn(normal)));
+            contact[n++].line = line;
+        }
     }
-    if (status != KERN_LP_OPTIMAL)
-        energy = KERN_INFINITY;
-
-    for (i = 0; i < 2 * p->contacts && energy < KERN_INFINITY; i++)
-        if (p->x[i] > 0)
-            r->gap[p->contact[i / 2]] = kern_min(r->gap[p->contact[i / 2]],
-                                                 KERN_R(0));
-    if (*way > limit || energy > KERN_SETTLE_REST * lightest
-        || kern_repose_leaves(r))
-        *way = KERN_INFINITY;
-    return status < KERN_UNDECIDED
-                && !(status == KERN_NO_SPACE && kern_model_has_room(m))
-             ? status
-             : KERN_OK;
+    kern_contact_travels(contact, n);
+    return n;
 }
 
 /* ---- certainty ---- */
@@ -13448,23 +13488,26 @@ KERN_SHARED static kern_status kern_certain_rest(kern_task *task,
                               ? o->gap + KERN_ERRORS * o->pose_turn * size / 2
                               : KERN_LOW_OPEN * o->pose_error;
     const kern_real limit = KERN_DOUBT_MOST / KERN_DOUBT_TELLS * size;
-    kern_real closed, moved;
+    kern_real moved;
     kern_repose r;
-    int i, line = 0, n = 0;
-    kern_status status = KERN_OK;
+    kern_status status;
+
+    /* Finds the stretches. Ends if a block may rock. */
     s->contacts = kern_search_run(s->block, s->blocks, o, contact, room,
                                   task->work, 0, kind);
     if (s->contacts < 0)
         return (kern_status)s->contacts;
-    if (sure && part == 0 && kern_certain_rocks(task, extra))
-        *way = KERN_INFINITY;
+    moved = sure && part == 0 && kern_certain_rocks(task, extra)
+              ? KERN_INFINITY
+              : KERN_R(0);
     status = kern_limit_subtract(task, kern_call_status(task, KERN_OK));
-    if (status != KERN_OK || !(*way < KERN_INFINITY))
+    *way = kern_max(*way, moved);
+    if (status != KERN_OK || moved > 0)
         return status;
-    if (sure)
-        kern_contacts_err(contact, s->contacts, o, 1);
 
     /* Lets the blocks settle, for the lower end as far as they do. */
+    if (sure)
+        kern_contacts_err(contact, s->contacts, o, 1);
     status = kern_repose_begin(&r, task);
     if (status == KERN_OK) {
         kern_repose_open(&r, part, sure ? KERN_DOUBT_PARTS : KERN_LOW_PARTS,
@@ -13475,25 +13518,10 @@ KERN_SHARED static kern_status kern_certain_rest(kern_task *task,
     if (status != KERN_OK)
         return status;
     *way = kern_max(*way, moved <= limit ? moved : KERN_INFINITY);
-
-    /* Keeps the closed points: both ends of a line, or one as a point. */
-    closed = KERN_LOW_CLOSED * o->pose_error
-           + KERN_R(!sure) * KERN_GAP_SHARE * size;
-    for (i = 0; i < s->contacts; i++) {
-        if (r.stretch[i] > 0)
-            line = r.stretch[i] > 1
-                && kern_max(r.gap[i], r.gap[i + 1]) <= closed;
-        if (r.gap[i] <= closed) {
-            const kern_contact c = contact[i];
-            const kern_real turn = KERN_R(sure) * kern_repose_turn(&r, &c);
-            contact[n] = c;
-            contact[n].n = kern_vec_unit(
-                kern_vec_step(c.n, turn, kern_vec_turn(c.n)));
-            contact[n++].line = line;
-        }
-    }
-    kern_contact_travels(contact, n);
-    s->contacts = n;
+    s->contacts = kern_repose_close(&r, contact,
+                                    KERN_LOW_CLOSED * o->pose_error
+                                        + KERN_R(!sure) * KERN_GAP_SHARE * size,
+                                    KERN_R(sure));
     return KERN_OK;
 }
 
@@ -13553,6 +13581,7 @@ static kern_status kern_certain_high(const kern_task *task, kern_real *high)
     kern_path *const path = &c.path;
     kern_real range[2];
     kern_status status = kern_call_open(&c, task, 0, high);
+    *high = KERN_INFINITY;
     if (status != KERN_OK)
         return status;
 

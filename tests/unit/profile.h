@@ -393,7 +393,7 @@ static void certain_verdicts(void)
         CHECK_INT(verdict(&w, 0), row[i].verdict);
         CHECK_INT(certain_world(&w, &in, 100), row[i].certain);
         /* half of the bed, or what is left of it beyond the middle */
-        CHECK_NEAR(in.low, fmax(fmin(end / 2, end - 0.5) / 3, 0), 1e-3);
+        CHECK_NEAR(in.low, fmax(fmin(end / 2, end - 0.5) / 3.1, 0), 1e-3);
         CHECK((in.settles < 1) == (row[i].certain == KERN_STANDS));
         CHECK_NEAR(in.high, fmax(fmin(end / 2, end - 0.5) + 0.035, 0), 0.01);
         CHECK_INT(certain_world(&w, &in, 1), KERN_NO_SPACE);
