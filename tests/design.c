@@ -301,6 +301,42 @@ static void row_of_stones(struct example *e)
     check(e, "C on the wall", joint(e, 1, 4, 6), 0.3571);
 }
 
+/* Returns 100 times the gap of the contact point of two blocks at (x, y). */
+static double gap_near(const struct example *e, const kern_repose *r, int a,
+                       double x, double y)
+{
+    return 100 * r->gap[contact_near(e, a, 3, x, y)];
+}
+
+/* The right stone is lower by 0.003. Lengths are compared in hundredths. */
+static void settling(struct example *e)
+{
+    static const struct box box[] = {
+        {0, -3, -1, 6, 0},
+        {1, -1, 0, 0, 1},
+        {1, 1, 0, 2, 0.997},
+        {3, -1, 1, 4.2, 1.5},
+    };
+    kern_repose r;
+    kern_real way = 0;
+    open_example(e, "12. Settling", box, 4);
+    e->task.options.gap = 0.004;
+    e->task.options.pose_error = 0.001;
+    e->task.s.contacts = kern_contacts(e->block, 4, &e->task.options,
+                                       e->contact, MOST_CONTACTS, &e->work);
+    check(e, "contact points", e->task.s.contacts, 8);
+    check(e, "begins", kern_repose_begin(&r, &e->task), KERN_OK);
+    kern_repose_open(&r, 0, 1, 0, 1);
+    check(e, "gap at (2, 1)", gap_near(e, &r, 2, 2, 0.9985), 0.3);
+    check(e, "settles", kern_repose_settle(&r, 1, &way), KERN_OK);
+    check(e, "the beam turns by", 100 * r.motion[3].spin, -0.15);
+    check(e, "the beam sinks by", 100 * r.motion[3].vy, -0.24);
+    check(e, "its energy", 3 * 100 * r.motion[3].vy, -0.72);
+    check(e, "closed gap at (2, 1)", gap_near(e, &r, 2, 2, 0.9985), 0);
+    check(e, "closed gap at (0, 1)", gap_near(e, &r, 1, 0, 1), 0);
+    check(e, "open gap at (1, 1)", gap_near(e, &r, 2, 1, 0.9985), 0.15);
+}
+
 int main(void)
 {
     static struct example e;
@@ -311,6 +347,7 @@ int main(void)
     cubes(&e);
     slot(&e);
     row_of_stones(&e);
+    settling(&e);
     printf("%d numbers of tests/DESIGN.md, %d differ\n", checks, wrong);
     return wrong > 0;
 }
