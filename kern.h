@@ -6680,10 +6680,10 @@ static kern_real kern_ipm_solve(kern_ipm *ipm)
     kern_copy(d->grad, ipm->excess, n);
     kern_ipm_carry(p, ipm->dx, d->grad);
     kern_skyline_solve(&d->matrix, d->grad, d->step);
-    ds = ipm->cost ? KERN_R(0)
-                   : (1 - kern_dot(ipm->g, p->y, n)
-                      - kern_dot(ipm->g, d->step, n))
-                         / kern_dot(ipm->g, ipm->solved_g, n);
+    ds = ipm->cost
+           ? KERN_R(0)
+           : (1 - kern_dot(ipm->g, p->y, n) - kern_dot(ipm->g, d->step, n))
+                 / kern_dot(ipm->g, ipm->solved_g, n);
     ds = kern_min(ds, -ipm->s);
     kern_add(d->step, ds, ipm->solved_g, n);
     kern_ipm_approach(p, d->step, change);
@@ -12922,13 +12922,14 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
    with other stretches open by more than was measured. */
 
 typedef struct kern_repose {
-    kern_call call;      /* the task without shrinkage                          */
-    int *order;          /* the contact points, beginning with the lowest       */
-    int *stretch;        /* per point: number of points of the stretch that
+    kern_call call;  /* the task without shrinkage                          */
+    int *order;      /* the contact points, beginning with the lowest       */
+    int *stretch;    /* per point: number of points of the stretch that
                             begins here; 0 for the second end of a line         */
-    kern_real *gap;      /* per point [m]                                       */
-    kern_real *slip;     /* per point: distance slid along t so far [m]         */
-    kern_motion *motion; /* per block: sum of the motions of all rounds [m]     */
+    kern_real *gap;  /* per point [m]                                       */
+    kern_real *slip; /* per point: distance slid along t so far [m]         */
+    kern_motion
+        *motion; /* per block: sum of the motions of all rounds [m]     */
 } kern_repose;
 
 /* Returns the vector from the centre of block i, if it is free, to p. */
@@ -13102,8 +13103,7 @@ static int kern_repose_leaves(const kern_repose *r)
     const kern_structure *s = r->call.m.s;
     int i, leaves = 0;
     for (i = 0; i < s->contacts; i++)
-        leaves |= r->stretch[i] > 1
-               && kern_min(r->gap[i], r->gap[i + 1]) <= 0
+        leaves |= r->stretch[i] > 1 && kern_min(r->gap[i], r->gap[i + 1]) <= 0
                && kern_repose_slid(r, i, KERN_R(1))
                && kern_repose_slid(r, i + 1, KERN_R(-1));
     return leaves;
@@ -13175,10 +13175,9 @@ static kern_status kern_repose_settle(kern_repose *r, kern_real limit,
     status = kern_repose_rounds(r, interior, limit, way);
     if (kern_repose_leaves(r))
         *way = KERN_INFINITY;
-    return kern_call_status(m->task, status == KERN_NO_SPACE
-                                             && !kern_model_has_room(m)
-                                         ? status
-                                         : KERN_OK);
+    return kern_call_status(
+        m->task,
+        status == KERN_NO_SPACE && !kern_model_has_room(m) ? status : KERN_OK);
 }
 
 /* Returns the angle by which both blocks of a contact have turned [rad]: the
@@ -13499,9 +13498,8 @@ KERN_SHARED static kern_status kern_certain_rest(kern_task *task,
                                   task->work, 0, kind);
     if (s->contacts < 0)
         return (kern_status)s->contacts;
-    moved = sure && part == 0 && kern_certain_rocks(task, extra)
-              ? KERN_INFINITY
-              : KERN_R(0);
+    moved = sure && part == 0 && kern_certain_rocks(task, extra) ? KERN_INFINITY
+                                                                 : KERN_R(0);
     status = kern_limit_subtract(task, kern_call_status(task, KERN_OK));
     *way = kern_max(*way, moved);
     if (status != KERN_OK || moved > 0)
@@ -13591,7 +13589,8 @@ static kern_status kern_certain_high(const kern_task *task, kern_real *high)
     kern_is_nested(&c.m, range);
     path->end = range[1];
     status = kern_call_status(task, kern_path_search(&c.m, path, 0));
-    *high = path->never_falls ? range[1] : kern_min(path->proven.high, range[1]);
+    *high = path->never_falls ? range[1]
+                              : kern_min(path->proven.high, range[1]);
     return status;
 }
 

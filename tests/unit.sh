@@ -118,6 +118,11 @@ noise() { # what nearly stands is not said to stand for certain
     gcc $plain -o "$out/noise" tests/noise.c -lm && "$out/noise"
 }
 
+misses() { # how often what lacks a support is said to stand for certain
+    # shellcheck disable=SC2086
+    gcc $plain -o "$out/misses" tests/misses.c -lm && "$out/misses"
+}
+
 work() { # how much work each question takes, against tests/work.csv
     # shellcheck disable=SC2086
     gcc $plain -o "$out/work" tests/work.c -lm && "$out/work"
