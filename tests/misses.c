@@ -704,12 +704,13 @@ static void squat_tower(double gap)
 /* Makes a tower that lacks half of its bed beside another block. */
 static void tower_neighbour(double gap)
 {
-    const double w = draw(0.4, 0.7), far = w + draw(1, 8) * true_one.e;
+    const double w = draw(0.4, 0.7), side = w + draw(1, 8) * true_one.e;
     const double b = draw(0.2, 0.5), h = draw(1, 2);
-    SHAPE(0, -6, -2, 6, -2, 6, 0, far - true_one.e / 2, 0, far - true_one.e / 2,
-          -gap, w * draw(0.2, 0.48), -gap, w * 0.15, 0, -6, 0);
+    SHAPE(0, -6, -2, 6, -2, 6, 0, side - true_one.e / 2, 0,
+          side - true_one.e / 2, -gap, w * draw(0.2, 0.48), -gap, w * 0.15, 0,
+          -6, 0);
     tower_of(draw_count(2, 4), w, w);
-    box(draw(1, 3), far, 0, far + b, h);
+    box(draw(1, 3), side, 0, side + b, h);
 }
 
 /* Makes a tower of leaning blocks. */
@@ -959,10 +960,10 @@ static void missed_prop(double gap)
 static void buttress(double gap)
 {
     const double b = draw(0.2, 0.4), h = draw(1, 1.8), over = draw(0.02, 0.1);
-    const double s = b + 2 * over, y = h * draw(0.4, 0.9), far = b + s * y / h;
+    const double s = b + 2 * over, y = h * draw(0.4, 0.9), side = b + s * y / h;
     flat();
     SHAPE(1, 0, 0, b, 0, b + s, h, s, h);
-    box(2, far + gap, 0, far + gap + draw(0.4, 0.8), y);
+    box(2, side + gap, 0, side + gap + draw(0.4, 0.8), y);
     true_one.friction = 0.8;
 }
 
