@@ -12922,14 +12922,13 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
    with other stretches open by more than was measured. */
 
 typedef struct kern_repose {
-    kern_call call;  /* the task without shrinkage                          */
-    int *order;      /* the contact points, beginning with the lowest       */
-    int *stretch;    /* per point: number of points of the stretch that
-                            begins here; 0 for the second end of a line         */
-    kern_real *gap;  /* per point [m]                                       */
-    kern_real *slip; /* per point: distance slid along t so far [m]         */
-    kern_motion
-        *motion; /* per block: sum of the motions of all rounds [m]     */
+    kern_call call;      /* the task without shrinkage                      */
+    int *order;          /* the contact points, beginning with the lowest   */
+    int *stretch;        /* per point: number of points of the stretch that
+                            begins here; 0 for the second end of a line     */
+    kern_real *gap;      /* per point [m]                                   */
+    kern_real *slip;     /* per point: distance slid along t so far [m]     */
+    kern_motion *motion; /* per block: sum of the motions of all rounds [m] */
 } kern_repose;
 
 /* Returns the vector from the centre of block i, if it is free, to p. */
@@ -13109,10 +13108,10 @@ static int kern_repose_leaves(const kern_repose *r)
     return leaves;
 }
 
-/* Solves rounds until the blocks rest. Writes to *way how far they have moved at
-   most, or KERN_INFINITY if that is more than `limit` or if they do not come to
-   rest. The gaps of contacts that press become at most 0. Returns the status of
-   the last program. */
+/* Solves rounds until the blocks rest. Writes to *way how far they have moved
+   at most, or KERN_INFINITY if that is more than `limit` or if they do not come
+   to rest. The gaps of contacts that press become at most 0. Returns the status
+   of the last program. */
 static kern_status kern_repose_rounds(kern_repose *r, kern_ipm *interior,
                                       kern_real limit, kern_real *way)
 {
@@ -13130,8 +13129,8 @@ static kern_status kern_repose_rounds(kern_repose *r, kern_ipm *interior,
         if (status == KERN_LP_OPTIMAL)
             energy = kern_repose_move(r, way);
 
-        /* In a jam of blocks that overlap there is no motion: counts overlaps as
-           closed contacts and tries again. */
+        /* Counts overlaps as closed contacts and tries again if blocks overlap
+           that no motion can part. */
         else if (round == 0 && status != KERN_LP_INFEASIBLE) {
             for (i = 0; i < r->call.m.s->contacts; i++)
                 r->gap[i] = kern_max(r->gap[i], KERN_R(0));
