@@ -734,6 +734,123 @@ static void certain_orders(void)
     CHECK(differ <= asked / 50);
 }
 
+/* Running bond with closed joints: bricks 2 wide and 1 high, and halves at the
+   ends of every second course. Every brick moves by a little, which is noise of
+   the standard error e in both directions. */
+static void noisy_bricks(world *w, int courses, int bricks, double e)
+{
+    int row, i;
+    world_reset(w);
+    world_box(w, 0, -2, -1, 2 * bricks + 2, 0);
+    for (row = 0; row < courses; row++)
+        for (i = 0; i < bricks + row % 2; i++) {
+            const double x = e * uniform(-1.7, 1.7);
+            const double y = row + e * uniform(-1.7, 1.7);
+            const double left = 2 * i - row % 2, right = left + 2;
+            world_box(w, 1, fmax(left, 0) + x, y, fmin(right, 2 * bricks) + x,
+                      y + 1);
+        }
+}
+
+/* What rests on beds alone is certain, however many stones it has and whether
+   its joints are closed: the settling comes to rest. */
+static void certain_bricks(void)
+{
+    static const struct {
+        int courses, bricks;
+    } wall[] = {{2, 1}, {3, 2}, {5, 3}, {8, 4}, {10, 7}, {14, 7}};
+    static world w;
+    kern_margin m;
+    kern_interval in;
+    int i, k, got;
+    random_seed(12);
+    for (i = 0; i < (quick || SINGLE ? 4 : 6); i++)
+        for (k = 0; k < 3; k++) {
+            const double e = SINGLE ? 1e-3 : k ? 1e-3 : 1e-6;
+            noisy_bricks(&w, wall[i].courses, wall[i].bricks, e);
+            CHECK_INT(certain_within(&w, e, e, &got, &m, &in), KERN_STANDS);
+            CHECK(in.settles < 0.4 && in.low > 0);
+        }
+}
+
+/* Lets the blocks of a task settle, by the simplex method or by the
+   interior-point method. Returns the status. */
+static int settle_by(kern_repose *r, const kern_task *task, int interior,
+                     kern_real *way)
+{
+    kern_ipm ipm;
+    const int got = kern_repose_begin(r, task);
+    kern_part *p = &r->call.part;
+    if (got != KERN_OK)
+        return got;
+    kern_repose_open(r, 1, 2, 2 * task->options.pose_error, 1);
+    if (!interior)
+        return kern_repose_settle(r, KERN_INFINITY, way);
+    return kern_ipm_open(&ipm, &r->call.m, p, &r->call.path.q)
+             ? (int)kern_repose_rounds(r, &ipm, KERN_INFINITY, way)
+             : -1;
+}
+
+/* Both methods find the same rest, except for what they leave to the next round:
+   gaps of walls agree within 1.5 errors. */
+static void settling_methods(void)
+{
+    static world w;
+    static kern_real gap[MAX_POINTS];
+    const double e = 1e-3;
+    int seed, i, rest = 0;
+    for (seed = 1; seed <= (SINGLE ? 0 : 30); seed++) {
+        kern_work work;
+        kern_task *task;
+        kern_repose r;
+        kern_real way[2];
+        int k, differ = 0;
+        random_seed(seed);
+        noisy_bricks(&w, 2 + seed % 5, 1 + seed % 4, e);
+        w.options = kern_measured_options(&w.options, R(e), R(e));
+        CHECK(world_touch(&w) > 0);
+        work = work_for(w.blocks, MAX_POINTS);
+        task = world_task(&w, &work);
+        for (k = 0; k < 2; k++) {
+            CHECK(settle_by(&r, task, k, &way[k]) >= 0);
+            for (i = 0; i < task->s.contacts; i++) {
+                differ += k && fabs((double)(gap[i] - r.gap[i])) > 1.5 * e;
+                gap[i] = r.gap[i];
+            }
+        }
+        CHECK_INT(way[0] < KERN_INFINITY, way[1] < KERN_INFINITY);
+        if (!(way[0] < KERN_INFINITY))
+            continue;
+        rest++;
+        CHECK_NEAR(way[0], way[1], e / 5);
+        CHECK_INT(differ, 0);
+    }
+    CHECK(rest >= (SINGLE ? 0 : 28));
+}
+
+/* Boxes between two walls overlap each other, so that no motion parts them:
+   they are measured as touching, and neither end means that they fall. */
+static void settling_jam(void)
+{
+    static world w;
+    kern_margin m;
+    kern_interval in;
+    const double e = 0.002;
+    int n, i, got;
+    for (n = 1; n <= 30; n += n < 4 ? 1 : 13) {
+        world_reset(&w);
+        world_box(&w, 0, -3, -1, n + 3, 0);
+        world_box(&w, 0, -3, 0, 0, 2);
+        world_box(&w, 0, n, 0, n + 3, 2);
+        for (i = 0; i < n; i++)
+            world_box(&w, 1, i - 0.75 * e, i % 3 * e / 2, i + 1 + 0.75 * e,
+                      1 + i % 3 * e / 2);
+        got = certain_within(&w, e, 0, &got, &m, &in);
+        CHECK(got == KERN_OK || got == KERN_STANDS);
+        CHECK(in.low > 0 && in.low <= m.margin && in.high >= m.margin);
+    }
+}
+
 static const test measured_tests[] = {
     TEST(stretches_of_feet),    TEST(stretches_of_cuts),
     TEST(overlap_beyond_error), TEST(overlap_of_thin_parts),
@@ -741,7 +858,8 @@ static const test measured_tests[] = {
     TEST(certain_laws),         TEST(certain_ways),
     TEST(certain_slender),      TEST(certain_combs),
     TEST(certain_rocks),        TEST(certain_points),
-    TEST(certain_orders),
+    TEST(certain_orders),       TEST(certain_bricks),
+    TEST(settling_methods),     TEST(settling_jam),
 };
 
 #endif
