@@ -2221,9 +2221,11 @@ extern "C" {
 #define KERN_IPM_SLACK KERN_R(1.1)
 
 /* Programs with costs. COST: least x, in the lightest load, and least z with
-   which a program starts. TOL: the same, largest error of a solution. */
+   which a program starts. TOL: the same, largest error of a solution. PRESSES:
+   forces x below this multiple of z become 0, the square root of TOL. */
 #define KERN_IPM_COST KERN_R(0.1)
-#define KERN_IPM_COST_TOL KERN_PICK(1e-6, 1e-3)
+#define KERN_IPM_COST_TOL KERN_PICK(1e-8, 1e-3)
+#define KERN_IPM_PRESSES KERN_PICK(1e-4, 0.03)
 
 /* ---- simplex method ---- */
 
@@ -6582,16 +6584,6 @@ static void kern_ipm_approach(const kern_part *p, const kern_real *v,
     }
 }
 
-/* Writes A'y, plus the costs if there are any, to dual.approach: what z must
-   be. */
-static void kern_ipm_slack(const kern_ipm *ipm)
-{
-    kern_part *p = ipm->part;
-    kern_ipm_approach(p, p->y, p->dual.approach);
-    if (ipm->cost)
-        kern_add(p->dual.approach, 1, ipm->cost, 2 * p->contacts);
-}
-
 /* Adds A x to `out`: the wrenches of the forces x on the groups. */
 static void kern_ipm_carry(const kern_part *p, const kern_real *x,
                            kern_real *out)
@@ -6680,10 +6672,8 @@ static kern_real kern_ipm_solve(kern_ipm *ipm)
     kern_copy(d->grad, ipm->excess, n);
     kern_ipm_carry(p, ipm->dx, d->grad);
     kern_skyline_solve(&d->matrix, d->grad, d->step);
-    ds = ipm->cost
-           ? KERN_R(0)
-           : (1 - kern_dot(ipm->g, p->y, n) - kern_dot(ipm->g, d->step, n))
-                 / kern_dot(ipm->g, ipm->solved_g, n);
+    ds = (1 - kern_dot(ipm->g, p->y, n) - kern_dot(ipm->g, d->step, n))
+       / kern_dot(ipm->g, ipm->solved_g, n); /* infinite if there are costs */
     ds = kern_min(ds, -ipm->s);
     kern_add(d->step, ds, ipm->solved_g, n);
     kern_ipm_approach(p, d->step, change);
@@ -6719,7 +6709,9 @@ static int kern_ipm_step(kern_ipm *ipm)
     kern_ipm_factor(ipm, 0, ipm->g, ipm->solved_g);
     if (!kern_is_finite(kern_dot(ipm->g, ipm->solved_g, n)))
         kern_ipm_factor(ipm, KERN_IPM_SHIFT, ipm->g, ipm->solved_g);
-    kern_ipm_slack(ipm);
+    kern_ipm_approach(p, p->y, p->dual.approach);
+    if (ipm->cost)
+        kern_add(p->dual.approach, 1, ipm->cost, rays);
 
     /* Solves for the predictor, which aims at mu = 0, and then for the
        corrector. The corrector aims at the mu that the predictor allows, and
@@ -6946,7 +6938,7 @@ static kern_status kern_ipm_evaluate(kern_ipm *ipm, const kern_query *q)
 
    If the x and y are not unique, those in the middle of all solutions are
    found. Starts from the forces of the last program if there was one. Sets x to
-   0 where it is smaller than z. The lightest load has the magnitude `lightest`.
+   0 where it is much smaller than z. The lightest load has the magnitude `lightest`.
    Returns KERN_LP_OPTIMAL, or KERN_UNDECIDED if no solution is found, as when
    no forces exist or their cost has no least value. */
 static kern_status kern_ipm_minimise(kern_ipm *ipm, const kern_real *cost,
@@ -6973,19 +6965,21 @@ static kern_status kern_ipm_minimise(kern_ipm *ipm, const kern_real *cost,
 
     /* Takes steps until A x = b, z = A'y + cost and x z = 0 hold. */
     for (round = 0; round < KERN_IPM_ROUNDS; round++) {
-        kern_ipm_slack(ipm);
-        kern_copy(d->change, d->approach, rays);
+        kern_ipm_approach(p, p->y, d->change);
+        kern_add(d->change, 1, cost, rays);
         kern_add(d->change, -1, ipm->z, rays);
         if (ipm->duality_gap <= KERN_IPM_COST_TOL * lightest
             && kern_largest(ipm->excess, n) <= KERN_IPM_COST_TOL * lightest
             && kern_largest(d->change, rays) <= KERN_IPM_COST_TOL) {
             for (i = 0; i < rays; i++)
-                p->x[i] *= KERN_R(p->x[i] > ipm->z[i]);
+                p->x[i] *= KERN_R(p->x[i]
+                                  > KERN_IPM_PRESSES * lightest * ipm->z[i]);
             return KERN_LP_OPTIMAL;
         }
         if (!kern_ipm_step(ipm))
             break;
     }
+    ipm->cost = NULL; /* the next program starts anew */
     return KERN_UNDECIDED;
 }
 
@@ -10438,21 +10432,18 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
 /* kern_certain(): angle by which it narrows or widens friction cones, in
    standard errors of angle. */
 #define KERN_ERROR_CONE KERN_R(3.0)
-/* Settling. ROUNDS: most rounds. REST: blocks rest if no motion frees more
-   energy than a fall of the lightest load by this many errors of place, for
-   each group and 20 more. */
+/* Settling. ROUNDS: most rounds. CLOSED: largest gap of a closed contact, in
+   errors of place. The blocks rest if every contact that presses is closed. */
 #define KERN_SETTLE_ROUNDS 16
-#define KERN_SETTLE_REST KERN_R(0.05)
+#define KERN_SETTLE_CLOSED KERN_R(1.0)
 /* Settling: contact points of equal height are ordered by their arms, then from
    side to side. This share of arm and place is added to the height. */
-#define KERN_SETTLE_TIE KERN_PICK(1e-7, 1e-5)
+#define KERN_SETTLE_TIE KERN_PICK(1e-10, 1e-5)
 /* kern_certain(), lower end. PARTS: the blocks settle PARTS times, each time
    with every PARTS-th stretch open, beginning with another one. OPEN: gap of
-   these stretches, in errors of place. CLOSED: largest gap of a closed contact,
-   in errors of place, also for KERN_DOUBT_*. */
+   these stretches, in errors of place. */
 #define KERN_LOW_PARTS 2
 #define KERN_LOW_OPEN KERN_R(3.0)
-#define KERN_LOW_CLOSED KERN_R(1.0)
 /* kern_certain(): its lower end is divided by 1 + LOSS e / mean size. For
    errors e below WIDE mean sizes, LOSS is smaller in proportion to e. */
 #define KERN_LOW_LOSS KERN_R(210.0)
@@ -13047,15 +13038,16 @@ static kern_status kern_repose_round(kern_repose *r, kern_ipm *interior,
 }
 
 /* Moves the blocks by the motion y of a round. Writes to *way how far they have
-   moved at most. Returns the energy that another round can free at most, in the
-   unit of force times the error of place. */
-static kern_real kern_repose_move(kern_repose *r, kern_real *way)
+   moved at most. Returns the widest gap of a contact that presses. Forces below
+   `noise` do not count. */
+static kern_real kern_repose_move(kern_repose *r, kern_real noise,
+                                  kern_real *way)
 {
     const kern_part *p = &r->call.part;
     const kern_structure *s = r->call.m.s;
     const kern_real e = r->call.m.task->options.pose_error;
     kern_motion *v = r->call.m.answer.motion;
-    kern_real energy = KERN_R(0);
+    kern_real widest = KERN_R(0);
     int i;
     kern_part_motion(&r->call.part);
     kern_scale(v, 3 * s->blocks, e);
@@ -13073,8 +13065,9 @@ static kern_real kern_repose_move(kern_repose *r, kern_real *way)
         r->slip[i] += kern_vec_cross(c->n, u);
     }
     for (i = 0; i < 2 * p->contacts; i++)
-        energy += p->x[i] * kern_max(r->gap[p->contact[i / 2]], KERN_R(0)) / e;
-    return energy;
+        if (p->x[i] > noise)
+            widest = kern_max(widest, r->gap[p->contact[i / 2]]);
+    return widest;
 }
 
 /* Returns 1 if contact point i, which is an end of a line, has slid by half the
@@ -13086,7 +13079,7 @@ static int kern_repose_slid(const kern_repose *r, int i, kern_real out)
     const kern_contact *c = s->contact + i;
     const kern_real way = kern_abs(r->slip[i]);
     const kern_real error = r->call.m.task->options.pose_error;
-    return way > kern_abs(c->travel)
+    return way > kern_abs(c->travel) + KERN_SETTLE_TIE * error
         && kern_repose_depth(s,
                              kern_vec_step(c->p,
                                            out * (KERN_ERRORS * error + way),
@@ -13095,15 +13088,17 @@ static int kern_repose_slid(const kern_repose *r, int i, kern_real out)
                < -way / 2;
 }
 
-/* Returns 1 if a line contact that presses has slid at both ends
-   (kern_repose_slid()): its block may have left the block on which it lies. The
-   gap of a contact that presses is at most 0. */
+/* Returns 1 if a closed line contact has slid at both ends
+   (kern_repose_slid()): its block may have left the block on which it lies. */
 static int kern_repose_leaves(const kern_repose *r)
 {
     const kern_structure *s = r->call.m.s;
+    const kern_real closed = KERN_SETTLE_CLOSED
+                           * r->call.m.task->options.pose_error;
     int i, leaves = 0;
     for (i = 0; i < s->contacts; i++)
-        leaves |= r->stretch[i] > 1 && kern_min(r->gap[i], r->gap[i + 1]) <= 0
+        leaves |= r->stretch[i] > 1
+               && kern_min(r->gap[i], r->gap[i + 1]) <= closed
                && kern_repose_slid(r, i, KERN_R(1))
                && kern_repose_slid(r, i + 1, KERN_R(-1));
     return leaves;
@@ -13111,25 +13106,26 @@ static int kern_repose_leaves(const kern_repose *r)
 
 /* Solves rounds until the blocks rest. Writes to *way how far they have moved
    at most, or KERN_INFINITY if that is more than `limit` or if they do not come
-   to rest. The gaps of contacts that press become at most 0. Returns the status
-   of the last program. */
+   to rest. Returns the status of the last program. */
 static kern_status kern_repose_rounds(kern_repose *r, kern_ipm *interior,
                                       kern_real limit, kern_real *way)
 {
     const kern_part *p = &r->call.part;
     const kern_real lightest = kern_part_load(p, &r->call.path.q, p->eq.rhs)
                              / KERN_PART_TOL;
-    const kern_real rest = KERN_SETTLE_REST * KERN_R(20 + p->groups) * lightest;
-    kern_real energy = KERN_INFINITY;
+    const kern_real noise = KERN_BASIS_NOISE * lightest;
+    const kern_real rest = KERN_SETTLE_CLOSED
+                         * r->call.m.task->options.pose_error;
+    kern_real widest = KERN_INFINITY;
     kern_status status = KERN_OK;
     int i, round;
     *way = KERN_R(0);
     for (round = 0; round < KERN_SETTLE_ROUNDS && status >= KERN_OK
-                    && energy > rest && *way <= limit;
+                    && widest > rest && *way <= limit;
          round++) {
         status = kern_repose_round(r, interior, lightest);
         if (status == KERN_LP_OPTIMAL)
-            energy = kern_repose_move(r, way);
+            widest = kern_repose_move(r, noise, way);
 
         /* Counts overlaps as closed contacts and tries again if blocks overlap
            that no motion can part. */
@@ -13141,13 +13137,7 @@ static kern_status kern_repose_rounds(kern_repose *r, kern_ipm *interior,
             break;
     }
 
-    /* Closes the contacts that press. */
-    for (i = 0; i < 2 * p->contacts && energy < KERN_INFINITY; i++) {
-        kern_real *gap = r->gap + p->contact[i / 2];
-        if (p->x[i] > 0)
-            *gap = kern_min(*gap, KERN_R(0));
-    }
-    if (!(energy <= rest && *way <= limit))
+    if (!(widest <= rest && *way <= limit))
         *way = KERN_INFINITY;
     return status;
 }
@@ -13291,9 +13281,7 @@ static kern_status kern_certain_check(const kern_task *task, kern_real margin,
         return KERN_BAD_POINTER;
     if (!(task->options.pose_error > 0 && margin >= 0))
         return KERN_BAD_OPTION;
-    return task->s.contacts > room
-                || task->work->reals < 9 * (room + task->s.blocks)
-                || task->work->indices < 2 * room + task->s.blocks
+    return task->s.contacts > room || task->work->reals < 9 * task->s.blocks
              ? KERN_NO_SPACE
              : KERN_OK;
 }
@@ -13520,7 +13508,7 @@ KERN_SHARED static kern_status kern_certain_rest(kern_task *task,
         return status;
     *way = kern_max(*way, moved <= limit ? moved : KERN_INFINITY);
     s->contacts = kern_repose_close(&r, contact,
-                                    KERN_LOW_CLOSED * o->pose_error
+                                    KERN_SETTLE_CLOSED * o->pose_error
                                         + KERN_R(!sure) * KERN_GAP_SHARE * size,
                                     KERN_R(sure));
     return KERN_OK;
@@ -13576,7 +13564,8 @@ static kern_real kern_certain_way(kern_task *variant, kern_real way,
 
 /* Writes to *high a shrinkage at which the task is proven to fall, near the
    first one. If there is none, writes the shrinkage that closes all kerns. */
-static kern_status kern_certain_high(const kern_task *task, kern_real *high)
+KERN_SHARED static kern_status kern_certain_high(const kern_task *task,
+                                                 kern_real *high)
 {
     kern_call c;
     kern_path *const path = &c.path;
