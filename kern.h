@@ -13038,10 +13038,8 @@ static kern_status kern_repose_round(kern_repose *r, kern_ipm *interior,
 }
 
 /* Moves the blocks by the motion y of a round. Writes to *way how far they have
-   moved at most. Returns the widest gap of a contact that presses. Forces below
-   `noise` do not count. */
-static kern_real kern_repose_move(kern_repose *r, kern_real noise,
-                                  kern_real *way)
+   moved at most. Returns the widest gap of a contact that presses. */
+static kern_real kern_repose_move(kern_repose *r, kern_real *way)
 {
     const kern_part *p = &r->call.part;
     const kern_structure *s = r->call.m.s;
@@ -13065,7 +13063,7 @@ static kern_real kern_repose_move(kern_repose *r, kern_real noise,
         r->slip[i] += kern_vec_cross(c->n, u);
     }
     for (i = 0; i < 2 * p->contacts; i++)
-        if (p->x[i] > noise)
+        if (p->x[i] > 0)
             widest = kern_max(widest, r->gap[p->contact[i / 2]]);
     return widest;
 }
@@ -13113,7 +13111,6 @@ static kern_status kern_repose_rounds(kern_repose *r, kern_ipm *interior,
     const kern_part *p = &r->call.part;
     const kern_real lightest = kern_part_load(p, &r->call.path.q, p->eq.rhs)
                              / KERN_PART_TOL;
-    const kern_real noise = KERN_BASIS_NOISE * lightest;
     const kern_real rest = KERN_SETTLE_CLOSED
                          * r->call.m.task->options.pose_error;
     kern_real widest = KERN_INFINITY;
@@ -13125,7 +13122,7 @@ static kern_status kern_repose_rounds(kern_repose *r, kern_ipm *interior,
          round++) {
         status = kern_repose_round(r, interior, lightest);
         if (status == KERN_LP_OPTIMAL)
-            widest = kern_repose_move(r, noise, way);
+            widest = kern_repose_move(r, way);
 
         /* Counts overlaps as closed contacts and tries again if blocks overlap
            that no motion can part. */
