@@ -12904,8 +12904,8 @@ KERN_API int kern_place_compare(const kern_place *a, const kern_place *b,
    In this program two blocks that slide by s also part by mu s (>>raised). Real
    blocks do not part. So the program is solved in rounds. After each round the
    gaps are computed without this parting, and the next round closes them. The
-   forces x of a round bound the energy that the next round can free, since it
-   is at most gap.x with the new gaps. The blocks rest if this bound is small.
+   blocks rest if every contact that presses is closed (KERN_SETTLE_CLOSED): the
+   forces x then hold them where they are.
 
    Contacts stay where they were measured, since the blocks move by a few errors
    only. All lengths are measured along contacts, so the frame does not matter.
