@@ -1259,7 +1259,7 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
               friction of the contacts. `low` is divided by 1 + 210 e / size, or
               if e is below 0.0065 mean sizes by 1 + 32,300 (e / size)^2. `low`
               is 0 if the structure may fall. The true margin is above `low` for
-              about 94 of 100 structures that stand, and for 60 to 73 of 100
+              about 94 of 100 structures that stand, and for 80 to 87 of 100
               stones placed where they move. `low` tends to `margin` as e tends
               to 0 if all contacts have the friction of the options.
      high     A shrinkage at which the structure is proven to fall although its
@@ -1312,11 +1312,12 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    Stones that are wedged between walls, as in a flat arch, may fall through if
    the joints are open. `low` is too high for a bed with a step of 1 to 4 e.
    tests/TRUST.md has shares for all of these.
-   The order of blocks and contacts does not matter, except for contacts of
-   exactly the same height and place. A mirrored or turned frame does not matter
-   either. A cut of the ground changes the contacts beside it a little, since
-   with theta the gap of a contact depends on the distance from the centres of
-   its blocks. e and theta are absolute even with options.relative.
+   The order of blocks and contacts does not matter, except without gravity and
+   for contacts of exactly the same height and place. A turned frame does not
+   matter, and a mirrored one only for contacts of exactly the same height. A
+   cut of the ground changes the contacts beside it a little, since with theta
+   the gap of a contact depends on the distance from the centres of its blocks.
+   e and theta are absolute even with options.relative.
    contact[0..room) receives the stretches, then the points for `high`. The
    work memory must be long enough for `room` contact points. Errors: those of
    kern_contacts() and kern_measure(), KERN_BAD_OPTION also if the options are
@@ -1325,8 +1326,9 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    proven so far.
    Time: six searches for contacts, six margins or verdicts, and five settlings
    of usually two and at most 16 linear programs. For settled structures that
-   stand, the median time is 8 times that of kern_measure() at errors of 2 % of
-   the mean size, and 21 times at 0.2 %. A wall of 200 bricks takes 0.4 s. */
+   stand, the median time is 10 times that of kern_measure() at errors of 2 % of
+   the mean size, and 21 times at 0.2 %. A wall of 200 bricks takes 0.1 to
+   0.2 s. */
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
                                   int room);
