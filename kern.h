@@ -6938,11 +6938,11 @@ static kern_status kern_ipm_evaluate(kern_ipm *ipm, const kern_query *q)
 
        min cost.x,  A x = b,  x >= 0,    A'y + cost = z >= 0,  x z = 0.
 
-   If the x and y are not unique, those in the middle of all solutions are
-   found. Starts from the forces of the last program if there was one. Sets x to
-   0 where it is much smaller than z. The lightest load has the magnitude `lightest`.
-   Returns KERN_LP_OPTIMAL, or KERN_UNDECIDED if no solution is found, as when
-   no forces exist or their cost has no least value. */
+   If x and y are not unique, finds those in the middle of all solutions. Starts
+   from the forces of the last program if that program was solved. Sets x to 0
+   where it is much smaller than z. `lightest` is the magnitude of the lightest
+   load. Returns KERN_LP_OPTIMAL, or KERN_UNDECIDED if no solution is found, as
+   when no forces exist or their cost has no least value. */
 static kern_status kern_ipm_minimise(kern_ipm *ipm, const kern_real *cost,
                                      kern_real lightest)
 {
@@ -13514,8 +13514,8 @@ KERN_SHARED static kern_status kern_certain_rest(kern_task *task,
 }
 
 /* Returns the lower end: the smallest of `margin` and of the margins on what is
-   closed once the blocks have settled, less what the error takes. Adds how far
-   they settled to *way. */
+   closed once the blocks have settled, less what the error takes. Raises *way
+   to how far they settled. */
 static kern_real kern_certain_low(kern_task *variant, kern_real margin,
                                   kern_real *way, kern_contact *contact,
                                   int room, kern_status *status)
