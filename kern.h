@@ -816,7 +816,7 @@ typedef struct kern_margin {
 /* Result of kern_certain(): an interval of the margin of a measured structure
    [m; relative: 1]. */
 typedef struct kern_interval {
-    kern_real low;     /* lower end; 0: the structure may fall            */
+    kern_real low;     /* lower end; 0: none is known                     */
     kern_real high;    /* upper end; 0: it falls; KERN_INFINITY: unknown  */
     kern_real settles; /* how far its blocks may move as they settle [m];
                           KERN_INFINITY: unknown, or too far              */
@@ -1264,8 +1264,9 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
               to 0 if all contacts have the friction of the options.
      high     A shrinkage at which the structure is proven to fall although its
               kerns are longer by 3.5 e and its friction angles larger by 3
-              theta. A point that does not move counts as two points, 3.5 e to
-              either side. `high` is at least `margin`. If kerns are not nested
+              theta, or the shrinkage that closes all kerns if none is found. A
+              point that does not move counts as two points, 3.5 e to either
+              side. `high` is at least `margin`. If kerns are not nested
               (>>rules), the structure may fall at smaller shrinkages, too. If
               `margin` is 0, contacts of edges and corners that
               kern_measured_options() finds with errors 2 e and 2 theta count as
@@ -1277,9 +1278,10 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
               and friction angles smaller by 3 theta. Second, no block rocks
               (below). Third, the structure comes to rest with every third
               stretch, each third in turn, open by g more than was measured, the
-              others closed, and no contact that presses becomes shorter by
-              half. Fourth, the structure stands on the stretches that are
-              closed then, with normals that have turned with the blocks.
+              others closed, and no closed line leaves the end of the block
+              on which it slides. Fourth, the structure stands on the stretches
+              that are closed then. Their normals have turned by the smaller
+              turn of their two blocks if both turn to the same side.
               `settles` is twice the longest motion of these settlings and of
               those of `low`, at least 6 e and at most 0.6 mean sizes.
    The second test tells whether a block may topple by its own speed because one
@@ -1291,8 +1293,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    contact. The block falls until the gap at the end closes, which frees the
    energy n gap, and the impact is taken to lose none of it. The block passes if
    this energy does not lift it over the end: 2 h n gap <= c^2. The gap is the
-   measured one plus g / 2. A stretch as long as half of the bed may hide a gap:
-   if it has a bump, the gap is the measured one plus 1.25 g, and if it has
+   measured one plus g / 2. A stretch longer than half of the bed may hide a
+   gap: if it has a bump, the gap is the measured one plus 1.25 g, and if it has
    none, only the end that is farther from the line of the force is tested. A
    bump is a place of a stretch that is nearer to the other block, by 0.3 e and
    more, than the line through the two places 1/16 of the stretch to either
@@ -1310,8 +1312,9 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
      - if it carries a frame: blocks that carry others together do not load the
        bed below them, and frames that sway as a whole are not seen.
    Stones that are wedged between walls, as in a flat arch, may fall through if
-   the joints are open. `low` is too high for a bed with a step of 1 to 4 e.
-   tests/TRUST.md has shares for all of these.
+   the joints are open. Towers of which every bed lacks the same side move up to
+   1.5 times as far as `settles`. `low` is too high for a bed with a step of 1
+   to 4 e. tests/TRUST.md has shares for all of these.
    The order of blocks and contacts does not matter, except without gravity and
    for contacts of exactly the same height and place. A turned frame does not
    matter, and a mirrored one only for contacts of exactly the same height. A
@@ -1324,7 +1327,7 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    not those of kern_measured_options(). After an error *out means nothing.
    After KERN_LIMIT, which limits the work of the whole call, *out has the ends
    proven so far.
-   Time: six searches for contacts, six margins or verdicts, and five settlings
+   Time: five searches for contacts, six margins or verdicts, and five settlings
    of usually two and at most 16 linear programs. For settled structures that
    stand, the median time is 10 times that of kern_measure() at errors of 2 % of
    the mean size, and 21 times at 0.2 %. A wall of 200 bricks takes 0.1 to
@@ -13119,20 +13122,20 @@ static kern_status kern_repose_rounds(kern_repose *r, kern_ipm *interior,
     kern_status status = KERN_OK;
     int i, round;
     *way = KERN_R(0);
-    for (round = 0; round < KERN_SETTLE_ROUNDS && status >= KERN_OK
-                    && widest > rest && *way <= limit;
+    for (round = 0;
+         round < KERN_SETTLE_ROUNDS && widest > rest && *way <= limit;
          round++) {
         status = kern_repose_round(r, interior, lightest);
         if (status == KERN_LP_OPTIMAL)
             widest = kern_repose_move(r, way);
 
         /* Counts overlaps as closed contacts and tries again if blocks overlap
-           that no motion can part. */
-        else if (round == 0 && status != KERN_LP_INFEASIBLE) {
+           that no motion can part. The interior-point method does not tell this
+           case from a fall. */
+        else if (round == 0 && (interior || status == KERN_LP_UNBOUNDED))
             for (i = 0; i < r->call.m.s->contacts; i++)
                 r->gap[i] = kern_max(r->gap[i], KERN_R(0));
-            status = KERN_OK;
-        } else
+        else
             break;
     }
 

@@ -211,10 +211,15 @@ static inline void page_verdict(FILE *out, const struct analysis *a)
                        "stand.");
     page_reversals(out, a);
     if (a->certain >= 0)
-        page_text(out, a->certain ? " Within the error of the outlines that is "
-                                    "certain."
+        page_text(out, a->certain ? " As far as the error of the outlines "
+                                    "tells, that is certain."
                                   : " Within the error of the outlines it may "
                                     "be otherwise.");
+    if (a->certain > 0 && a->verdict == KERN_STANDS)
+        fprintf(out,
+                " The margin is at least %.4g, and the stones may settle "
+                "by %.4g.",
+                (double)a->interval.low, (double)a->interval.settles);
     page_governing(out, a);
     page_growing(out, a);
     if (a->text.lives > 0 || has_growth(a, EARTH_WHOLE))

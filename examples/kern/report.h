@@ -907,9 +907,11 @@ static inline void report_verdict(const struct analysis *a)
                           : "; within +- %.4g it may be otherwise",
                pose_error(a));
     if (a->certain >= 0 && a->verdict == KERN_STANDS) {
-        printf(": margin %sat least %.4g, probably %.4g",
-               a->certain ? "" : "usually ", (double)a->interval.low,
-               a->probable);
+        printf(": margin ");
+        if (a->interval.low > 0)
+            printf("%sat least %.4g, ", a->certain ? "" : "usually ",
+                   (double)a->interval.low);
+        printf("probably %.4g", a->probable);
         if (a->certain)
             printf("; may settle by %.4g", (double)a->interval.settles);
     }
